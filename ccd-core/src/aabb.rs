@@ -1,0 +1,131 @@
+//! Axis-aligned boxes, closed overlap, and the one place where numbers are rounded outward.
+
+use crate::real::Real;
+use bytemuck::{Pod, Zeroable};
+
+/// A closed axis-aligned box; `min > max` in any axis means empty.
+///
+/// | field | bytes (f32) | unit |
+/// |---|---|---|
+/// | `min` | 0..12 | length |
+/// | `max` | 12..24 | length |
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Aabb<T = f32> {
+    /// Smallest corner.
+    pub min: [T; 3],
+    /// Greatest corner.
+    pub max: [T; 3],
+}
+
+// SAFETY: six numbers of one type, `repr(C)`: no padding, every bit pattern valid.
+unsafe impl Zeroable for Aabb<f32> {}
+// SAFETY: as above.
+unsafe impl Pod for Aabb<f32> {}
+// SAFETY: as above.
+unsafe impl Zeroable for Aabb<f64> {}
+// SAFETY: as above.
+unsafe impl Pod for Aabb<f64> {}
+
+const _: () = assert!(size_of::<Aabb<f32>>() == 24 && size_of::<Aabb<f64>>() == 48);
+
+impl<T: Real> Aabb<T> {
+    /// The box of one point.
+    #[inline]
+    pub fn of_point(p: [T; 3]) -> Self {
+        Self { min: p, max: p }
+    }
+
+    /// Smallest box that holds both.
+    #[inline(always)]
+    pub fn union(&self, other: &Self) -> Self {
+        let mut out = *self;
+        for k in 0..3 {
+            out.min[k] = out.min[k].min(other.min[k]);
+            out.max[k] = out.max[k].max(other.max[k]);
+        }
+        out
+    }
+
+    /// Whether the closed boxes share a point: touching counts. False if a bound is NaN.
+    #[inline(always)]
+    pub fn overlaps(&self, other: &Self) -> bool {
+        (self.min[0] <= other.max[0])
+            & (other.min[0] <= self.max[0])
+            & (self.min[1] <= other.max[1])
+            & (other.min[1] <= self.max[1])
+            & (self.min[2] <= other.max[2])
+            & (other.min[2] <= self.max[2])
+    }
+
+    /// Sum of the three side lengths.
+    #[inline]
+    pub fn extent_sum(&self) -> T {
+        (self.max[0] - self.min[0]) + (self.max[1] - self.min[1]) + (self.max[2] - self.min[2])
+    }
+
+    /// The same box, or a slightly larger one, in `f32`.
+    #[inline]
+    pub fn round_out(&self) -> Aabb<f32> {
+        Aabb { min: self.min.map(round_down), max: self.max.map(round_up) }
+    }
+
+    /// The box grown by `margin >= 0` on every side, rounded outward.
+    #[inline]
+    pub fn inflated(&self, margin: T) -> Self {
+        if margin > T::splat(0.0) {
+            Self {
+                min: self.min.map(|x| (x - margin).next_down()),
+                max: self.max.map(|x| (x + margin).next_up()),
+            }
+        } else {
+            *self
+        }
+    }
+}
+
+impl Aabb<f32> {
+    /// The empty box: the neutral element of [`Aabb::union`]; overlaps nothing.
+    pub const EMPTY: Self = Self { min: [f32::INFINITY; 3], max: [f32::NEG_INFINITY; 3] };
+}
+
+/// The greatest `f32` that is not above `x`.
+#[inline]
+pub fn round_down<T: Real>(x: T) -> f32 {
+    let x = x.to_f64();
+    let y = x as f32;
+    if y as f64 > x { y.next_down() } else { y }
+}
+
+/// The smallest `f32` that is not below `x`.
+#[inline]
+pub fn round_up<T: Real>(x: T) -> f32 {
+    let x = x.to_f64();
+    let y = x as f32;
+    if (y as f64) < x { y.next_up() } else { y }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rounding_encloses_and_keeps_exact_values() {
+        for x in [0.0, -0.0, 0.1, -0.1, 1.0 / 3.0, 1e-50, -1e-50, 1e300, -1e300, 0.5, 3.0e38, -3.5e38] {
+            let (lo, hi) = (round_down(x), round_up(x));
+            assert!(lo as f64 <= x && x <= hi as f64, "{x} not in [{lo}, {hi}]");
+            assert!(lo == hi || lo.next_up() == hi, "{x} in [{lo}, {hi}] is not tight");
+        }
+        assert_eq!(round_down(0.25f64), 0.25);
+    }
+
+    #[test]
+    fn overlap_is_closed() {
+        let a = Aabb { min: [0.0; 3], max: [1.0f32; 3] };
+        let mut b = Aabb { min: [1.0; 3], max: [2.0; 3] };
+        assert!(a.overlaps(&b) && b.overlaps(&a));
+        b.min[1] = 1.0f32.next_up();
+        assert!(!a.overlaps(&b) && !b.overlaps(&a));
+        assert!(!a.overlaps(&Aabb::EMPTY) && !Aabb::EMPTY.overlaps(&Aabb::EMPTY));
+    }
+}

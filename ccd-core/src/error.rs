@@ -1,0 +1,136 @@
+//! What can be wrong with input: what, where, and the value.
+
+/// Why input was refused. Nothing was computed from it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Error {
+    /// A coordinate is NaN, infinite, or beyond [`Error::MAX_COORDINATE`].
+    Coordinate {
+        /// 0 for the start of the step, 1 for its end.
+        time: u8,
+        /// Index of the vertex (or of the box).
+        vertex: usize,
+        /// 0, 1, 2 for x, y, z.
+        axis: u8,
+        /// The offending value.
+        value: f64,
+    },
+    /// A face or edge names a vertex that does not exist.
+    Index {
+        /// `"face"` or `"edge"`.
+        element: &'static str,
+        /// Index of the face or edge.
+        at: usize,
+        /// The vertex index that is out of range.
+        vertex: u32,
+        /// How many vertices there are.
+        n_vertices: usize,
+    },
+    /// Positions for another number of vertices than the mesh has.
+    VertexCount {
+        /// 0 for the start of the step, 1 for its end.
+        time: u8,
+        /// Vertices of the mesh.
+        expected: usize,
+        /// Positions that were given.
+        found: usize,
+    },
+    /// More elements than 32-bit ids can name.
+    TooMany {
+        /// What there are too many of.
+        element: &'static str,
+        /// How many there are.
+        count: u64,
+        /// How many there may be.
+        limit: u64,
+    },
+    /// A minimum distance that is negative, NaN or infinite.
+    MinDistance {
+        /// The value given.
+        value: f64,
+    },
+    /// A box with a NaN or with `min > max`.
+    Box {
+        /// Index of the box.
+        at: usize,
+        /// Axis of the bad bound.
+        axis: u8,
+        /// The lower bound.
+        min: f64,
+        /// The upper bound.
+        max: f64,
+    },
+    /// Bodies for another number of vertices than the mesh has.
+    BodyCount {
+        /// Vertices of the mesh.
+        expected: usize,
+        /// Body ids that were given.
+        found: usize,
+    },
+    /// A face or edge with vertices of two bodies.
+    MixedBodies {
+        /// `"face"` or `"edge"`.
+        element: &'static str,
+        /// Index of the face or edge.
+        at: usize,
+        /// The two bodies.
+        bodies: [u32; 2],
+    },
+    /// A thread pool of the wanted size could not be started.
+    Threads {
+        /// Threads asked for.
+        count: usize,
+    },
+}
+
+impl Error {
+    /// Greatest absolute coordinate that is accepted: cubes of differences must stay finite in `f64`.
+    pub const MAX_COORDINATE: f64 = 1e100;
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let axis_name = |axis: u8| ["x", "y", "z"][axis.min(2) as usize];
+        match *self {
+            Error::Coordinate { time, vertex, axis, value } => {
+                write!(f, "vertex {vertex} at t{time} has {} = {value}; coordinates must be finite and at most {:e}", axis_name(axis), Self::MAX_COORDINATE)
+            }
+            Error::Index { element, at, vertex, n_vertices } => {
+                write!(f, "{element} {at} refers to vertex {vertex}, but there are {n_vertices} vertices (0 to {})", n_vertices.saturating_sub(1))
+            }
+            Error::VertexCount { time, expected, found } => {
+                write!(f, "t{time} has {found} vertices, the mesh has {expected}")
+            }
+            Error::TooMany { element, count, limit } => write!(f, "{count} {element}: at most {limit} are possible"),
+            Error::MinDistance { value } => write!(f, "minimum distance is {value}; it must be finite and not negative"),
+            Error::Box { at, axis, min, max } => write!(f, "box {at} has {} from {min} to {max}", axis_name(axis)),
+            Error::BodyCount { expected, found } => write!(f, "{found} body ids for {expected} vertices"),
+            Error::MixedBodies { element, at, bodies } => {
+                write!(f, "{element} {at} joins vertices of bodies {} and {}", bodies[0], bodies[1])
+            }
+            Error::Threads { count } => write!(f, "cannot start {count} threads"),
+        }
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// Checks that every coordinate is finite and at most [`Error::MAX_COORDINATE`].
+pub fn check_coordinates<R: crate::Real>(time: u8, x: &[[R; 3]]) -> Result<(), Error> {
+    for (vertex, p) in x.iter().enumerate() {
+        for (axis, c) in p.iter().enumerate() {
+            let value = c.to_f64();
+            // Written so that NaN fails.
+            let fine = value <= Error::MAX_COORDINATE && value >= -Error::MAX_COORDINATE;
+            if !fine {
+                return Err(Error::Coordinate { time, vertex, axis: axis as u8, value });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Checks a minimum distance.
+pub fn check_min_distance(value: f64) -> Result<(), Error> {
+    if value >= 0.0 && value <= Error::MAX_COORDINATE { Ok(()) } else { Err(Error::MinDistance { value }) }
+}

@@ -1,0 +1,32 @@
+//! Map: boxes that enclose a primitive over the whole step, rounded outward to `f32`.
+//!
+//! Vertices move on straight lines, so the box of both ends holds the whole path; edges and faces are unions of their vertices.
+
+use crate::aabb::Aabb;
+use crate::real::Real;
+
+/// Box of vertex `i` from positions at `t = 0` and `t = 1`, grown by `margin >= 0`.
+#[inline]
+pub fn vertex<R: Real>(i: usize, x0: &[[R; 3]], x1: &[[R; 3]], margin: R) -> Aabb<f32> {
+    swept(x0[i], x1[i]).inflated(margin).round_out()
+}
+
+/// Box of the path from `p` to `q`, in the precision of the coordinates.
+#[inline]
+pub fn swept<R: Real>(p: [R; 3], q: [R; 3]) -> Aabb<R> {
+    Aabb::of_point(p).union(&Aabb::of_point(q))
+}
+
+/// Box of edge `i` from the boxes of all vertices.
+#[inline]
+pub fn edge<B: Copy + Real>(i: usize, edges: &[[u32; 2]], vertices: &[Aabb<B>]) -> Aabb<B> {
+    let [a, b] = edges[i];
+    vertices[a as usize].union(&vertices[b as usize])
+}
+
+/// Box of face `i` from the boxes of all vertices.
+#[inline]
+pub fn face<B: Copy + Real>(i: usize, faces: &[[u32; 3]], vertices: &[Aabb<B>]) -> Aabb<B> {
+    let [a, b, c] = faces[i];
+    vertices[a as usize].union(&vertices[b as usize]).union(&vertices[c as usize])
+}

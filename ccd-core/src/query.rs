@@ -1,0 +1,136 @@
+//! The elemental queries: one vertex against one face, one edge against one edge, over one step.
+//!
+//! Coordinates are in any unit of length, time runs from 0 to 1, vertices move on straight lines. Contact is closed: touching
+//! counts, also at `t = 0` and `t = 1`. With a minimum distance `d > 0`, contact means a distance of at most `d`.
+
+use crate::advance::{Advance, advance, within};
+use crate::bernstein::Coplanarity;
+use crate::cubic::Cubic;
+use crate::inside::{Inside, inside};
+use crate::motion::{Motion, Patch};
+use crate::real::Real;
+
+/// How early an unflagged time of impact may be, in units of the step.
+pub const TOI_TOLERANCE: f64 = 1e-6;
+
+/// The answer of a query.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Verdict<R> {
+    /// Certainly no contact during the step.
+    Miss,
+    /// Certainly contact; `toi` is not later than the first contact and at most [`TOI_TOLERANCE`] earlier.
+    Hit {
+        /// Time of impact in `[0, 1]`.
+        toi: R,
+    },
+    /// Neither could be certified in this arithmetic: to be treated as a contact. There is no contact before `toi`.
+    Undecided {
+        /// The time until which the step is certainly free, in `[0, 1]`.
+        toi: R,
+    },
+}
+
+impl<R: Real> Verdict<R> {
+    /// The time that a conservative caller may advance to: `None` for a miss.
+    #[inline]
+    pub fn toi(&self) -> Option<R> {
+        match *self {
+            Verdict::Miss => None,
+            Verdict::Hit { toi } | Verdict::Undecided { toi } => Some(toi),
+        }
+    }
+}
+
+/// A vertex-face query: `v f0 f1 f2` at both ends of the step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VertexFace<T> {
+    /// `v f0 f1 f2` at `t = 0`.
+    pub t0: [[T; 3]; 4],
+    /// `v f0 f1 f2` at `t = 1`.
+    pub t1: [[T; 3]; 4],
+}
+
+/// An edge-edge query: `ea0 ea1 eb0 eb1` at both ends of the step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EdgeEdge<T> {
+    /// `ea0 ea1 eb0 eb1` at `t = 0`.
+    pub t0: [[T; 3]; 4],
+    /// `ea0 ea1 eb0 eb1` at `t = 1`.
+    pub t1: [[T; 3]; 4],
+}
+
+macro_rules! widen {
+    ($name:ident) => {
+        impl $name<f32> {
+            /// The same query in `f64`; exact. What `f32` leaves undecided, this mostly decides.
+            pub fn widen(&self) -> $name<f64> {
+                let f = |x: &[[f32; 3]; 4]| x.map(|p| p.map(f64::from));
+                $name { t0: f(&self.t0), t1: f(&self.t1) }
+            }
+        }
+    };
+}
+widen!(VertexFace);
+widen!(EdgeEdge);
+
+/// Decides a vertex-face query in the arithmetic of `R`.
+///
+/// `min_distance >= 0`. Coordinates must be finite and at most 1e100 (`f64`); what overflows or underflows in `R` is undecided,
+/// not wrong.
+pub fn vertex_face<R: Real>(q: &VertexFace<R>, min_distance: R) -> Verdict<R> {
+    solve(&Motion::vertex_face(&q.t0, &q.t1, R::splat(0.0)), Patch::Triangle, min_distance)
+}
+
+/// Decides an edge-edge query in the arithmetic of `R`. See [`vertex_face`] for what is accepted.
+pub fn edge_edge<R: Real>(q: &EdgeEdge<R>, min_distance: R) -> Verdict<R> {
+    solve(&Motion::edge_edge(&q.t0, &q.t1, R::splat(0.0)), Patch::Parallelogram, min_distance)
+}
+
+/// Decides a query that is already in relative form; input errors of `m` are part of every bound.
+pub fn solve<R: Real>(m: &Motion<R>, patch: Patch, min_distance: R) -> Verdict<R> {
+    let zero = R::splat(0.0);
+    let plane = Coplanarity::new(m);
+    if plane.clearance(min_distance) > zero {
+        return Verdict::Miss;
+    }
+    if min_distance > zero { at_distance(m, patch, min_distance) } else { touching(m, patch, &plane) }
+}
+
+/// Contact as coplanarity and containment: `min_distance = 0`.
+fn touching<R: Real>(m: &Motion<R>, patch: Patch, plane: &Coplanarity<R>) -> Verdict<R> {
+    // The bound is of 3 f; 0.34 is a third, rounded up.
+    let cubic = Cubic::new(plane.c, plane.bound * R::splat(0.34));
+    let (intervals, n) = cubic.zero_intervals();
+    for i in 0..n {
+        let at = intervals[i];
+        let place = inside(m, patch, at.lo, at.hi);
+        if matches!(place, Inside::Outside) {
+            continue;
+        }
+        let narrow = at.hi - at.lo <= R::splat(0.5 * TOI_TOLERANCE);
+        if matches!(place, Inside::Inside) && at.crosses && narrow {
+            return Verdict::Hit { toi: at.lo };
+        }
+        if let Advance::Stuck(toi) = advance(m, patch, at.lo, at.hi, R::splat(0.0)) {
+            return Verdict::Undecided { toi };
+        }
+    }
+    Verdict::Miss
+}
+
+/// Contact as a distance of at most `min_distance > 0`.
+fn at_distance<R: Real>(m: &Motion<R>, patch: Patch, min_distance: R) -> Verdict<R> {
+    let one = R::splat(1.0);
+    let toi = match advance(m, patch, R::splat(0.0), one, min_distance) {
+        Advance::Clear => return Verdict::Miss,
+        Advance::Stuck(toi) => toi,
+    };
+    // A hit needs a witness: a time shortly after `toi` at which the distance certainly is small enough.
+    for later in [0.0, 0.01, 0.9] {
+        let t = (toi + R::splat(later * TOI_TOLERANCE)).min(one);
+        if within(m, patch, t, min_distance) {
+            return Verdict::Hit { toi };
+        }
+    }
+    Verdict::Undecided { toi }
+}

@@ -1,0 +1,161 @@
+//! Mesh topology: faces, the undirected edges in lexicographic order, the bodies that vertices belong to.
+
+use crate::error::Error;
+use alloc::vec::Vec;
+
+/// The connectivity of a triangle mesh; it stays the same while vertices move.
+///
+/// Edges are undirected vertex pairs `a < b`, sorted lexicographically: their ids do not depend on the order of faces. A degenerate face
+/// (a vertex twice) is kept and counted; its sides that join a vertex with itself are no edges.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Mesh {
+    n_vertices: usize,
+    faces: Vec<[u32; 3]>,
+    edges: Vec<[u32; 2]>,
+    n_degenerate: usize,
+}
+
+impl Mesh {
+    /// Most vertices, edges or faces: ids are 32 bits, and a tree over `n` boxes numbers `2 n - 1` nodes.
+    pub const MAX_ELEMENTS: u64 = (1 << 31) - 1;
+
+    /// A mesh of `n_vertices` vertices and these faces; edges are derived.
+    pub fn new(n_vertices: usize, faces: &[[u32; 3]]) -> Result<Self, Error> {
+        Self::with_edges(n_vertices, faces, &[])
+    }
+
+    /// A mesh with edges that no face has (rods, wires) besides those of the faces. Repeated edges count once.
+    pub fn with_edges(n_vertices: usize, faces: &[[u32; 3]], more_edges: &[[u32; 2]]) -> Result<Self, Error> {
+        limit("vertices", n_vertices)?;
+        limit("faces", faces.len())?;
+        limit("edges", faces.len().saturating_mul(3).saturating_add(more_edges.len()))?;
+        let mut n_degenerate = 0;
+        for (at, face) in faces.iter().enumerate() {
+            for &vertex in face {
+                check_index("face", at, vertex, n_vertices)?;
+            }
+            n_degenerate += (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) as usize;
+        }
+        for (at, edge) in more_edges.iter().enumerate() {
+            for &vertex in edge {
+                check_index("edge", at, vertex, n_vertices)?;
+            }
+            n_degenerate += (edge[0] == edge[1]) as usize;
+        }
+        let sides = faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+        let mut edges: Vec<[u32; 2]> = sides
+            .chain(more_edges.iter().copied())
+            .filter(|[a, b]| a != b)
+            .map(|[a, b]| if a < b { [a, b] } else { [b, a] })
+            .collect();
+        edges.sort_unstable();
+        edges.dedup();
+        edges.shrink_to_fit();
+        Ok(Self { n_vertices, faces: faces.to_vec(), edges, n_degenerate })
+    }
+
+    /// Number of vertices, also those in no face.
+    pub fn n_vertices(&self) -> usize {
+        self.n_vertices
+    }
+
+    /// Faces as given.
+    pub fn faces(&self) -> &[[u32; 3]] {
+        &self.faces
+    }
+
+    /// Undirected edges `a < b`, sorted.
+    pub fn edges(&self) -> &[[u32; 2]] {
+        &self.edges
+    }
+
+    /// Faces and given edges that name a vertex twice.
+    pub fn n_degenerate(&self) -> usize {
+        self.n_degenerate
+    }
+}
+
+/// Which body each vertex belongs to, which bodies stand still, and which pairs are wanted.
+///
+/// A pair of features is left out if both bodies are fixed, or if both are the same body and `self_contact` is off.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Bodies {
+    body_of_vertex: Vec<u32>,
+    fixed: Vec<bool>,
+    self_contact: bool,
+}
+
+impl Bodies {
+    /// Bodies are numbered by `body_of_vertex`; those whose entry in `fixed` is true do not move (missing entries are false).
+    /// With `self_contact` off, no pair within one body is looked at.
+    pub fn new(body_of_vertex: &[u32], fixed: &[bool], self_contact: bool) -> Self {
+        Self { body_of_vertex: body_of_vertex.to_vec(), fixed: fixed.to_vec(), self_contact }
+    }
+
+    /// Body of vertex `v`.
+    #[inline]
+    pub fn body(&self, v: u32) -> u32 {
+        self.body_of_vertex[v as usize]
+    }
+
+    /// Whether features of bodies `a` and `b` are to be tested against each other.
+    #[inline]
+    pub fn wants(&self, a: u32, b: u32) -> bool {
+        let fixed = |body: u32| self.fixed.get(body as usize).copied().unwrap_or(false);
+        (a != b || self.self_contact) && !(fixed(a) && fixed(b))
+    }
+
+    /// Checks that there is a body for every vertex and that no element joins two.
+    pub fn check(&self, mesh: &Mesh) -> Result<(), Error> {
+        if self.body_of_vertex.len() != mesh.n_vertices {
+            return Err(Error::BodyCount { expected: mesh.n_vertices, found: self.body_of_vertex.len() });
+        }
+        let mixed = |element, at, v: &[u32]| {
+            let first = self.body(v[0]);
+            match v.iter().map(|&v| self.body(v)).find(|&b| b != first) {
+                Some(other) => Err(Error::MixedBodies { element, at, bodies: [first, other] }),
+                None => Ok(()),
+            }
+        };
+        mesh.faces.iter().enumerate().try_for_each(|(at, f)| mixed("face", at, f))?;
+        mesh.edges.iter().enumerate().try_for_each(|(at, e)| mixed("edge", at, e))
+    }
+}
+
+fn limit(element: &'static str, count: usize) -> Result<(), Error> {
+    let (count, limit) = (count as u64, Mesh::MAX_ELEMENTS);
+    if count > limit { Err(Error::TooMany { element, count, limit }) } else { Ok(()) }
+}
+
+fn check_index(element: &'static str, at: usize, vertex: u32, n_vertices: usize) -> Result<(), Error> {
+    if (vertex as usize) < n_vertices { Ok(()) } else { Err(Error::Index { element, at, vertex, n_vertices }) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn edges_are_sorted_and_unique() {
+        let mesh = Mesh::new(5, &[[4, 2, 1], [1, 2, 0], [3, 3, 0]]).unwrap();
+        assert_eq!(mesh.edges(), [[0, 1], [0, 2], [0, 3], [1, 2], [1, 4], [2, 4]]);
+        assert_eq!(mesh.n_degenerate(), 1);
+        assert_eq!(Mesh::new(0, &[]).unwrap().edges(), [[0u32; 2]; 0]);
+    }
+
+    #[test]
+    fn bad_indices_and_counts_are_named() {
+        let want = Error::Index { element: "face", at: 1, vertex: 7, n_vertices: 3 };
+        assert_eq!(Mesh::new(3, &[[0, 1, 2], [0, 7, 2]]), Err(want));
+        assert!(matches!(Mesh::new(1 << 31, &[]), Err(Error::TooMany { element: "vertices", .. })));
+    }
+
+    #[test]
+    fn bodies_select_pairs() {
+        let bodies = Bodies::new(&[0, 0, 1, 2], &[false, true, true], false);
+        assert!(bodies.wants(0, 1) && bodies.wants(2, 0));
+        assert!(!bodies.wants(0, 0) && !bodies.wants(1, 2));
+        let mesh = Mesh::new(4, &[[0, 1, 2]]).unwrap();
+        assert_eq!(bodies.check(&mesh), Err(Error::MixedBodies { element: "face", at: 0, bodies: [0, 1] }));
+    }
+}

@@ -1,0 +1,110 @@
+//! Query files: eight rows a query (four points at `t0`, four at `t1`), coordinates as fractions, the last column the answer.
+//!
+//! The format of Wang et al., "A Large-Scale Benchmark and an Inclusion-Based Algorithm for Continuous Collision Detection".
+
+use super::{ReadError, ReadErrorKind};
+use crate::{EdgeEdge, VertexFace};
+use std::path::Path;
+
+/// An elemental query of either kind.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Query {
+    /// A vertex against a face.
+    VertexFace(VertexFace<f64>),
+    /// An edge against an edge.
+    EdgeEdge(EdgeEdge<f64>),
+}
+
+/// The content of a query file.
+#[derive(Clone, Debug, Default)]
+pub struct Queries {
+    /// The queries in the order of the file.
+    pub queries: Vec<Query>,
+    /// Whether each is a contact, as the file says.
+    pub answers: Vec<bool>,
+}
+
+/// Reads a query file. Whether it holds vertex-face or edge-edge queries is told by its path: the name of the file, or of the nearest
+/// folder, that contains `vertex-face`, `vf`, `edge-edge` or `ee`.
+pub fn read_queries(path: &Path) -> Result<Queries, ReadError> {
+    read(path).map_err(|kind| ReadError { path: path.to_owned(), kind })
+}
+
+fn read(path: &Path) -> Result<Queries, ReadErrorKind> {
+    let edge_edge = is_edge_edge(path).ok_or_else(|| {
+        ReadErrorKind::Header("the path names neither vertex-face (vf) nor edge-edge (ee) queries".into())
+    })?;
+    let file = std::fs::File::open(path)?;
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(file);
+    let mut out = Queries::default();
+    let mut points = [[0.0; 3]; 8];
+    let mut n_rows = 0;
+    let mut record = csv::StringRecord::new();
+    let mut answer = false;
+    loop {
+        let line = n_rows + 1;
+        let bad = |what: String| ReadErrorKind::Line { line, what };
+        if !reader.read_record(&mut record).map_err(|e| bad(e.to_string()))? {
+            break;
+        }
+        if record.len() != 7 {
+            return Err(bad(format!("has {} columns, expected 7", record.len())));
+        }
+        for axis in 0..3 {
+            points[n_rows % 8][axis] = fraction(&record[2 * axis], &record[2 * axis + 1]).map_err(bad)?;
+        }
+        let row_answer = match record[6].trim() {
+            "0" => false,
+            "1" => true,
+            other => return Err(bad(format!("the answer is `{other}`, expected 0 or 1"))),
+        };
+        if n_rows % 8 != 0 && row_answer != answer {
+            return Err(bad("the rows of one query have different answers".into()));
+        }
+        answer = row_answer;
+        n_rows += 1;
+        if n_rows % 8 == 0 {
+            let t0 = [points[0], points[1], points[2], points[3]];
+            let t1 = [points[4], points[5], points[6], points[7]];
+            out.queries.push(if edge_edge {
+                Query::EdgeEdge(EdgeEdge { t0, t1 })
+            } else {
+                Query::VertexFace(VertexFace { t0, t1 })
+            });
+            out.answers.push(answer);
+        }
+    }
+    if n_rows % 8 != 0 {
+        let what = format!("the file ends within a query ({n_rows} rows, not a multiple of 8)");
+        return Err(ReadErrorKind::Line { line: n_rows, what });
+    }
+    Ok(out)
+}
+
+/// Nearest component of the path first.
+fn is_edge_edge(path: &Path) -> Option<bool> {
+    path.iter().rev().find_map(|part| {
+        let part = part.to_string_lossy().to_ascii_lowercase();
+        let stem = part.strip_suffix(".csv").unwrap_or(&part);
+        let ee = stem.contains("edge-edge") || stem.ends_with("ee");
+        let vf = stem.contains("vertex-face") || stem.ends_with("vf");
+        (ee != vf).then_some(ee)
+    })
+}
+
+/// `numerator / denominator`, refused if it is no `f64` exactly: a rounded query would be another query.
+fn fraction(numerator: &str, denominator: &str) -> Result<f64, String> {
+    let parse = |s: &str| s.trim().parse::<i128>().map_err(|_| format!("`{s}` is not an integer"));
+    let (n, d) = (parse(numerator)?, parse(denominator)?);
+    if d == 0 {
+        return Err("the denominator is 0".into());
+    }
+    let value = n as f64 / d as f64;
+    let exact = n as f64 as i128 == n && d as f64 as i128 == d && product_is(value, d as f64, n as f64);
+    if exact { Ok(value) } else { Err(format!("{n}/{d} is not a double-precision number")) }
+}
+
+/// Whether `x * y == z` without rounding.
+fn product_is(x: f64, y: f64, z: f64) -> bool {
+    x.mul_add(y, -z) == 0.0
+}

@@ -1,0 +1,5 @@
+//! facade
+pub use ccd_core::topology::{Bodies, Mesh};
+pub use ccd_core::{Aabb, EdgeEdge, Error, TOI_TOLERANCE, Verdict, VertexFace, edge_edge, vertex_face};
+#[cfg(feature = "io")]
+pub mod io;
