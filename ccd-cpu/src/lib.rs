@@ -1,1 +1,16 @@
-//! x
+//! Continuous collision detection on the CPU, over rayon.
+mod broad;
+mod contact;
+mod lanes;
+mod narrow;
+mod pyramid;
+mod radix;
+mod session;
+mod simd;
+mod threads;
+mod traverse;
+mod tree;
+
+pub use broad::{BroadPhase, Method};
+pub use contact::{Contact, Kind, PerKind, Report, State, Times};
+pub use session::{MAX_LOOSENESS, Options, Session};

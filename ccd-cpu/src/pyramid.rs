@@ -1,0 +1,206 @@
+//! The default tree: boxes sorted along the Morton curve, in blocks of eight, in blocks of eight blocks, and so on.
+//!
+//! Every node is one [`Block`], eight boxes side by side; node `i` of a level has the nodes `8 i .. 8 i + 8` of the level below as children, so
+//! there are no pointers, and refitting is one pass over the levels.
+
+use crate::lanes::WIDTH;
+use crate::radix::Radix;
+use crate::simd::Block;
+use crate::threads::Threads;
+use ccd_core::Aabb;
+use ccd_core::kernel::bounds;
+use ccd_core::morton::MortonGrid;
+
+/// Bits per axis of the Morton codes that order boxes.
+const MORTON_BITS: u32 = 21;
+
+/// A tree over `n` boxes.
+#[derive(Debug, Default)]
+pub struct Pyramid {
+    n: usize,
+    order: Vec<u32>,
+    /// `levels[0]` holds the boxes, the last level is one block.
+    levels: Vec<Vec<Block>>,
+    radix: Radix,
+    chunk_bounds: Vec<Aabb<f32>>,
+    looseness_at_build: f64,
+}
+
+impl Pyramid {
+    /// Number of boxes.
+    pub fn len(&self) -> usize {
+        self.n
+    }
+
+    /// Whether there is no box.
+    pub fn is_empty(&self) -> bool {
+        self.n == 0
+    }
+
+    /// Number of levels above the boxes; a tree without boxes has one empty block.
+    pub fn height(&self) -> usize {
+        self.levels.len()
+    }
+
+    /// Blocks of a level, 0 being the boxes themselves. A level above the last is one block with one lane used.
+    pub fn level(&self, level: usize) -> &[Block] {
+        &self.levels[level]
+    }
+
+    /// Ids of the boxes in leaf order: lane `j` of block `i` of level 0 is box `order()[8 i + j]`.
+    pub fn order(&self) -> &[u32] {
+        &self.order
+    }
+
+    /// Sorts the boxes anew and builds all levels.
+    pub fn build(&mut self, threads: &Threads, boxes: &[Aabb<f32>]) {
+        self.n = boxes.len();
+        self.chunk_bounds.resize(boxes.len().div_ceil(bounds::CHUNK), Aabb::EMPTY);
+        threads.fill(&mut self.chunk_bounds, |i| bounds::scene_bounds(i, boxes));
+        let scene = self.chunk_bounds.iter().fold(Aabb::EMPTY, |all, b| all.union(b));
+        let grid = MortonGrid::new(&scene, MORTON_BITS);
+        let key = |i: usize| {
+            let [low, high] = bounds::morton(i, boxes, &grid);
+            (high as u64) << 32 | low as u64
+        };
+        self.radix.sort(threads, boxes.len(), key, &mut self.order);
+        self.fit(threads, boxes);
+        self.looseness_at_build = self.looseness();
+    }
+
+    /// Keeps the order of the last build and takes new boxes, as many as then. Returns how much looser blocks have become since: the ratio of
+    /// [`Pyramid::looseness`] to what it was after the build.
+    pub fn refit(&mut self, threads: &Threads, boxes: &[Aabb<f32>]) -> f64 {
+        assert_eq!(boxes.len(), self.n, "refit with another number of boxes");
+        self.fit(threads, boxes);
+        if self.looseness_at_build > 0.0 { self.looseness() / self.looseness_at_build } else { 1.0 }
+    }
+
+    /// Sum of the side lengths of all blocks of eight, relative to that of the boxes in them: what a block costs its tests.
+    fn looseness(&self) -> f64 {
+        if self.levels.len() < 2 {
+            return 1.0;
+        }
+        let sum = |level: &[Block]| {
+            let mut sum = 0.0;
+            for block in level {
+                for j in 0..WIDTH {
+                    if block.min[0][j] <= block.max[0][j] {
+                        sum += (0..3).map(|k| block.max[k][j] as f64 - block.min[k][j] as f64).sum::<f64>();
+                    }
+                }
+            }
+            sum
+        };
+        let boxes = sum(&self.levels[0]);
+        if boxes > 0.0 { sum(&self.levels[1]) / boxes } else { 1.0 }
+    }
+
+    fn fit(&mut self, threads: &Threads, boxes: &[Aabb<f32>]) {
+        let mut n_blocks = self.n.div_ceil(WIDTH).max(1);
+        let mut height = 0;
+        let order = &self.order;
+        loop {
+            if self.levels.len() == height {
+                self.levels.push(Vec::new());
+            }
+            let (below, here) = self.levels.split_at_mut(height);
+            here[0].resize(n_blocks, Block::EMPTY);
+            match below.last() {
+                None => threads.fill(&mut here[0], |i| {
+                    let mut block = Block::EMPTY;
+                    let leaves = &order[(i * WIDTH).min(order.len())..((i + 1) * WIDTH).min(order.len())];
+                    for (j, &id) in leaves.iter().enumerate() {
+                        set_lane(&mut block, j, &boxes[id as usize]);
+                    }
+                    block
+                }),
+                Some(children) => threads.fill(&mut here[0], |i| {
+                    let mut block = Block::EMPTY;
+                    let children = &children[i * WIDTH..((i + 1) * WIDTH).min(children.len())];
+                    for (j, child) in children.iter().enumerate() {
+                        set_lane(&mut block, j, &union_of_lanes(child));
+                    }
+                    block
+                }),
+            }
+            height += 1;
+            if n_blocks == 1 {
+                break;
+            }
+            n_blocks = n_blocks.div_ceil(WIDTH);
+        }
+        self.levels.truncate(height);
+    }
+
+    /// Adds levels of one used lane until the tree is `height` high, so that two trees can be descended in step.
+    pub fn raise(&mut self, height: usize) {
+        while self.levels.len() < height {
+            let mut block = Block::EMPTY;
+            set_lane(&mut block, 0, &union_of_lanes(&self.levels[self.levels.len() - 1][0]));
+            self.levels.push(vec![block]);
+        }
+    }
+}
+
+fn set_lane(block: &mut Block, j: usize, aabb: &Aabb<f32>) {
+    for k in 0..3 {
+        block.min[k][j] = aabb.min[k];
+        block.max[k][j] = aabb.max[k];
+    }
+}
+
+fn union_of_lanes(block: &Block) -> Aabb<f32> {
+    let mut out = Aabb::EMPTY;
+    for k in 0..3 {
+        for j in 0..WIDTH {
+            out.min[k] = out.min[k].min(block.min[k][j]);
+            out.max[k] = out.max[k].max(block.max[k][j]);
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check_well_formed(pyramid: &Pyramid, boxes: &[Aabb<f32>]) {
+        let mut seen: Vec<u32> = pyramid.order.clone();
+        seen.sort_unstable();
+        assert!(seen.iter().copied().eq(0..boxes.len() as u32), "order is no permutation");
+        for (leaf, &id) in pyramid.order.iter().enumerate() {
+            let mut at = leaf;
+            for level in &pyramid.levels {
+                let (block, j) = (&level[at / WIDTH], at % WIDTH);
+                for k in 0..3 {
+                    let b = &boxes[id as usize];
+                    assert!(block.min[k][j] <= b.min[k] && block.max[k][j] >= b.max[k], "leaf {leaf}, axis {k}");
+                }
+                at /= WIDTH;
+            }
+            assert_eq!(at, 0);
+        }
+    }
+
+    #[test]
+    fn every_ancestor_holds_every_box() {
+        let threads = Threads::new(1).unwrap();
+        let mut pyramid = Pyramid::default();
+        for n in [0usize, 1, 7, 8, 9, 64, 65, 1000, 20_000] {
+            let mut x = n as u32;
+            let mut unit = || {
+                x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+                (x >> 8) as f32 / 16_777_216.0
+            };
+            let mut boxes: Vec<_> = (0..n).map(|_| Aabb::of_point([unit(), unit(), unit()])).collect();
+            pyramid.build(&threads, &boxes);
+            check_well_formed(&pyramid, &boxes);
+            for b in &mut boxes {
+                b.max[1] += unit();
+            }
+            pyramid.refit(&threads, &boxes);
+            check_well_formed(&pyramid, &boxes);
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! Where work runs: in the calling thread, on rayon's current pool, or on a pool of a wanted size.
+
+use ccd_core::Error;
+use rayon::prelude::*;
+
+/// What one worker owns, alone on its cache lines: workers that write into neighbouring ones would slow each other down.
+#[derive(Debug, Default)]
+#[repr(align(128))]
+pub struct Own<T>(pub T);
+
+/// A number of threads and the pool that has them.
+#[derive(Debug)]
+pub struct Threads {
+    pool: Option<rayon::ThreadPool>,
+    count: usize,
+}
+
+impl Threads {
+    /// `count` threads; 0 means the pool that rayon uses at the place of the call; 1 means the calling thread, with no pool at all.
+    pub fn new(count: usize) -> Result<Self, Error> {
+        match count {
+            0 => Ok(Self { pool: None, count: rayon::current_num_threads() }),
+            1 => Ok(Self { pool: None, count: 1 }),
+            _ => {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build();
+                Ok(Self { pool: Some(pool.map_err(|_| Error::Threads { count })?), count })
+            }
+        }
+    }
+
+    /// Number of threads.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Runs `f` where the parallel calls inside of it use these threads.
+    pub fn enter<R: Send>(&self, f: impl FnOnce() -> R + Send) -> R {
+        match &self.pool {
+            Some(pool) => pool.install(f),
+            None => f(),
+        }
+    }
+
+    /// Runs `f(k, worker)` once per worker, in parallel; workers pull their work from what `f` shares.
+    pub fn each<W: Send>(&self, workers: &mut [W], f: impl Fn(usize, &mut W) + Sync) {
+        if self.count == 1 {
+            workers.iter_mut().enumerate().for_each(|(k, w)| f(k, w));
+        } else {
+            workers.par_iter_mut().with_max_len(1).enumerate().for_each(|(k, w)| f(k, w));
+        }
+    }
+
+    /// As [`Threads::each`], with a second thing of its own for every worker.
+    pub fn each_with<W: Send, S: Send>(&self, workers: &mut [W], scratch: &mut [S], f: impl Fn(&mut W, &mut S) + Sync) {
+        assert_eq!(workers.len(), scratch.len());
+        if self.count == 1 {
+            workers.iter_mut().zip(scratch).for_each(|(w, s)| f(w, s));
+        } else {
+            workers.par_iter_mut().zip(scratch).with_max_len(1).for_each(|(w, s)| f(w, s));
+        }
+    }
+
+    /// Fills `out[i] = f(i)`.
+    pub fn fill<T: Send>(&self, out: &mut [T], f: impl Fn(usize) -> T + Sync) {
+        /// Elements a task: small enough to balance, large enough to amortise.
+        const CHUNK: usize = 2048;
+        let chunk = |(k, part): (usize, &mut [T])| {
+            for (i, slot) in part.iter_mut().enumerate() {
+                *slot = f(k * CHUNK + i);
+            }
+        };
+        if self.count == 1 {
+            out.chunks_mut(CHUNK).enumerate().for_each(chunk);
+        } else {
+            out.par_chunks_mut(CHUNK).enumerate().for_each(chunk);
+        }
+    }
+
+    /// Sorts in place by a key that no two items share.
+    pub fn sort<T: Send, K: Ord>(&self, items: &mut [T], key: impl Fn(&T) -> K + Sync) {
+        if self.count == 1 { items.sort_unstable_by_key(key) } else { items.par_sort_unstable_by_key(key) }
+    }
+}

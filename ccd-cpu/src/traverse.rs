@@ -1,0 +1,153 @@
+//! Overlapping pairs of two pyramids, or of one with itself: both are descended at once, block against block, eight boxes a test.
+//!
+//! The work is cut into tasks by descending breadth first from the top until there are enough; threads take tasks from a shared counter. Which tasks there
+//! are, and what order pairs have within a task, depends on the boxes alone.
+
+use crate::lanes::WIDTH;
+use crate::pyramid::Pyramid;
+use crate::simd::{Block, Simd, Work};
+use crate::threads::{Own, Threads};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Two blocks of the same level whose boxes are to be tested against each other.
+#[derive(Clone, Copy, Debug)]
+pub struct Task {
+    level: u32,
+    a: u32,
+    b: u32,
+}
+
+/// Tasks wanted: enough that the largest is a small part of the whole.
+const MIN_TASKS: usize = 1024;
+
+/// Takes the overlapping pairs of leaves, one row at a time.
+pub trait Rows: Sync {
+    /// What each thread has of its own.
+    type Worker: Send;
+    /// Box `lane` of block `a` overlaps the boxes in `mask` of block `b`; `a`, `b` index level 0. Must be `#[inline(always)]`.
+    fn row<S: Simd>(&self, worker: &mut Self::Worker, simd: S, a: usize, lane: usize, b: usize, mask: u32);
+    /// A task begins.
+    fn begin(&self, _worker: &mut Self::Worker, _task: usize) {}
+    /// The task that began last ends.
+    fn end(&self, _worker: &mut Self::Worker) {}
+}
+
+/// The tasks of a traversal and the stack of each worker, kept between calls.
+#[derive(Debug, Default)]
+pub struct Traversal {
+    tasks: Vec<Task>,
+    next: Vec<Task>,
+    stacks: Vec<Own<Vec<Task>>>,
+}
+
+impl Traversal {
+    /// All pairs of boxes that overlap: of `a` against `b`, or within `a` (each unordered pair once, none with itself) if `b` is `None`. `part`: only
+    /// every so many-th task (1: all).
+    ///
+    /// Both trees must be equally high, see [`Pyramid::raise`].
+    pub fn run<R: Rows>(&mut self, threads: &Threads, (a, b): (&Pyramid, Option<&Pyramid>), part: usize, rows: &R, workers: &mut [R::Worker]) {
+        if !a.is_empty() && !b.is_some_and(Pyramid::is_empty) {
+            crate::simd::dispatch!(simd => self.run_with(simd, threads, (a, b), part, rows, workers));
+        }
+    }
+
+    fn run_with<S: Simd, R: Rows>(
+        &mut self,
+        simd: S,
+        threads: &Threads,
+        (a, b): (&Pyramid, Option<&Pyramid>),
+        part: usize,
+        rows: &R,
+        workers: &mut [R::Worker],
+    ) {
+        self.split(simd, a, b);
+        let within = b.is_none();
+        let b = b.unwrap_or(a);
+        self.stacks.resize_with(workers.len(), || Own(Vec::with_capacity(1024)));
+        let tasks = &self.tasks;
+        let counter = AtomicUsize::new(0);
+        let work = |worker: &mut R::Worker, Own(stack): &mut Own<Vec<Task>>| loop {
+            let k = counter.fetch_add(part, Ordering::Relaxed);
+            if k >= tasks.len() {
+                break;
+            }
+            rows.begin(worker, k);
+            simd.run(Descent { a, b, within, task: tasks[k], stack, rows, worker });
+            rows.end(worker);
+        };
+        threads.each_with(workers, &mut self.stacks, work);
+    }
+
+    /// Cuts the traversal into tasks.
+    fn split<S: Simd>(&mut self, simd: S, a: &Pyramid, b: Option<&Pyramid>) {
+        let within = b.is_none();
+        let b = b.unwrap_or(a);
+        assert_eq!(a.height(), b.height(), "trees of different height");
+        self.tasks.clear();
+        self.tasks.push(Task { level: a.height() as u32 - 1, a: 0, b: 0 });
+        while self.tasks.len() < MIN_TASKS && self.tasks.first().is_some_and(|t| t.level > 0) {
+            self.next.clear();
+            for &task in &self.tasks {
+                children(simd, a, b, within, task, &mut self.next);
+            }
+            std::mem::swap(&mut self.tasks, &mut self.next);
+        }
+    }
+}
+
+/// Appends the overlapping pairs of children of a task above level 0.
+#[inline(always)]
+fn children<S: Simd>(simd: S, a: &Pyramid, b: &Pyramid, within: bool, task: Task, out: &mut Vec<Task>) {
+    let level = task.level as usize;
+    let (block_a, block_b) = (&a.level(level)[task.a as usize], &b.level(level)[task.b as usize]);
+    for i in 0..WIDTH {
+        let mut mask = simd.overlaps(block_a, i, block_b);
+        if within && task.a == task.b {
+            mask &= 0xff << i;
+        }
+        while mask != 0 {
+            let j = mask.trailing_zeros();
+            mask &= mask - 1;
+            out.push(Task { level: task.level - 1, a: task.a * WIDTH as u32 + i as u32, b: task.b * WIDTH as u32 + j });
+        }
+    }
+}
+
+/// One task, from its pair of blocks down to the boxes.
+struct Descent<'a, R: Rows> {
+    a: &'a Pyramid,
+    b: &'a Pyramid,
+    within: bool,
+    task: Task,
+    stack: &'a mut Vec<Task>,
+    rows: &'a R,
+    worker: &'a mut R::Worker,
+}
+
+impl<R: Rows> Work for Descent<'_, R> {
+    type Out = ();
+
+    #[inline(always)]
+    fn call<S: Simd>(self, simd: S) {
+        let Descent { a, b, within, task, stack, rows, worker } = self;
+        stack.clear();
+        stack.push(task);
+        let (leaves_a, leaves_b): (&[Block], &[Block]) = (a.level(0), b.level(0));
+        while let Some(task) = stack.pop() {
+            if task.level > 0 {
+                children(simd, a, b, within, task, stack);
+                continue;
+            }
+            let (block_a, block_b) = (&leaves_a[task.a as usize], &leaves_b[task.b as usize]);
+            for i in 0..WIDTH {
+                let mut mask = simd.overlaps(block_a, i, block_b);
+                if within && task.a == task.b {
+                    mask &= 0xfe << i;
+                }
+                if mask & 0xff != 0 {
+                    rows.row(worker, simd, task.a as usize, i, task.b as usize, mask & 0xff);
+                }
+            }
+        }
+    }
+}

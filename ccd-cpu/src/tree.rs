@@ -1,0 +1,130 @@
+//! The binary radix tree on threads: the kernels of `ccd-core`, one call per thread of a GPU, over rayon.
+
+use crate::radix::Radix;
+use crate::threads::Threads;
+use ccd_core::Aabb;
+use ccd_core::kernel::{Sink, Words, bounds, build, refit, traverse};
+use ccd_core::layout::{Branch, Node, Pair};
+use ccd_core::morton::MortonGrid;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+/// A tree over boxes and what its construction needs; buffers are kept.
+#[derive(Debug, Default)]
+pub struct Tree {
+    order: Vec<u32>,
+    codes: Vec<[u32; 2]>,
+    branches: Vec<Branch>,
+    parents: Vec<AtomicU32>,
+    visits: Vec<AtomicU32>,
+    boxes: Vec<AtomicU32>,
+    nodes: Vec<Node>,
+    radix: Radix,
+}
+
+/// Atomic words as kernels see them.
+#[derive(Clone, Copy)]
+struct Shared<'a>(&'a [AtomicU32]);
+
+impl Words for Shared<'_> {
+    fn load(&self, i: usize) -> u32 {
+        self.0[i].load(Ordering::Relaxed)
+    }
+    fn store(&self, i: usize, value: u32) {
+        self.0[i].store(value, Ordering::Relaxed);
+    }
+    fn add_acquire_release(&self, i: usize, value: u32) -> u32 {
+        self.0[i].fetch_add(value, Ordering::AcqRel)
+    }
+}
+
+struct ListSink(Vec<Pair>);
+
+impl Sink<Pair> for ListSink {
+    fn push(&mut self, item: Pair) {
+        self.0.push(item);
+    }
+}
+
+/// Queries a task.
+const CHUNK: usize = 512;
+
+impl Tree {
+    /// Nodes: internal ones first, then leaves in Morton order.
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// Internal nodes: children and ranges of leaves.
+    pub fn branches(&self) -> &[Branch] {
+        &self.branches
+    }
+
+    /// Builds the tree. Fewer than two boxes give a tree without internal nodes.
+    pub fn build(&mut self, threads: &Threads, boxes: &[Aabb<f32>]) {
+        let n = boxes.len();
+        let n_internal = n.saturating_sub(1);
+        let mut chunks = vec![Aabb::EMPTY; n.div_ceil(bounds::CHUNK)];
+        threads.fill(&mut chunks, |i| bounds::scene_bounds(i, boxes));
+        let scene = chunks.iter().fold(Aabb::EMPTY, |all, b| all.union(b));
+        let grid = MortonGrid::new(&scene, 21);
+        let key = |i: usize| {
+            let [low, high] = bounds::morton(i, boxes, &grid);
+            (high as u64) << 32 | low as u64
+        };
+        self.radix.sort(threads, n, key, &mut self.order);
+        self.codes.resize(n, [0; 2]);
+        threads.fill(&mut self.codes, |i| bounds::morton(self.order[i] as usize, boxes, &grid));
+        self.branches.resize(n_internal, Branch { left: 0, right: 0, first: 0, last: 0 });
+        threads.fill(&mut self.branches, |i| build::branch(i, &self.codes));
+        for (words, len) in [(&mut self.parents, 2 * n), (&mut self.visits, n_internal), (&mut self.boxes, 2 * n * refit::STRIDE)] {
+            words.clear();
+            words.resize_with(len, AtomicU32::default);
+        }
+        let (parents, visits, words) = (Shared(&self.parents), Shared(&self.visits), Shared(&self.boxes));
+        let mut done = vec![(); n];
+        threads.fill(&mut done[..n_internal], |i| build::link(i, &self.branches[i], &parents));
+        threads.fill(&mut done, |i| refit::refit(i, &boxes[self.order[i] as usize], &self.branches, &parents, &visits, &words));
+        self.nodes.resize(n + n_internal, Node { min: [0.0; 3], left: 0, max: [0.0; 3], right: 0 });
+        threads.fill(&mut self.nodes, |i| {
+            let b = refit::load_box(&words, i);
+            let (left, right) = match self.branches.get(i) {
+                Some(branch) => (branch.left, branch.right),
+                None => (self.order[i - n_internal], Node::LEAF),
+            };
+            Node { min: b.min, left, max: b.max, right }
+        });
+    }
+
+    /// Pairs within one set, lesser id first.
+    pub fn self_pairs(&mut self, threads: &Threads, boxes: &[Aabb<f32>], out: &mut Vec<Pair>) {
+        self.build(threads, boxes);
+        let n = if boxes.len() < 2 { 0 } else { boxes.len() };
+        self.collect(threads, n, out, |i, sink| traverse::half(i, &self.nodes, &self.branches, sink));
+    }
+
+    /// Pairs of a loose box of `a` with a box of the tree over `b`.
+    pub fn pairs(&mut self, threads: &Threads, a: &[Aabb<f32>], b: &[Aabb<f32>], out: &mut Vec<Pair>) {
+        self.build(threads, b);
+        self.collect(threads, a.len(), out, |i, sink| match b {
+            [] => {}
+            [only] => {
+                if only.overlaps(&a[i]) {
+                    sink.push(Pair { a: i as u32, b: 0 });
+                }
+            }
+            _ => traverse::against(i as u32, &a[i], &self.nodes, &self.branches, sink),
+        });
+    }
+
+    /// Runs queries `0 .. n` in chunks and joins their pairs in the order of chunks.
+    fn collect(&self, threads: &Threads, n: usize, out: &mut Vec<Pair>, query: impl Fn(usize, &mut ListSink) + Sync) {
+        let mut chunks: Vec<ListSink> = (0..n.div_ceil(CHUNK)).map(|_| ListSink(Vec::new())).collect();
+        threads.each(&mut chunks, |k, sink| {
+            for i in k * CHUNK..((k + 1) * CHUNK).min(n) {
+                query(i, sink);
+            }
+        });
+        out.clear();
+        chunks.iter().for_each(|chunk| out.extend_from_slice(&chunk.0));
+    }
+}
