@@ -4,4 +4,4 @@ pub use ccd_core::{Aabb, EdgeEdge, Error, TOI_TOLERANCE, Verdict, VertexFace, ed
 #[cfg(feature = "io")]
 pub mod io;
 pub use ccd_core::layout::Pair;
-pub use ccd_cpu::{BroadPhase, Contact, Kind, Method, Options, PerKind, Report, Session, State, Times};
+pub use ccd_cpu::{BroadPhase, Contact, Kind, Method, Options, Pairs, PerKind, Report, Session, State, Times};

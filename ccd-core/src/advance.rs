@@ -9,7 +9,7 @@
 
 use crate::closest::closest;
 use crate::motion::{Motion, Patch};
-use crate::real::{Num, Real};
+use crate::real::Real;
 use crate::vec3::{dot, lerp, scale, sum_abs};
 
 /// The outcome of [`advance`].
@@ -28,11 +28,8 @@ const MIN_PROGRESS: f64 = 2.328_306_436_538_696_3e-10;
 
 /// Advances from `from` towards `until` while the features certainly stay further than `min_distance >= 0` apart.
 pub fn advance<R: Real>(m: &Motion<R>, patch: Patch, from: R, until: R, min_distance: R) -> Advance<R> {
-    let (corners0, n) = m.corners(patch, 0);
-    let (corners1, _) = m.corners(patch, 1);
-    let [ma, mb, mc] = m.magnitudes();
-    // Error of a component of a corner, and of a product with it per unit of `w`'s components.
-    let slack = (ma + mb + mc) * R::splat(16.0 * R::UNIT) + m.error * R::splat(3.0) + R::splat(256.0 * R::MIN_NORMAL);
+    let (corners0, corners1) = (m.corners(patch, 0), m.corners(patch, 1));
+    let slack = m.corner_error();
     let zero = R::splat(0.0);
     let mut t = from;
     for _ in 0..MAX_DIRECTIONS {
@@ -46,7 +43,7 @@ pub fn advance<R: Real>(m: &Motion<R>, patch: Patch, from: R, until: R, min_dist
         let length = dot(w, w).sqrt_up();
         let needed = slack * R::splat(1.01) + min_distance * length * R::splat(1.0 + 8.0 * R::UNIT);
         let mut next = R::splat(2.0);
-        for j in 0..n {
+        for j in 0..4 {
             let (g0, g1) = (dot(w, corners0[j]), dot(w, corners1[j]));
             let needed = needed + (g0.abs() + g1.abs()) * R::splat(8.0 * R::UNIT);
             if g0 > needed && g1 > needed {
@@ -78,29 +75,8 @@ pub fn advance<R: Real>(m: &Motion<R>, patch: Patch, from: R, until: R, min_dist
 /// Whether the features certainly are within `min_distance` of each other at time `t`.
 pub fn within<R: Real>(m: &Motion<R>, patch: Patch, t: R, min_distance: R) -> bool {
     let x = closest(lerp(m.a[0], m.a[1], t), lerp(m.b[0], m.b[1], t), lerp(m.c[0], m.c[1], t), patch);
-    let [ma, mb, mc] = m.magnitudes();
-    let error = (ma + mb + mc) * R::splat(32.0 * R::UNIT) + m.error * R::splat(3.0) + R::splat(256.0 * R::MIN_NORMAL);
-    // The Euclidean length of an error of `error` in each component is below twice that.
-    let length = dot(x, x).sqrt_up() * R::splat(1.0 + 8.0 * R::UNIT) + error * R::splat(2.0);
+    // Twice for the interpolation besides the differences, twice for the length of an error in three components.
+    let length = dot(x, x).sqrt_up() * R::splat(1.0 + 8.0 * R::UNIT) + m.corner_error() * R::splat(4.0);
     length <= min_distance
 }
 
-/// The greatest gap that one of the three axes keeps between two groups of points during the whole step, or a number that is not
-/// positive: the first `n_first` (1 or 2) of the four points against the others. Only compares and subtracts coordinates.
-#[inline(always)]
-pub fn axis_gap<N: Num>(x0: &[[N; 3]; 4], x1: &[[N; 3]; 4], n_first: usize) -> N {
-    let sides = |x: &[[N; 3]; 4], k: usize| {
-        let [p, q, r, s] = [x[0][k], x[1][k], x[2][k], x[3][k]];
-        if n_first == 1 {
-            (p - q.max(r.max(s)), q.min(r.min(s)) - p)
-        } else {
-            (p.min(q) - r.max(s), r.min(s) - p.max(q))
-        }
-    };
-    let axis = |k: usize| {
-        let (above0, below0) = sides(x0, k);
-        let (above1, below1) = sides(x1, k);
-        above0.min(above1).max(below0.min(below1))
-    };
-    axis(0).max(axis(1)).max(axis(2))
-}

@@ -7,6 +7,7 @@
 //! |---|---|
 //! | [`query`] | vertex-face and edge-edge over a step, with verdicts |
 //! | [`bernstein`] | the non-penetration filter and its rounding bound |
+//! | [`separate`] | cheap certificates of passing beside |
 //! | [`cubic`], [`inside`], [`advance`] | roots, containment, advancement: how a query is decided |
 //! | [`aabb`], [`morton`] | boxes rounded outward, space-filling codes |
 //! | [`layout`] | records that cross between CPU and GPU |
@@ -31,6 +32,7 @@ pub mod morton;
 pub mod motion;
 pub mod query;
 pub mod real;
+pub mod separate;
 #[cfg(feature = "alloc")]
 pub mod topology;
 pub mod vec3;

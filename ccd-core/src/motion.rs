@@ -9,7 +9,7 @@
 //! differences first recentres the query: each difference has relative error of one unit roundoff, however far from the
 //! origin the query is.
 
-use crate::real::{Num, Real};
+use crate::real::Num;
 use crate::vec3::{max_abs, sub};
 
 /// The region of `(s, r)` in which the patch exists.
@@ -38,39 +38,52 @@ impl<N: Num> Motion<N> {
     /// From `v f0 f1 f2` at both times. `coordinate_error`: how far each coordinate may be from the true one.
     #[inline(always)]
     pub fn vertex_face(t0: &[[N; 3]; 4], t1: &[[N; 3]; 4], coordinate_error: N) -> Self {
-        let of = |x: &[[N; 3]; 4]| [sub(x[0], x[1]), sub(x[2], x[1]), sub(x[3], x[1])];
-        Self::from_differences(of(t0), of(t1), coordinate_error)
+        Self {
+            a: [sub(t0[0], t0[1]), sub(t1[0], t1[1])],
+            b: [sub(t0[2], t0[1]), sub(t1[2], t1[1])],
+            c: [sub(t0[3], t0[1]), sub(t1[3], t1[1])],
+            error: coordinate_error + coordinate_error,
+        }
     }
 
     /// From `ea0 ea1 eb0 eb1` at both times. `coordinate_error`: how far each coordinate may be from the true one.
     #[inline(always)]
     pub fn edge_edge(t0: &[[N; 3]; 4], t1: &[[N; 3]; 4], coordinate_error: N) -> Self {
-        let of = |x: &[[N; 3]; 4]| [sub(x[2], x[0]), sub(x[1], x[0]), sub(x[2], x[3])];
-        Self::from_differences(of(t0), of(t1), coordinate_error)
-    }
-
-    #[inline(always)]
-    fn from_differences(d0: [[N; 3]; 3], d1: [[N; 3]; 3], coordinate_error: N) -> Self {
-        let error = coordinate_error + coordinate_error;
-        Self { a: [d0[0], d1[0]], b: [d0[1], d1[1]], c: [d0[2], d1[2]], error }
+        Self {
+            a: [sub(t0[2], t0[0]), sub(t1[2], t1[0])],
+            b: [sub(t0[1], t0[0]), sub(t1[1], t1[0])],
+            c: [sub(t0[2], t0[3]), sub(t1[2], t1[3])],
+            error: coordinate_error + coordinate_error,
+        }
     }
 
     /// Bounds of the absolute components of `a`, `b`, `c` over the whole step, input error included.
     #[inline(always)]
     pub fn magnitudes(&self) -> [N; 3] {
-        let of = |x: &[[N; 3]; 2]| max_abs(x[0]).max(max_abs(x[1])) + self.error;
-        [of(&self.a), of(&self.b), of(&self.c)]
+        [
+            max_abs(self.a[0]).max(max_abs(self.a[1])) + self.error,
+            max_abs(self.b[0]).max(max_abs(self.b[1])) + self.error,
+            max_abs(self.c[0]).max(max_abs(self.c[1])) + self.error,
+        ]
     }
 }
 
-impl<R: Real> Motion<R> {
-    /// The corners of the patch seen from the origin of `a`: `a`, `a - b`, `a - c` and, for a parallelogram,
-    /// `a - b - c`. The features touch exactly when the hull of these points contains the origin.
-    #[inline]
-    pub fn corners(&self, patch: Patch, time: usize) -> ([[R; 3]; 4], usize) {
+impl<N: Num> Motion<N> {
+    /// The corners of the patch seen from the origin of `a`: `a`, `a - b`, `a - c` and, for a parallelogram, `a - b - c`
+    /// (for a triangle `a` again). The features touch exactly when the hull of these points contains the origin.
+    #[inline(always)]
+    pub fn corners(&self, patch: Patch, time: usize) -> [[N; 3]; 4] {
         let (a, b, c) = (self.a[time], self.b[time], self.c[time]);
         let ab = sub(a, b);
-        let n = if matches!(patch, Patch::Triangle) { 3 } else { 4 };
-        ([a, ab, sub(a, c), sub(ab, c)], n)
+        let last = if matches!(patch, Patch::Triangle) { a } else { sub(ab, c) };
+        [a, ab, sub(a, c), last]
+    }
+
+    /// Bound of the error of a component of any corner, and of its scalar product with a vector per unit of that vector's components
+    /// (their absolute sum); products that underflow are covered apart from it.
+    #[inline(always)]
+    pub fn corner_error(&self) -> N {
+        let [a, b, c] = self.magnitudes();
+        (a + b + c) * N::splat(16.0 * N::UNIT) + self.error * N::splat(3.0) + N::splat(256.0 * N::MIN_NORMAL)
     }
 }

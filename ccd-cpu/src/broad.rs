@@ -32,7 +32,7 @@ pub struct BroadPhase {
     traversal: Traversal,
     tree: Tree,
     workers: Vec<Lister>,
-    pairs: Vec<Pair>,
+    runs: Vec<Run>,
 }
 
 /// One set of boxes.
@@ -53,12 +53,12 @@ impl BroadPhase {
             traversal: Traversal::default(),
             tree: Tree::default(),
             workers: Vec::new(),
-            pairs: Vec::new(),
+            runs: Vec::new(),
         })
     }
 
     /// Pairs within one set, each once, lesser index first.
-    pub fn self_pairs<T: Real + Send + Sync>(&mut self, boxes: &[Aabb<T>]) -> Result<&[Pair], Error> {
+    pub fn self_pairs<T: Real + Send + Sync>(&mut self, boxes: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
         check_boxes(boxes)?;
         let threads = std::mem::replace(&mut self.threads, Threads::new(1)?);
         threads.enter(|| {
@@ -71,19 +71,21 @@ impl BroadPhase {
                     self.list::<true>(&threads, true, slack, &confirm);
                 }
                 Method::Tree => {
-                    self.tree.self_pairs(&threads, &self.a.boxes, &mut self.pairs);
+                    let out = only_list(&mut self.workers);
+                    self.tree.self_pairs(&threads, &self.a.boxes, out);
                     if !exact {
-                        self.pairs.retain(|p| boxes[p.a as usize].overlaps(&boxes[p.b as usize]));
+                        out.retain(|p| boxes[p.a as usize].overlaps(&boxes[p.b as usize]));
                     }
+                    order_runs(&self.workers, &mut self.runs);
                 }
             }
         });
         self.threads = threads;
-        Ok(&self.pairs)
+        Ok(Pairs { runs: &self.runs, workers: &self.workers })
     }
 
     /// Pairs of a box of `a` with a box of `b`.
-    pub fn pairs<T: Real + Send + Sync>(&mut self, a: &[Aabb<T>], b: &[Aabb<T>]) -> Result<&[Pair], Error> {
+    pub fn pairs<T: Real + Send + Sync>(&mut self, a: &[Aabb<T>], b: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
         check_boxes(a)?;
         check_boxes(b)?;
         let threads = std::mem::replace(&mut self.threads, Threads::new(1)?);
@@ -101,15 +103,17 @@ impl BroadPhase {
                     self.list::<false>(&threads, false, slack, &confirm);
                 }
                 Method::Tree => {
-                    self.tree.pairs(&threads, &self.a.boxes, &self.b.boxes, &mut self.pairs);
+                    let out = only_list(&mut self.workers);
+                    self.tree.pairs(&threads, &self.a.boxes, &self.b.boxes, out);
                     if !exact {
-                        self.pairs.retain(|p| a[p.a as usize].overlaps(&b[p.b as usize]));
+                        out.retain(|p| a[p.a as usize].overlaps(&b[p.b as usize]));
                     }
+                    order_runs(&self.workers, &mut self.runs);
                 }
             }
         });
         self.threads = threads;
-        Ok(&self.pairs)
+        Ok(Pairs { runs: &self.runs, workers: &self.workers })
     }
 
     fn list<const ORDERED: bool>(&mut self, threads: &Threads, within: bool, slack: Option<f32>, confirm: &(dyn Fn(u32, u32) -> bool + Sync)) {
@@ -121,7 +125,7 @@ impl BroadPhase {
         }
         let rows = Listing::<ORDERED> { a, b, slack, confirm };
         self.traversal.run(threads, (a, (!within).then_some(b)), 1, &rows, &mut self.workers);
-        concatenate(threads, &mut self.workers, &mut self.pairs);
+        order_runs(&self.workers, &mut self.runs);
     }
 }
 
@@ -166,6 +170,16 @@ impl<const ORDERED: bool> Rows for Listing<'_, ORDERED> {
     }
 }
 
+/// Empties all lists and returns that of the first worker, as one segment.
+fn only_list(workers: &mut Vec<Lister>) -> &mut Vec<Pair> {
+    workers.resize_with(1, Lister::default);
+    let lister = &mut workers[0];
+    lister.pairs.clear();
+    lister.segments.clear();
+    lister.segments.push((0, 0));
+    &mut lister.pairs
+}
+
 /// The ids of block `b`; lanes past the end repeat the last id.
 #[inline(always)]
 pub(crate) fn lane_ids(order: &[u32], b: usize) -> [u32; 8] {
@@ -175,28 +189,67 @@ pub(crate) fn lane_ids(order: &[u32], b: usize) -> [u32; 8] {
     }
 }
 
-/// Joins what workers found in the order of tasks. With one worker nothing is copied.
-fn concatenate(threads: &Threads, workers: &mut [Lister], out: &mut Vec<Pair>) {
-    if let [only] = workers {
-        std::mem::swap(&mut only.pairs, out);
-        return;
+/// The pairs that a broad phase found, in canonical order: a few runs, which stay where the threads wrote them.
+#[derive(Clone, Copy, Debug)]
+pub struct Pairs<'a> {
+    runs: &'a [Run],
+    workers: &'a [Lister],
+}
+
+/// A run of pairs: of which task, found by which worker, where.
+#[derive(Clone, Copy, Debug)]
+struct Run {
+    task: usize,
+    worker: usize,
+    start: usize,
+    end: usize,
+}
+
+impl<'a> Pairs<'a> {
+    /// Number of pairs.
+    pub fn len(&self) -> usize {
+        self.runs.iter().map(|r| r.end - r.start).sum()
     }
-    let mut runs: Vec<(usize, &[Pair])> = Vec::new();
-    for worker in workers.iter() {
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The runs, in order.
+    pub fn runs(&self) -> impl Iterator<Item = &'a [Pair]> + use<'a> {
+        let workers = self.workers;
+        self.runs.iter().map(|r| &workers[r.worker].pairs[r.start..r.end])
+    }
+
+    /// All pairs, in order.
+    pub fn iter(&self) -> impl Iterator<Item = Pair> + use<'a> {
+        self.runs().flatten().copied()
+    }
+
+    /// A copy in one piece.
+    pub fn to_vec(&self) -> Vec<Pair> {
+        let mut out = Vec::with_capacity(self.len());
+        self.runs().for_each(|run| out.extend_from_slice(run));
+        out
+    }
+}
+
+/// Puts the workers' segments in the order of tasks, neighbours in one worker's list joined.
+fn order_runs(workers: &[Lister], runs: &mut Vec<Run>) {
+    runs.clear();
+    for (k, worker) in workers.iter().enumerate() {
         let ends = worker.segments.iter().skip(1).map(|s| s.1).chain([worker.pairs.len()]);
-        runs.extend(worker.segments.iter().zip(ends).map(|(&(task, start), end)| (task, &worker.pairs[start..end])));
+        runs.extend(worker.segments.iter().zip(ends).map(|(&(task, start), end)| Run { task, worker: k, start, end }));
     }
-    runs.sort_unstable_by_key(|run| run.0);
-    let total = runs.iter().map(|run| run.1.len()).sum();
-    out.resize(total, Pair { a: 0, b: 0 });
-    let mut rest = &mut out[..];
-    let mut copies: Vec<(&mut [Pair], &[Pair])> = Vec::with_capacity(runs.len());
-    for (_, run) in runs {
-        let (here, after) = rest.split_at_mut(run.len());
-        copies.push((here, run));
-        rest = after;
-    }
-    threads.each(&mut copies, |_, (to, from)| to.copy_from_slice(from));
+    runs.sort_unstable_by_key(|run| run.task);
+    runs.dedup_by(|next, run| {
+        let joined = next.worker == run.worker && next.start == run.end;
+        if joined {
+            run.end = next.end;
+        }
+        joined
+    });
 }
 
 impl Side {

@@ -11,6 +11,6 @@ mod threads;
 mod traverse;
 mod tree;
 
-pub use broad::{BroadPhase, Method};
+pub use broad::{BroadPhase, Method, Pairs};
 pub use contact::{Contact, Kind, PerKind, Report, State, Times};
 pub use session::{MAX_LOOSENESS, Options, Session};

@@ -9,12 +9,12 @@ use crate::lanes::{Lanes, WIDTH};
 use crate::pyramid::Pyramid;
 use crate::simd::{Simd, Work};
 use crate::traverse::Rows;
-use ccd_core::advance::axis_gap;
 use ccd_core::bernstein::Coplanarity;
 use ccd_core::kernel::{narrow, sweep};
 use ccd_core::layout::Pair;
 use ccd_core::motion::{Motion, Patch};
 use ccd_core::query::solve;
+use ccd_core::separate::{axis_gap, beside};
 use ccd_core::topology::{Bodies, Mesh};
 use ccd_core::{Num, Real, Verdict};
 use std::time::{Duration, Instant};
@@ -276,10 +276,17 @@ impl<T: Real, F: Fn(Pair) -> [u32; 4]> Work for Filter<'_, T, F> {
                     v[k][j] = four[k];
                 }
             }
-            let points = v.map(|ids| simd.gather(scene.table, &ids));
-            let x0 = points.map(|p| [p[0], p[1], p[2]]);
-            let x1 = points.map(|p| [p[4], p[5], p[6]]);
-            let n_first = if matches!(kind, Kind::VertexFace) { 1 } else { 2 };
+            let mut x0 = [[distance; 3]; 4];
+            let mut x1 = [[distance; 3]; 4];
+            for k in 0..4 {
+                let p = simd.gather(scene.table, &v[k]);
+                x0[k] = [p[0], p[1], p[2]];
+                x1[k] = [p[4], p[5], p[6]];
+            }
+            let (n_first, patch) = match kind {
+                Kind::VertexFace => (1, Patch::Triangle),
+                Kind::EdgeEdge => (2, Patch::Parallelogram),
+            };
             let mut rejected = axis_gap(&x0, &x1, n_first).greater(needed);
             if rejected != 0xff {
                 let motion = match kind {
@@ -287,6 +294,9 @@ impl<T: Real, F: Fn(Pair) -> [u32; 4]> Work for Filter<'_, T, F> {
                     Kind::EdgeEdge => Motion::edge_edge(&x0, &x1, error),
                 };
                 rejected |= Coplanarity::new(&motion).clearance(distance).greater(0.0);
+                if rejected != 0xff {
+                    rejected |= beside(&motion, patch, distance).greater(0.0);
+                }
             }
             let mut left = !rejected & (0xff >> (WIDTH - eight.len()));
             while left != 0 {

@@ -1,15 +1,19 @@
 //! Parallel least-significant-digit radix sort of 64-bit keys with 32-bit values; stable, so the result does not depend on threads.
 //!
-//! Digits that are equal in all keys are skipped. Arrays are atomic words with relaxed access, which is plain loads and stores: threads
+//! Only the upper 33 bits are sorted digit by digit; keys that agree in them are few in most scenes and are then sorted by comparison, run by run. Digits that
+//! are equal in all keys are skipped. Arrays are atomic words with relaxed access, which is plain loads and stores: threads
 //! write disjoint places that no slice could express.
 
 use crate::threads::Threads;
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering::Relaxed};
 
-/// Bits of a digit: 6 passes for 63 bits, and counts that stay in the first-level cache.
+/// Bits of a digit: counts stay in the first-level cache.
 const BITS: u32 = 11;
 const BINS: usize = 1 << BITS;
-const PASSES: usize = 6;
+/// Digits sorted: bits 30 to 63.
+const PASSES: usize = 3;
+/// Bits below the sorted digits.
+const LOW_BITS: u32 = 30;
 
 /// Buffers of the sort, kept between calls.
 #[derive(Debug, Default)]
@@ -22,6 +26,7 @@ pub struct Radix {
 #[derive(Debug)]
 struct Worker {
     counts: Box<[[u32; BINS]; PASSES]>,
+    ties: Vec<(u64, u32)>,
 }
 
 /// Items per worker under which more threads cost more than they give.
@@ -36,7 +41,7 @@ impl Radix {
         }
         let n_workers = threads.count().min(n.div_ceil(MIN_PART)).max(1);
         while self.workers.len() < n_workers {
-            self.workers.push(Worker { counts: Box::new([[0; BINS]; PASSES]) });
+            self.workers.push(Worker { counts: Box::new([[0; BINS]; PASSES]), ties: Vec::new() });
         }
         let workers = &mut self.workers[..n_workers];
         let part = n.div_ceil(n_workers).max(1);
@@ -84,6 +89,7 @@ impl Radix {
             });
             from = to;
         }
+        threads.each(workers, |k, worker| sort_ties(&keys[from], &values[from], range(k), &mut worker.ties));
         order.resize(n, 0);
         threads.fill(order, |i| values[from][i].load(Relaxed));
     }
@@ -91,7 +97,33 @@ impl Radix {
 
 #[inline]
 fn digit(key: u64, pass: usize) -> usize {
-    (key >> (BITS * pass as u32)) as usize & (BINS - 1)
+    (key >> (LOW_BITS + BITS * pass as u32)) as usize & (BINS - 1)
+}
+
+/// Sorts every run of keys with equal upper bits that begins in `range`.
+fn sort_ties(keys: &[AtomicU64], values: &[AtomicU32], range: std::ops::Range<usize>, ties: &mut Vec<(u64, u32)>) {
+    let upper = |i: usize| keys[i].load(Relaxed) >> LOW_BITS;
+    let mut i = range.start;
+    // A run that began before this range is sorted by whoever has its beginning.
+    while i > 0 && i < range.end && upper(i) == upper(i - 1) {
+        i += 1;
+    }
+    while i < range.end {
+        let mut end = i + 1;
+        while end < keys.len() && upper(end) == upper(i) {
+            end += 1;
+        }
+        if end - i > 1 {
+            ties.clear();
+            ties.extend((i..end).map(|k| (keys[k].load(Relaxed), values[k].load(Relaxed))));
+            ties.sort_unstable();
+            for (k, &(key, value)) in (i..end).zip(ties.iter()) {
+                keys[k].store(key, Relaxed);
+                values[k].store(value, Relaxed);
+            }
+        }
+        i = end;
+    }
 }
 
 fn count(keys: &[AtomicU64], counts: &mut [[u32; BINS]; PASSES], passes: std::ops::Range<usize>) {

@@ -137,15 +137,19 @@ mod avx2 {
     use super::{Block, Lanes, Pair, Simd, WIDTH, Work};
     use std::arch::x86_64::*;
 
-    /// Proof that the processor has AVX2; only [`Avx2::new`] makes one.
+    /// Proof that the processor has AVX2 and the bit instructions that came with it; only [`Avx2::new`] makes one.
     #[derive(Clone, Copy, Debug)]
     pub struct Avx2(());
 
     impl Avx2 {
-        /// `Some` if the processor has AVX2.
+        /// `Some` if the processor has them.
         #[inline]
         pub fn new() -> Option<Self> {
-            std::is_x86_feature_detected!("avx2").then_some(Self(()))
+            let all = std::is_x86_feature_detected!("avx2")
+                && std::is_x86_feature_detected!("popcnt")
+                && std::is_x86_feature_detected!("bmi1")
+                && std::is_x86_feature_detected!("lzcnt");
+            all.then_some(Self(()))
         }
     }
 
@@ -168,21 +172,21 @@ mod avx2 {
     };
 
     #[inline]
-    #[target_feature(enable = "avx2")]
+    #[target_feature(enable = "avx2,popcnt,bmi1,lzcnt")]
     fn load(x: &[f32; WIDTH]) -> __m256 {
         // SAFETY: eight floats are readable; the load needs no alignment.
         unsafe { _mm256_loadu_ps(x.as_ptr()) }
     }
 
     #[inline]
-    #[target_feature(enable = "avx2")]
+    #[target_feature(enable = "avx2,popcnt,bmi1,lzcnt")]
     fn load_ids(x: &[u32; WIDTH]) -> __m256i {
         // SAFETY: eight words are readable; the load needs no alignment.
         unsafe { _mm256_loadu_si256(x.as_ptr().cast()) }
     }
 
     #[inline]
-    #[target_feature(enable = "avx2")]
+    #[target_feature(enable = "avx2,popcnt,bmi1,lzcnt")]
     fn overlaps<const SHRUNK: bool>(a: &Block, i: usize, b: &Block, shrink: f32) -> u32 {
         let mut hit = _mm256_castsi256_ps(_mm256_set1_epi32(-1));
         for k in 0..3 {
@@ -196,14 +200,14 @@ mod avx2 {
     }
 
     #[inline]
-    #[target_feature(enable = "avx2")]
+    #[target_feature(enable = "avx2,popcnt,bmi1,lzcnt")]
     fn equals_one(lanes: &[u32; WIDTH], x: u32) -> u32 {
         let equal = _mm256_cmpeq_epi32(load_ids(lanes), _mm256_set1_epi32(x as i32));
         _mm256_movemask_ps(_mm256_castsi256_ps(equal)) as u32
     }
 
     #[inline]
-    #[target_feature(enable = "avx2")]
+    #[target_feature(enable = "avx2,popcnt,bmi1,lzcnt")]
     fn equals(lanes: &[u32; WIDTH], x: [u32; 2]) -> u32 {
         let lanes = load_ids(lanes);
         let first = _mm256_cmpeq_epi32(lanes, _mm256_set1_epi32(x[0] as i32));
@@ -212,7 +216,7 @@ mod avx2 {
     }
 
     #[inline]
-    #[target_feature(enable = "avx2")]
+    #[target_feature(enable = "avx2,popcnt,bmi1,lzcnt")]
     fn append<const ORDERED: bool>(out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mask: u32) {
         let mask = mask & 0xff;
         if out.capacity() - out.len() < WIDTH {
@@ -236,32 +240,60 @@ mod avx2 {
     }
 
     #[inline]
-    #[target_feature(enable = "avx2")]
+    #[target_feature(enable = "avx2,popcnt,bmi1,lzcnt")]
     fn gather(table: &[[f32; WIDTH]], ids: &[u32; WIDTH]) -> [Lanes; WIDTH] {
-        let r = ids.map(|id| load(&table[id as usize]));
+        let [r0, r1, r2, r3] = [row(table, ids[0]), row(table, ids[1]), row(table, ids[2]), row(table, ids[3])];
+        let [r4, r5, r6, r7] = [row(table, ids[4]), row(table, ids[5]), row(table, ids[6]), row(table, ids[7])];
         // Transpose of 8 x 8: interleave pairs of rows, then quadruples, then halves.
-        let a = [0, 2, 4, 6].map(|i| (_mm256_unpacklo_ps(r[i], r[i + 1]), _mm256_unpackhi_ps(r[i], r[i + 1])));
-        let quad = |p: __m256, q: __m256| (_mm256_shuffle_ps::<0x44>(p, q), _mm256_shuffle_ps::<0xee>(p, q));
-        let ((c0, c1), (c2, c3)) = (quad(a[0].0, a[1].0), quad(a[0].1, a[1].1));
-        let ((d0, d1), (d2, d3)) = (quad(a[2].0, a[3].0), quad(a[2].1, a[3].1));
-        let mut out = [Lanes([0.0; WIDTH]); WIDTH];
-        for (k, (c, d)) in [(c0, d0), (c1, d1), (c2, d2), (c3, d3)].into_iter().enumerate() {
-            let (near, far) = (_mm256_permute2f128_ps::<0x20>(c, d), _mm256_permute2f128_ps::<0x31>(c, d));
-            // SAFETY: a row of lanes is eight writable floats; the stores need no alignment.
-            unsafe {
-                _mm256_storeu_ps(out[k].0.as_mut_ptr(), near);
-                _mm256_storeu_ps(out[k + 4].0.as_mut_ptr(), far);
-            }
-        }
+        let [c0, c1, c2, c3] = quads(r0, r1, r2, r3);
+        let [d0, d1, d2, d3] = quads(r4, r5, r6, r7);
+        [
+            lanes(_mm256_permute2f128_ps::<0x20>(c0, d0)),
+            lanes(_mm256_permute2f128_ps::<0x20>(c1, d1)),
+            lanes(_mm256_permute2f128_ps::<0x20>(c2, d2)),
+            lanes(_mm256_permute2f128_ps::<0x20>(c3, d3)),
+            lanes(_mm256_permute2f128_ps::<0x31>(c0, d0)),
+            lanes(_mm256_permute2f128_ps::<0x31>(c1, d1)),
+            lanes(_mm256_permute2f128_ps::<0x31>(c2, d2)),
+            lanes(_mm256_permute2f128_ps::<0x31>(c3, d3)),
+        ]
+    }
+
+    #[inline]
+    #[target_feature(enable = "avx2,popcnt,bmi1,lzcnt")]
+    fn row(table: &[[f32; WIDTH]], id: u32) -> __m256 {
+        load(&table[id as usize])
+    }
+
+    /// The four components of four rows, in each half: `[x x x x | x' x' x' x']`, and so on.
+    #[inline]
+    #[target_feature(enable = "avx2,popcnt,bmi1,lzcnt")]
+    fn quads(r0: __m256, r1: __m256, r2: __m256, r3: __m256) -> [__m256; 4] {
+        let (p, q) = (_mm256_unpacklo_ps(r0, r1), _mm256_unpackhi_ps(r0, r1));
+        let (s, t) = (_mm256_unpacklo_ps(r2, r3), _mm256_unpackhi_ps(r2, r3));
+        [
+            _mm256_shuffle_ps::<0x44>(p, s),
+            _mm256_shuffle_ps::<0xee>(p, s),
+            _mm256_shuffle_ps::<0x44>(q, t),
+            _mm256_shuffle_ps::<0xee>(q, t),
+        ]
+    }
+
+    #[inline]
+    #[target_feature(enable = "avx2,popcnt,bmi1,lzcnt")]
+    fn lanes(x: __m256) -> Lanes {
+        let mut out = Lanes([0.0; WIDTH]);
+        // SAFETY: eight floats are writable; the store needs no alignment.
+        unsafe { _mm256_storeu_ps(out.0.as_mut_ptr(), x) };
         out
     }
 
-    #[target_feature(enable = "avx2")]
+    #[target_feature(enable = "avx2,popcnt,bmi1,lzcnt")]
     fn run<W: Work>(simd: Avx2, work: W) -> W::Out {
         work.call(simd)
     }
 
-    // SAFETY of every call below: `Avx2` exists only on a processor that has AVX2.
+    // SAFETY of every call below: `Avx2` exists only on a processor that has the instructions.
     impl Simd for Avx2 {
         #[inline(always)]
         fn overlaps(self, a: &Block, i: usize, b: &Block) -> u32 {

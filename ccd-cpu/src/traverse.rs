@@ -28,7 +28,7 @@ pub trait Rows: Sync {
     fn row<S: Simd>(&self, worker: &mut Self::Worker, simd: S, a: usize, lane: usize, b: usize, mask: u32);
     /// A task begins.
     fn begin(&self, _worker: &mut Self::Worker, _task: usize) {}
-    /// The task that began last ends.
+    /// No further task comes.
     fn end(&self, _worker: &mut Self::Worker) {}
 }
 
@@ -69,11 +69,11 @@ impl Traversal {
         let work = |worker: &mut R::Worker, Own(stack): &mut Own<Vec<Task>>| loop {
             let k = counter.fetch_add(part, Ordering::Relaxed);
             if k >= tasks.len() {
+                rows.end(worker);
                 break;
             }
             rows.begin(worker, k);
             simd.run(Descent { a, b, within, task: tasks[k], stack, rows, worker });
-            rows.end(worker);
         };
         threads.each_with(workers, &mut self.stacks, work);
     }
@@ -100,18 +100,31 @@ impl Traversal {
 fn children<S: Simd>(simd: S, a: &Pyramid, b: &Pyramid, within: bool, task: Task, out: &mut Vec<Task>) {
     let level = task.level as usize;
     let (block_a, block_b) = (&a.level(level)[task.a as usize], &b.level(level)[task.b as usize]);
-    for i in 0..WIDTH {
-        let mut mask = simd.overlaps(block_a, i, block_b);
-        if within && task.a == task.b {
-            mask &= 0xff << i;
-        }
-        while mask != 0 {
-            let j = mask.trailing_zeros();
-            mask &= mask - 1;
-            out.push(Task { level: task.level - 1, a: task.a * WIDTH as u32 + i as u32, b: task.b * WIDTH as u32 + j });
-        }
+    let mut masks = overlaps(simd, block_a, block_b);
+    if within && task.a == task.b {
+        masks &= UPPER_OR_DIAGONAL;
+    }
+    while masks != 0 {
+        let bit = masks.trailing_zeros();
+        masks &= masks - 1;
+        out.push(Task { level: task.level - 1, a: task.a * WIDTH as u32 + bit / 8, b: task.b * WIDTH as u32 + bit % 8 });
     }
 }
+
+/// Byte `i`, bit `j`: whether box `i` of `a` overlaps box `j` of `b`. All rows first, without a branch between them.
+#[inline(always)]
+fn overlaps<S: Simd>(simd: S, a: &Block, b: &Block) -> u64 {
+    let mut masks = 0;
+    for i in 0..WIDTH {
+        masks |= (simd.overlaps(a, i, b) as u64) << (8 * i);
+    }
+    masks
+}
+
+/// Byte `i` has the bits `j >= i`.
+const UPPER_OR_DIAGONAL: u64 = 0x80c0_e0f0_f8fc_feff;
+/// Byte `i` has the bits `j > i`.
+const UPPER: u64 = 0x0080_c0e0_f0f8_fcfe;
 
 /// One task, from its pair of blocks down to the boxes.
 struct Descent<'a, R: Rows> {
@@ -139,14 +152,15 @@ impl<R: Rows> Work for Descent<'_, R> {
                 continue;
             }
             let (block_a, block_b) = (&leaves_a[task.a as usize], &leaves_b[task.b as usize]);
-            for i in 0..WIDTH {
-                let mut mask = simd.overlaps(block_a, i, block_b);
-                if within && task.a == task.b {
-                    mask &= 0xfe << i;
-                }
-                if mask & 0xff != 0 {
-                    rows.row(worker, simd, task.a as usize, i, task.b as usize, mask & 0xff);
-                }
+            let mut masks = overlaps(simd, block_a, block_b);
+            if within && task.a == task.b {
+                masks &= UPPER;
+            }
+            while masks != 0 {
+                let i = masks.trailing_zeros() as usize / 8;
+                let mask = (masks >> (8 * i)) as u32 & 0xff;
+                masks &= !(0xff << (8 * i));
+                rows.row(worker, simd, task.a as usize, i, task.b as usize, mask);
             }
         }
     }

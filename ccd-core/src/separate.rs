@@ -1,0 +1,68 @@
+//! Cheap certificates that two features stay apart: a direction along which they are separated at both ends of the step.
+//!
+//! Along a fixed direction, separation at `t = 0` and on the same side at `t = 1` is separation throughout: positions are linear in time, so every
+//! difference of two positions along the direction keeps its sign. Branch-free, for lanes.
+
+use crate::motion::{Motion, Patch};
+use crate::real::Num;
+use crate::vec3::{add, cross, dot, sub, sum_abs};
+
+/// The greatest gap that one of the three axes keeps between two groups of points during the whole step, or a number that is not
+/// positive: the first `n_first` (1 or 2) of the four points against the others. Only compares and subtracts coordinates.
+#[inline(always)]
+pub fn axis_gap<N: Num>(x0: &[[N; 3]; 4], x1: &[[N; 3]; 4], n_first: usize) -> N {
+    let x = one_axis(x0, x1, n_first, 0);
+    let y = one_axis(x0, x1, n_first, 1);
+    let z = one_axis(x0, x1, n_first, 2);
+    x.max(y).max(z)
+}
+
+#[inline(always)]
+fn one_axis<N: Num>(x0: &[[N; 3]; 4], x1: &[[N; 3]; 4], n_first: usize, k: usize) -> N {
+    let (above0, below0) = sides(x0, n_first, k);
+    let (above1, below1) = sides(x1, n_first, k);
+    above0.min(above1).max(below0.min(below1))
+}
+
+/// How far the first points are above the others along axis `k`, and how far below.
+#[inline(always)]
+fn sides<N: Num>(x: &[[N; 3]; 4], n_first: usize, k: usize) -> (N, N) {
+    let [p, q, r, s] = [x[0][k], x[1][k], x[2][k], x[3][k]];
+    if n_first == 1 {
+        (p - q.max(r.max(s)), q.min(r.min(s)) - p)
+    } else {
+        (p.min(q) - r.max(s), r.min(s) - p.max(q))
+    }
+}
+
+/// Positive only if the features are certainly never closer than `min_distance`, because they pass beside each other: tries the directions in the plane of
+/// the patch (halfway through the step) that are perpendicular to its sides. The size means nothing; NaN where a computation overflowed.
+#[inline(always)]
+pub fn beside<N: Num>(m: &Motion<N>, patch: Patch, min_distance: N) -> N {
+    // Twice the sides at t = 1/2; a direction needs no scale.
+    let b = add(m.b[0], m.b[1]);
+    let c = add(m.c[0], m.c[1]);
+    let n = cross(b, c);
+    let (corners0, corners1) = (m.corners(patch, 0), m.corners(patch, 1));
+    let needed = m.corner_error() * N::splat(1.01) + min_distance * N::splat(1.0001);
+    let along_b = apart(cross(n, b), &corners0, &corners1, needed);
+    let along_c = apart(cross(n, c), &corners0, &corners1, needed);
+    let best = along_b.max(along_c);
+    if matches!(patch, Patch::Triangle) { best.max(apart(cross(n, sub(c, b)), &corners0, &corners1, needed)) } else { best }
+}
+
+/// Separation along `w` beyond `needed` per unit of `w`; `sum_abs` is at least the length of `w`.
+#[inline(always)]
+fn apart<N: Num>(w: [N; 3], corners0: &[[N; 3]; 4], corners1: &[[N; 3]; 4], needed: N) -> N {
+    let first = dot(w, corners0[0]);
+    let (mut low, mut high) = (first, first);
+    let mut poison = first - first;
+    for j in 0..4 {
+        let (g0, g1) = (dot(w, corners0[j]), dot(w, corners1[j]));
+        low = low.min(g0).min(g1);
+        high = high.max(g0).max(g1);
+        // 0, or NaN if a product overflowed: minima and maxima may lose it.
+        poison = poison + (g0 - g0) + (g1 - g1);
+    }
+    low.max(-high) - sum_abs(w) * needed - N::splat(64.0 * N::MIN_NORMAL) + poison
+}
