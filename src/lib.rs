@@ -1,7 +1,54 @@
-//! facade
-pub use ccd_core::topology::{Bodies, Mesh};
-pub use ccd_core::{Aabb, EdgeEdge, Error, TOI_TOLERANCE, Verdict, VertexFace, edge_edge, vertex_face};
+//! Continuous collision detection for triangle meshes: which vertices and faces, and which edges, touch while every vertex moves on a straight line from
+//! its position at the start of a step to that at its end, and when. No contact is missed, and no time of impact is late, rounding included.
+//!
+//! ```
+//! use ccd::{Kind, Mesh, Options, Session, State};
+//!
+//! // A square of two triangles, and a triangle whose first vertex falls through it.
+//! let faces = [[0, 1, 2], [2, 1, 3], [4, 5, 6]];
+//! let mesh = Mesh::new(7, &faces)?;
+//! let before = [
+//!     [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 1.0],
+//!     [0.3, 0.5, 0.3], [0.2, 2.0, 0.3], [0.4, 2.0, 0.3f64],
+//! ];
+//! let mut after = before;
+//! after[4][1] = -0.5;
+//!
+//! let mut session = Session::new(mesh, Options::default())?;
+//! let report = session.step(&before, &after)?;
+//! let contact = report.contacts[0];
+//! assert_eq!((contact.kind, contact.a, contact.b), (Kind::VertexFace, 4, 0));
+//! assert_eq!(contact.state, State::Hit);
+//! assert!(contact.toi <= 0.5 && contact.toi > 0.5 - 1e-6);
+//!
+//! // A step that is safe to take, found faster than all contacts.
+//! assert_eq!(session.earliest_toi(&before, &after)?, Some(contact.toi));
+//! # Ok::<(), ccd::Error>(())
+//! ```
+//!
+//! | to do | use |
+//! |---|---|
+//! | every contact of a step, once | [`step`] |
+//! | the largest safe step | [`earliest_toi`] |
+//! | frame after frame of one mesh | [`Session`] |
+//! | several bodies, fixed bodies | [`Bodies`] in [`Options`] |
+//! | contact at a distance | [`Options::min_distance`] |
+//! | one pair of features | [`vertex_face`], [`edge_edge`] |
+//! | boxes in, overlapping pairs out | [`BroadPhase`] |
+//! | read meshes and query files | `io` (feature `io`) |
+//!
+//! Coordinates are `f32` or `f64`, in any unit, finite and at most 1e100. What a caller may rely on is listed in the README; how it is done, in ARCHITECTURE.md.
+//!
+//! # Features
+//! `cli` (default) builds the command; a library wants `default-features = false`. `io` adds the readers.
+
 #[cfg(feature = "io")]
 pub mod io;
+
+pub use ccd_core::digest::Digest;
 pub use ccd_core::layout::Pair;
-pub use ccd_cpu::{BroadPhase, Contact, Kind, Method, Options, Pairs, PerKind, Report, Session, State, Times};
+pub use ccd_core::topology::{Bodies, Mesh};
+pub use ccd_core::{Aabb, EdgeEdge, Error, Real, TOI_TOLERANCE, Verdict, VertexFace, edge_edge, vertex_face};
+pub use ccd_cpu::{
+    BroadPhase, Contact, Kind, MAX_LOOSENESS, Method, Options, Pairs, PerKind, Report, Session, State, Times, earliest_toi, step,
+};

@@ -24,6 +24,7 @@ pub mod advance;
 pub mod bernstein;
 pub mod closest;
 pub mod cubic;
+pub mod digest;
 pub mod error;
 pub mod inside;
 pub mod kernel;

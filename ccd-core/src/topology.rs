@@ -1,11 +1,12 @@
-//! Mesh topology: faces, the undirected edges in lexicographic order, the bodies that vertices belong to.
+//! Mesh topology: faces, the undirected edges in a canonical order, the bodies that vertices belong to.
 
 use crate::error::Error;
 use alloc::vec::Vec;
 
 /// The connectivity of a triangle mesh; it stays the same while vertices move.
 ///
-/// Edges are undirected vertex pairs `a < b`, sorted lexicographically: their ids do not depend on the order of faces. A degenerate face
+/// Edges are undirected vertex pairs `[a, b]` with `a < b`, sorted by `b`, then by `a`: the order of the upper triangle of an adjacency matrix
+/// column by column, which published collision data uses. Their ids do not depend on the order of faces. A degenerate face
 /// (a vertex twice) is kept and counted; its sides that join a vertex with itself are no edges.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Mesh {
@@ -48,7 +49,7 @@ impl Mesh {
             .filter(|[a, b]| a != b)
             .map(|[a, b]| if a < b { [a, b] } else { [b, a] })
             .collect();
-        edges.sort_unstable();
+        edges.sort_unstable_by_key(|&[a, b]| (b, a));
         edges.dedup();
         edges.shrink_to_fit();
         Ok(Self { n_vertices, faces: faces.to_vec(), edges, n_degenerate })
@@ -64,7 +65,7 @@ impl Mesh {
         &self.faces
     }
 
-    /// Undirected edges `a < b`, sorted.
+    /// Undirected edges `[a, b]`, `a < b`, sorted by `b`, then by `a`.
     pub fn edges(&self) -> &[[u32; 2]] {
         &self.edges
     }
@@ -138,7 +139,7 @@ mod tests {
     #[test]
     fn edges_are_sorted_and_unique() {
         let mesh = Mesh::new(5, &[[4, 2, 1], [1, 2, 0], [3, 3, 0]]).unwrap();
-        assert_eq!(mesh.edges(), [[0, 1], [0, 2], [0, 3], [1, 2], [1, 4], [2, 4]]);
+        assert_eq!(mesh.edges(), [[0, 1], [0, 2], [1, 2], [0, 3], [1, 4], [2, 4]]);
         assert_eq!(mesh.n_degenerate(), 1);
         assert_eq!(Mesh::new(0, &[]).unwrap().edges(), [[0u32; 2]; 0]);
     }

@@ -13,4 +13,4 @@ mod tree;
 
 pub use broad::{BroadPhase, Method, Pairs};
 pub use contact::{Contact, Kind, PerKind, Report, State, Times};
-pub use session::{MAX_LOOSENESS, Options, Session};
+pub use session::{MAX_LOOSENESS, Options, Session, earliest_toi, step};

@@ -148,6 +148,18 @@ impl Session {
     }
 }
 
+/// Every contact of one step, with no session to keep: see [`Session::step`].
+pub fn step<T: Real + Send + Sync>(mesh: &Mesh, x0: &[[T; 3]], x1: &[[T; 3]], options: &Options) -> Result<Report, Error> {
+    let mut session = Session::new(mesh.clone(), options.clone())?;
+    session.step(x0, x1)?;
+    Ok(session.report)
+}
+
+/// The earliest time of impact of one step: see [`Session::earliest_toi`].
+pub fn earliest_toi<T: Real + Send + Sync>(mesh: &Mesh, x0: &[[T; 3]], x1: &[[T; 3]], options: &Options) -> Result<Option<f64>, Error> {
+    Session::new(mesh.clone(), options.clone())?.earliest_toi(x0, x1)
+}
+
 /// Of how many tasks one is sampled to bound the earliest time of impact.
 const SAMPLE: usize = 64;
 

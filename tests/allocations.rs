@@ -1,0 +1,63 @@
+//! A warm session allocates nothing.
+
+use ccd::{Options, Session};
+use ccd_testkit::generate::crumpled_sheet;
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+struct Counting;
+
+static CALLS: AtomicUsize = AtomicUsize::new(0);
+
+// SAFETY: every call goes to the system's allocator unchanged.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        CALLS.fetch_add(1, Ordering::Relaxed);
+        // SAFETY: the caller's promises are passed on.
+        unsafe { System.alloc(layout) }
+    }
+    unsafe fn dealloc(&self, p: *mut u8, layout: Layout) {
+        // SAFETY: the caller's promises are passed on.
+        unsafe { System.dealloc(p, layout) }
+    }
+    unsafe fn realloc(&self, p: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        CALLS.fetch_add(1, Ordering::Relaxed);
+        // SAFETY: the caller's promises are passed on.
+        unsafe { System.realloc(p, layout, size) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// Allocations of each of 40 steps after 5 to warm up.
+fn count(threads: usize) -> Vec<usize> {
+    let step = crumpled_sheet(60, 1);
+    let mut session = Session::new(step.mesh, Options { threads, ..Options::default() }).unwrap();
+    let mut one = |session: &mut Session, i: usize| {
+        let before = CALLS.load(Ordering::Relaxed);
+        // Forwards and backwards in turn; every third time only the earliest time.
+        let (x0, x1) = if i % 2 == 0 { (&step.x0, &step.x1) } else { (&step.x1, &step.x0) };
+        if i % 3 == 0 {
+            session.earliest_toi(x0, x1).unwrap();
+        } else {
+            assert!(!session.step(x0, x1).unwrap().contacts.is_empty());
+        }
+        CALLS.load(Ordering::Relaxed) - before
+    };
+    (0..5).for_each(|i| drop(one(&mut session, i)));
+    (5..45).map(|i| one(&mut session, i)).collect()
+}
+
+#[test]
+fn warm_sessions_allocate_nothing() {
+    let alone = count(1);
+    assert!(alone.iter().all(|&n| n == 0), "one thread: {alone:?}");
+    // Rayon's queue for calls from outside of the pool grows by one block in 63 calls, and each worker's own queue may grow once.
+    let shared = count(2);
+    assert!(shared.iter().sum::<usize>() <= 4, "two threads: {shared:?}");
+    // The counter counts.
+    let before = CALLS.load(Ordering::Relaxed);
+    drop(std::hint::black_box(vec![1u8; 100]));
+    assert!(CALLS.load(Ordering::Relaxed) > before);
+}

@@ -1,0 +1,140 @@
+//! Bad input is refused with what, where and the value; odd but valid input is handled.
+
+use ccd::io::{ReadErrorKind, read_frame, read_queries};
+use ccd::{Aabb, BroadPhase, Error, Mesh, Method, Options, Session, Verdict, VertexFace};
+use std::path::{Path, PathBuf};
+
+const TRIANGLE: [[f64; 3]; 3] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+
+fn session(options: Options) -> Result<Session, Error> {
+    Session::new(Mesh::new(3, &[[0, 1, 2]])?, options)
+}
+
+#[test]
+fn coordinates_must_be_finite() {
+    let mut session = session(Options::default()).unwrap();
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e200] {
+        let mut x1 = TRIANGLE;
+        x1[2][1] = bad;
+        match session.step(&TRIANGLE, &x1) {
+            Err(Error::Coordinate { time: 1, vertex: 2, axis: 1, value }) => assert!(value == bad || bad.is_nan()),
+            other => panic!("{other:?}"),
+        }
+        assert!(matches!(session.step(&x1, &TRIANGLE), Err(Error::Coordinate { time: 0, .. })));
+    }
+    assert!(session.step(&TRIANGLE, &TRIANGLE).unwrap().contacts.is_empty(), "the session goes on after an error");
+    let single = TRIANGLE.map(|p| p.map(|c| c as f32));
+    let mut bad = single;
+    bad[0][2] = f32::NAN;
+    assert!(matches!(session.step(&single, &bad), Err(Error::Coordinate { time: 1, vertex: 0, axis: 2, .. })));
+}
+
+#[test]
+fn sizes_indices_and_distances_are_checked() {
+    assert_eq!(Mesh::new(3, &[[0, 1, 3]]), Err(Error::Index { element: "face", at: 0, vertex: 3, n_vertices: 3 }));
+    let mut good = session(Options::default()).unwrap();
+    assert_eq!(good.step(&TRIANGLE[..2], &TRIANGLE).unwrap_err(), Error::VertexCount { time: 0, expected: 3, found: 2 });
+    for value in [-1.0, f64::NAN, f64::INFINITY] {
+        let error = session(Options { min_distance: value, ..Options::default() }).unwrap_err();
+        assert!(matches!(error, Error::MinDistance { .. }), "{error}");
+    }
+    assert!(matches!(Mesh::new(1 << 31, &[]), Err(Error::TooMany { element: "vertices", count: 2_147_483_648, .. })));
+    let mut broad = BroadPhase::new(1, Method::Blocks).unwrap();
+    let bad = [Aabb { min: [0.0f32; 3], max: [1.0; 3] }, Aabb { min: [0.0, 2.0, 0.0], max: [1.0; 3] }];
+    assert!(matches!(broad.self_pairs(&bad), Err(Error::Box { at: 1, axis: 1, .. })));
+}
+
+#[test]
+fn empty_meshes_have_no_contacts() {
+    for threads in [1, 2] {
+        let mut session = Session::new(Mesh::new(0, &[]).unwrap(), Options { threads, ..Options::default() }).unwrap();
+        let none: [[f64; 3]; 0] = [];
+        assert!(session.step(&none, &none).unwrap().contacts.is_empty());
+        assert_eq!(session.earliest_toi(&none, &none).unwrap(), None);
+        let mut points = Session::new(Mesh::new(5, &[]).unwrap(), Options { threads, ..Options::default() }).unwrap();
+        assert!(points.step(&[[0.0f64; 3]; 5], &[[1.0; 3]; 5]).unwrap().contacts.is_empty());
+    }
+}
+
+#[test]
+fn degenerate_features_are_closed_sets() {
+    // A vertex that falls onto a face of no area, onto its line, and beside it.
+    let needle = |x: f64| VertexFace {
+        t0: [[x, 1.0, 0.0], [0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]],
+        t1: [[x, -1.0, 0.0], [0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]],
+    };
+    let toi = ccd::vertex_face(&needle(1.5), 0.0).toi().unwrap();
+    assert!(toi <= 0.5 && toi > 0.5 - 1e-6, "{toi}");
+    assert_eq!(ccd::vertex_face(&needle(2.5), 0.0), Verdict::Miss);
+    // All points in one place.
+    let point = VertexFace { t0: [[1.0; 3]; 4], t1: [[1.0; 3]; 4] };
+    assert_eq!(ccd::vertex_face(&point, 0.0).toi(), Some(0.0));
+    let mesh = Mesh::new(7, &[[0, 1, 1], [2, 2, 2], [4, 5, 6]]).unwrap();
+    assert_eq!((mesh.n_degenerate(), mesh.edges().len()), (2, 4));
+    let report = ccd::step(&mesh, &[[0.5f64; 3]; 7], &[[0.5; 3]; 7], &Options::default()).unwrap();
+    assert_eq!(report.toi, Some(0.0));
+}
+
+fn write(dir: &Path, name: &str, content: &[u8]) -> PathBuf {
+    let path = dir.join(name);
+    std::fs::write(&path, content).unwrap();
+    path
+}
+
+const ASCII: &str = "ply\nformat ascii 1.0\ncomment x\nelement vertex 4\nproperty double x\nproperty float y\nproperty float z\nproperty uchar red\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 1\n1 0 0 1\n1 1 0 1\n0 1 0.1 1\n4 0 1 2 3\n";
+
+#[test]
+fn meshes_are_read_in_every_encoding() {
+    let dir = tempfile::tempdir().unwrap();
+    let want = read_frame(&write(dir.path(), "a.ply", ASCII.as_bytes())).unwrap();
+    assert_eq!(want.faces, [[0, 1, 2], [0, 2, 3]]);
+    assert_eq!(want.positions[3], [0.0, 1.0, 0.1f32 as f64]);
+    for (format, big) in [("binary_little_endian", false), ("binary_big_endian", true)] {
+        let (head, _) = ASCII.split_once("end_header\n").unwrap();
+        let mut bytes = format!("{}end_header\n", head.replace("ascii", format)).into_bytes();
+        for p in &want.positions {
+            bytes.extend(if big { p[0].to_be_bytes() } else { p[0].to_le_bytes() });
+            for c in &p[1..] {
+                bytes.extend(if big { (*c as f32).to_be_bytes() } else { (*c as f32).to_le_bytes() });
+            }
+            bytes.push(1);
+        }
+        bytes.push(4);
+        (0..4i32).for_each(|i| bytes.extend(if big { i.to_be_bytes() } else { i.to_le_bytes() }));
+        assert_eq!(read_frame(&write(dir.path(), "b.ply", &bytes)).unwrap(), want, "{format}");
+        let error = read_frame(&write(dir.path(), "cut.ply", &bytes[..bytes.len() - 30])).unwrap_err();
+        assert!(error.to_string().contains("cut.ply"), "{error}");
+    }
+    let obj = "# a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvn 0 0 1\nv 0 1 0.10000000149011612\nf 1/1/1 2//1 3 -1\n";
+    assert_eq!(read_frame(&write(dir.path(), "a.obj", obj.as_bytes())).unwrap(), want);
+}
+
+#[test]
+fn bad_files_are_named_with_the_place() {
+    let dir = tempfile::tempdir().unwrap();
+    let check = |name: &str, content: &[u8], says: &str| {
+        let error = read_frame(&write(dir.path(), name, content)).and_then(|f| {
+            f.mesh().map_err(|e| ccd::io::ReadError { path: name.into(), kind: ReadErrorKind::Mesh(e) })
+        });
+        let text = error.expect_err(name).to_string();
+        assert!(text.contains(name) && text.contains(says), "{text:?} does not say {says:?}");
+    };
+    check("garbage.ply", &[0xff, 0x00, 0x80, 0x9c, 0x0a, 0x13], "garbage.ply");
+    check("garbage.obj", &[0xff, 0x00, 0x80, 0x9c, 0x0a, 0x13], "line 1");
+    check("empty.ply", b"", "end of file");
+    check("short.ply", ASCII[..ASCII.len() - 12].as_bytes(), "");
+    check("index.ply", ASCII.replace("4 0 1 2 3", "4 0 1 2 9").as_bytes(), "vertex 9");
+    check("negative.ply", ASCII.replace("4 0 1 2 3", "4 0 1 2 -3").as_bytes(), "-3");
+    check("two.ply", ASCII.replace("4 0 1 2 3", "2 0 1").as_bytes(), "fewer than 3");
+    check("many.ply", ASCII.replace("element vertex 4", "element vertex 4294967299").as_bytes(), "4294967299");
+    check("word.obj", b"v 0 0 zero\n", "`zero`");
+    check("index.obj", b"v 0 0 0\nf 1 2 3\n", "vertex 1");
+    check("zero.obj", b"v 0 0 0\nf 0 1 1\n", "line 2");
+    check("x.stl", b"solid", ".ply or .obj");
+    assert!(matches!(read_frame(Path::new("nowhere.ply")).unwrap_err().kind, ReadErrorKind::Io(_)));
+    let rows = "0,1,0,1,0,1,1\n".repeat(7);
+    let error = read_queries(&write(dir.path(), "q-vf.csv", rows.as_bytes())).unwrap_err();
+    assert!(error.to_string().contains("multiple of 8"), "{error}");
+    let error = read_queries(&write(dir.path(), "third-ee.csv", b"1,3,0,1,0,1,1\n")).unwrap_err();
+    assert!(error.to_string().contains("1/3"), "{error}");
+}

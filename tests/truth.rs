@@ -1,0 +1,296 @@
+//! Real scenes against published answers: candidates, contacts, times of impact, queries, digests.
+//!
+//! The data is not part of the repository (see `ccd_testkit::data`); without it every test here is reported as ignored, with the reason.
+
+use ccd::io::{Frame, Queries, Query, read_queries};
+use ccd::{
+    BroadPhase, Contact, Digest, EdgeEdge, Kind, Method, Options, Pair, Real, Report, Session, State, TOI_TOLERANCE, Verdict, VertexFace,
+};
+use ccd_testkit::data::{self, SCENES, Scene, Time};
+use ccd_testkit::brute;
+use libtest_mimic::{Arguments, Completion, Failed, Trial};
+use std::collections::HashMap;
+use std::path::Path;
+
+fn main() {
+    let data = data::data_dir();
+    let mut trials = Vec::new();
+    let mut add = |name: String, test: Box<dyn FnOnce(&Path) + Send>| {
+        let data = data.clone();
+        trials.push(Trial::ignorable_test(name, move || match data {
+            Ok(dir) => {
+                test(&dir);
+                Ok::<_, Failed>(Completion::Completed)
+            }
+            Err(why) => Ok(Completion::ignored_with(why)),
+        }));
+    };
+    for scene in &SCENES {
+        add(format!("{}_sizes", scene.name), Box::new(|data| check_sizes(data, scene)));
+        add(format!("{}_broad_phase", scene.name), Box::new(|data| check_broad_phase(data, scene)));
+        add(format!("{}_step", scene.name), Box::new(|data| check_step(data, scene)));
+        if scene.truth.is_some() {
+            add(format!("{}_contacts_f64", scene.name), Box::new(|data| check_contacts_f64(data, scene)));
+        }
+    }
+    add("rod_twist_contacts_f32".into(), Box::new(check_rod_twist_f32));
+    add("queries_f64".into(), Box::new(|data| check_queries(data, false)));
+    add("queries_f32".into(), Box::new(|data| check_queries(data, true)));
+    add("debris_wall_sequence".into(), Box::new(check_debris_sequence));
+    add("bodies_of_rb_hashgrid".into(), Box::new(check_bodies));
+    add("negative_controls".into(), Box::new(check_negative_controls));
+    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+}
+
+fn check_sizes(data: &Path, scene: &Scene) {
+    for frame in scene.load(data) {
+        let mesh = frame.mesh().unwrap();
+        let [v, e, f] = scene.size;
+        assert_eq!((mesh.n_vertices(), mesh.faces().len()), (v, f));
+        assert!(e == 0 || mesh.edges().len() == e, "{} edges, expected {e}", mesh.edges().len());
+    }
+}
+
+/// Both methods give the same set, in f32 a superset of that in f64; small scenes equal brute force.
+fn check_broad_phase(data: &Path, scene: &Scene) {
+    let [t0, t1] = scene.load(data);
+    let mesh = t0.mesh().unwrap();
+    let exact = brute::swept_boxes(&mesh, &t0.positions, &t1.positions);
+    let rounded = [&exact[0], &exact[1], &exact[2]].map(|boxes| boxes.iter().map(|b| b.round_out()).collect::<Vec<_>>());
+    let mut digests = Vec::new();
+    for (method, threads) in [(Method::Blocks, 1), (Method::Blocks, 2), (Method::Blocks, 8), (Method::Tree, 2)] {
+        let mut broad = BroadPhase::new(threads, method).unwrap();
+        let ee = Digest::of(1, broad.self_pairs(&exact[1]).unwrap().iter());
+        let vf = Digest::of(0, broad.pairs(&exact[0], &exact[2]).unwrap().iter());
+        let ee_rounded = broad.self_pairs(&rounded[1]).unwrap().to_vec();
+        let vf_rounded = broad.pairs(&rounded[0], &rounded[2]).unwrap().to_vec();
+        assert!(ee_rounded.len() as u64 >= ee.count && vf_rounded.len() as u64 >= vf.count);
+        let rounded = [Digest::of(0, vf_rounded.iter().copied()), Digest::of(1, ee_rounded.iter().copied())];
+        digests.push([vf, ee, rounded[0], rounded[1]]);
+        if method == Method::Blocks && threads == 1 {
+            check_superset(&mut broad, &exact, &vf_rounded, &ee_rounded);
+        }
+    }
+    assert!(digests.windows(2).all(|d| d[0] == d[1]), "methods or thread counts differ: {digests:?}");
+    let [vf, ee, ..] = digests[0];
+    insta::assert_snapshot!(format!("broad_phase_{}", scene.name), format!("vf {vf}\nee {ee}\n"));
+    if exact[1].len() < 10_000 {
+        assert_eq!(vf, Digest::of(0, brute::pairs(&exact[0], &exact[2]).into_iter()));
+        assert_eq!(ee, Digest::of(1, brute::self_pairs(&exact[1]).into_iter()));
+    }
+}
+
+/// No exact pair is missing among those of rounded boxes, and none of those comes twice.
+fn check_superset(broad: &mut BroadPhase, exact: &[Vec<ccd::Aabb<f64>>; 3], vf_rounded: &[Pair], ee_rounded: &[Pair]) {
+    let sorted = |pairs: &[Pair]| {
+        let mut pairs = pairs.to_vec();
+        pairs.sort_unstable();
+        assert!(pairs.windows(2).all(|w| w[0] != w[1]), "a pair comes twice");
+        pairs
+    };
+    let (vf_rounded, ee_rounded) = (sorted(vf_rounded), sorted(ee_rounded));
+    assert!(broad.pairs(&exact[0], &exact[2]).unwrap().iter().all(|p| vf_rounded.binary_search(&p).is_ok()));
+    assert!(broad.self_pairs(&exact[1]).unwrap().iter().all(|p| ee_rounded.binary_search(&p).is_ok()));
+}
+
+/// Counts as published; one digest for 1, 2 and 8 threads, which is also the recorded one.
+fn check_step(data: &Path, scene: &Scene) {
+    let [t0, t1] = scene.load(data);
+    let reports = [1, 2, 8].map(|threads| run(&t0, &t1, threads));
+    if let Some([vf, ee]) = scene.candidates {
+        assert_eq!((reports[0].candidates.vf, reports[0].candidates.ee), (vf, ee), "candidates");
+    }
+    for report in &reports[1..] {
+        assert_eq!(report.contacts, reports[0].contacts, "contacts depend on the number of threads");
+        assert_eq!(report.candidates, reports[0].candidates);
+        assert_eq!(report.toi, reports[0].toi);
+    }
+    let mesh = t0.mesh().unwrap();
+    let earliest = ccd::earliest_toi(&mesh, &t0.positions, &t1.positions, &Options::default()).unwrap();
+    assert_eq!(earliest, reports[0].toi, "the earliest time of impact alone");
+    if mesh.edges().len() < 10_000 {
+        let [vf, ee] = brute::candidates(&mesh, &t0.positions, &t1.positions);
+        assert_eq!((reports[0].candidates.vf, reports[0].candidates.ee), (vf.len() as u64, ee.len() as u64));
+    }
+    let c = &reports[0].candidates;
+    let text = format!("candidates vf {} ee {}\ncontacts {}\n", c.vf, c.ee, contact_digest(&reports[0].contacts));
+    insta::assert_snapshot!(format!("step_{}", scene.name), text);
+}
+
+fn contact_digest(contacts: &[Contact]) -> Digest {
+    let mut digest = Digest::default();
+    contacts.iter().for_each(|c| digest.add(c.kind as u32, Pair { a: c.a, b: c.b }));
+    digest
+}
+
+fn run(t0: &Frame, t1: &Frame, threads: usize) -> Report {
+    let options = Options { threads, ..Options::default() };
+    ccd::step(&t0.mesh().unwrap(), &t0.positions, &t1.positions, &options).unwrap()
+}
+
+/// Every true collision is found, never late, at most the tolerance early if unflagged; false alarms are counted.
+fn check_contacts_f64(data: &Path, scene: &Scene) {
+    let [t0, t1] = scene.load(data);
+    let report = run(&t0, &t1, 2);
+    let false_alarms = compare(&report, &scene.contacts(data, "vf"), &scene.contacts(data, "ee"));
+    println!("{}: {} contacts, {} undecided, {false_alarms} false alarms", scene.name, report.contacts.len(), report.undecided);
+    assert!(false_alarms <= 453, "{false_alarms} false alarms");
+}
+
+/// Asserts everything but the number of false alarms, which it returns.
+fn compare(report: &Report, vf: &[data::Truth], ee: &[data::Truth]) -> usize {
+    let found: HashMap<(Kind, u32, u32), &Contact> = report.contacts.iter().map(|c| ((c.kind, c.a, c.b), c)).collect();
+    assert_eq!(found.len(), report.contacts.len(), "a contact comes twice");
+    let mut n_true = 0;
+    for (kind, truth) in [(Kind::VertexFace, vf), (Kind::EdgeEdge, ee)] {
+        for t in truth.iter().filter(|t| t.hit) {
+            let contact = found.get(&(kind, t.a, t.b)).unwrap_or_else(|| panic!("missed {kind:?} {t:?}"));
+            check_time(contact.state == State::Hit, contact.toi, t.toi.unwrap(), &format!("{kind:?} {t:?}"));
+            n_true += 1;
+        }
+        for t in truth.iter().filter(|t| !t.hit) {
+            let state = found.get(&(kind, t.a, t.b)).map(|c| c.state);
+            assert_ne!(state, Some(State::Hit), "a certain contact that is none: {kind:?} {t:?}");
+        }
+    }
+    report.contacts.len() - n_true
+}
+
+fn check_time(certain: bool, toi: f64, exact: f64, what: &str) {
+    assert!(toi <= exact, "{what}: {toi} is later than {exact}");
+    assert!(!certain || toi >= exact - TOI_TOLERANCE, "{what}: {toi} is more than the tolerance before {exact}");
+}
+
+/// The scene whose coordinates are no `f32`, after rounding them, against the exact answers for the rounded ones.
+fn check_rod_twist_f32(data: &Path) {
+    let scene = Scene::named("rod-twist");
+    let [t0, t1] = scene.load(data);
+    let mesh = t0.mesh().unwrap();
+    let report = ccd::step(&mesh, &t0.positions_f32(), &t1.positions_f32(), &Options::default()).unwrap();
+    let truth = ["vf", "ee"].map(|kind| {
+        let times = data::read_times(&data.join("toi_f32").join(format!("rod-twist_queries_3036{kind}.csv")));
+        let mut pairs = scene.contacts(data, kind);
+        assert_eq!(pairs.len(), times.len());
+        pairs.iter_mut().zip(&times).for_each(|(p, t)| (p.hit, p.toi) = (t.hit, t.toi));
+        pairs
+    });
+    // Pairs that became contacts only by rounding are not in the files, so what is left over is no count of false alarms.
+    compare(&report, &truth[0], &truth[1]);
+}
+
+/// All published queries, in `f64` or rounded to `f32` first.
+fn check_queries(data: &Path, single: bool) {
+    let (mut n, mut n_hits, mut n_undecided, mut n_false) = (0, 0, 0, 0);
+    for (path, name) in data::query_files(data) {
+        let Queries { queries, answers } = read_queries(&path).unwrap();
+        let times = data::read_times(&data.join(if single { "toi_f32" } else { "toi" }).join(&name));
+        assert_eq!(queries.len(), times.len(), "{name}");
+        for (i, (query, time)) in queries.iter().zip(&times).enumerate() {
+            assert!(single || time.hit == answers[i], "{name} {i}: the two sources disagree");
+            let verdict = if single { decide_f32(query) } else { decide::<f64>(query) };
+            let (hit, certain) = check_verdict(verdict, time, &format!("{name} query {i}"));
+            n += 1;
+            n_hits += hit as usize;
+            n_undecided += (hit && !certain) as usize;
+            n_false += (hit && !time.hit) as usize;
+        }
+    }
+    println!("{n} queries: {n_hits} hits, {n_undecided} of them undecided, {n_false} false alarms");
+    assert_eq!(n, 7279);
+}
+
+/// Asserts that a verdict agrees with the exact answer; returns whether it is a hit, and whether a certain one.
+fn check_verdict<R: Real>(verdict: Verdict<R>, time: &Time, what: &str) -> (bool, bool) {
+    let certain = matches!(verdict, Verdict::Hit { .. });
+    match verdict.toi() {
+        None => assert!(!time.hit, "{what}: missed, true time {:?}", time.toi),
+        Some(toi) => {
+            assert!(time.hit || !certain, "{what}: a certain contact that is none");
+            if let Some(exact) = time.toi {
+                check_time(certain, toi.to_f64(), exact, what);
+            }
+        }
+    }
+    (verdict.toi().is_some(), certain)
+}
+
+fn decide<R: Real>(query: &Query) -> Verdict<R> {
+    let narrow = |x: &[[f64; 3]; 4]| x.map(|p| p.map(R::splat));
+    match query {
+        Query::VertexFace(q) => ccd::vertex_face(&VertexFace { t0: narrow(&q.t0), t1: narrow(&q.t1) }, R::splat(0.0)),
+        Query::EdgeEdge(q) => ccd::edge_edge(&EdgeEdge { t0: narrow(&q.t0), t1: narrow(&q.t1) }, R::splat(0.0)),
+    }
+}
+
+/// In `f32` arithmetic first, in `f64` if that is undecided.
+fn decide_f32(query: &Query) -> Verdict<f64> {
+    let narrow = |x: &[[f64; 3]; 4]| x.map(|p| p.map(|c| c as f32));
+    match decide::<f32>(query) {
+        Verdict::Miss => Verdict::Miss,
+        Verdict::Hit { toi } => Verdict::Hit { toi: toi.into() },
+        Verdict::Undecided { .. } => match query {
+            Query::VertexFace(q) => ccd::vertex_face(&VertexFace { t0: narrow(&q.t0), t1: narrow(&q.t1) }.widen(), 0.0),
+            Query::EdgeEdge(q) => ccd::edge_edge(&EdgeEdge { t0: narrow(&q.t0), t1: narrow(&q.t1) }.widen(), 0.0),
+        },
+    }
+}
+
+/// A session over 60 frames gives what single steps give, refitted or rebuilt.
+fn check_debris_sequence(data: &Path) {
+    let frames: Vec<Frame> = (40..100)
+        .map(|i| ccd::io::read_frame(&data.join(format!("scenes/debris-wall/frames/{i:03}.ply"))).unwrap())
+        .collect();
+    let mut session = Session::new(frames[0].mesh().unwrap(), Options { threads: 2, ..Options::default() }).unwrap();
+    let mut n_rebuilt = 0;
+    for (i, pair) in frames.windows(2).enumerate() {
+        let report = session.step(&pair[0].positions, &pair[1].positions).unwrap();
+        n_rebuilt += report.rebuilt as usize;
+        if i % 7 == 0 {
+            let single = run(&pair[0], &pair[1], 1);
+            assert_eq!((report.candidates, &report.contacts), (single.candidates, &single.contacts), "frame {i}");
+        }
+    }
+    println!("debris-wall: trees built in {n_rebuilt} of 59 steps");
+    assert!((1..59).contains(&n_rebuilt), "trees were built in {n_rebuilt} of 59 steps");
+}
+
+/// With bodies, the pairs within one body are gone and no others.
+fn check_bodies(data: &Path) {
+    let scene = Scene::named("rb-hashgrid");
+    let [t0, t1] = scene.load(data);
+    let text = std::fs::read_to_string(data.join("scenes/rb-hashgrid/body_of_vertex.txt")).unwrap();
+    let body: Vec<u32> = text.split_whitespace().map(|w| w.parse().unwrap()).collect();
+    let mesh = t0.mesh().unwrap();
+    let all = run(&t0, &t1, 2);
+    let bodies = ccd::Bodies::new(&body, &[], false);
+    let options = Options { bodies: Some(bodies), ..Options::default() };
+    let between = ccd::step(&mesh, &t0.positions, &t1.positions, &options).unwrap();
+    let different = |c: &&Contact| match c.kind {
+        Kind::VertexFace => body[c.a as usize] != body[mesh.faces()[c.b as usize][0] as usize],
+        Kind::EdgeEdge => body[mesh.edges()[c.a as usize][0] as usize] != body[mesh.edges()[c.b as usize][0] as usize],
+    };
+    let want: Vec<Contact> = all.contacts.iter().filter(different).copied().collect();
+    assert_eq!(between.contacts, want);
+    assert!(between.candidates.total() < all.candidates.total());
+}
+
+/// The comparisons above fail when they should.
+fn check_negative_controls(data: &Path) {
+    let scene = Scene::named("cloth-funnel");
+    let [t0, t1] = scene.load(data);
+    let (vf, ee) = (scene.contacts(data, "vf"), scene.contacts(data, "ee"));
+    let fails = |change: &dyn Fn(&mut Report)| {
+        let mut report = run(&t0, &t1, 1);
+        change(&mut report);
+        let hook = std::panic::take_hook();
+        std::panic::set_hook(Box::new(|_| {}));
+        let failed = std::panic::catch_unwind(|| compare(&report, &vf, &ee)).is_err();
+        std::panic::set_hook(hook);
+        failed
+    };
+    let certain = |r: &Report| r.contacts.iter().position(|c| c.state == State::Hit).unwrap();
+    assert!(!fails(&|_| {}));
+    assert!(fails(&|r| { r.contacts.remove(5); }), "a missing contact passes");
+    assert!(fails(&|r| r.contacts[5].toi += 1e-9), "a late contact passes");
+    assert!(fails(&|r| { let i = certain(r); r.contacts[i].toi -= 3e-6 }), "a contact that is too early passes");
+}
