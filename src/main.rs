@@ -1,1 +1,7 @@
-fn main(){}
+//! The `ccd` command: see `ccd --help`.
+
+mod cli;
+
+fn main() -> std::process::ExitCode {
+    cli::main()
+}

@@ -30,7 +30,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// Allocations of each of 40 steps after 5 to warm up.
+/// Allocations of each of 40 steps after 12 to warm up.
 fn count(threads: usize) -> Vec<usize> {
     let step = crumpled_sheet(60, 1);
     let mut session = Session::new(step.mesh, Options { threads, ..Options::default() }).unwrap();
@@ -45,8 +45,8 @@ fn count(threads: usize) -> Vec<usize> {
         }
         CALLS.load(Ordering::Relaxed) - before
     };
-    (0..5).for_each(|i| drop(one(&mut session, i)));
-    (5..45).map(|i| one(&mut session, i)).collect()
+    (0..12).for_each(|i| drop(one(&mut session, i)));
+    (12..52).map(|i| one(&mut session, i)).collect()
 }
 
 #[test]

@@ -147,6 +147,7 @@ fn the_comparison_with_exact_arithmetic_can_fail() {
     assert!(!fails(vf(t0, t1), &answer));
     assert!(fails(Verdict::Miss, &answer));
     assert!(fails(Verdict::Hit { toi: 0.5 + 1e-9 }, &answer));
+    assert!(fails(Verdict::Undecided { toi: 0.5 + 1e-9 }, &answer));
     assert!(fails(Verdict::Hit { toi: 0.49 }, &answer));
     assert!(fails(Verdict::Hit { toi: 0.5 }, &Answer::Free));
 }

@@ -57,6 +57,11 @@ impl BroadPhase {
         })
     }
 
+    /// Number of threads in use.
+    pub fn threads(&self) -> usize {
+        self.threads.count()
+    }
+
     /// Pairs within one set, each once, lesser index first.
     pub fn self_pairs<T: Real + Send + Sync>(&mut self, boxes: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
         check_boxes(boxes)?;

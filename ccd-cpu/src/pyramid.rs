@@ -19,8 +19,9 @@ const MORTON_BITS: u32 = 21;
 pub struct Pyramid {
     n: usize,
     order: Vec<u32>,
-    /// `levels[0]` holds the boxes, the last level is one block.
+    /// `levels[0]` holds the boxes, `levels[height - 1]` is one block; those above are kept for their memory.
     levels: Vec<Vec<Block>>,
+    height: usize,
     radix: Radix,
     chunk_bounds: Vec<Aabb<f32>>,
     looseness_at_build: f64,
@@ -39,7 +40,7 @@ impl Pyramid {
 
     /// Number of levels above the boxes; a tree without boxes has one empty block.
     pub fn height(&self) -> usize {
-        self.levels.len()
+        self.height
     }
 
     /// Blocks of a level, 0 being the boxes themselves. A level above the last is one block with one lane used.
@@ -78,7 +79,7 @@ impl Pyramid {
 
     /// Sum of the side lengths of all blocks of eight, relative to that of the boxes in them: what a block costs its tests.
     fn looseness(&self) -> f64 {
-        if self.levels.len() < 2 {
+        if self.height < 2 {
             return 1.0;
         }
         let sum = |level: &[Block]| {
@@ -130,15 +131,20 @@ impl Pyramid {
             }
             n_blocks = n_blocks.div_ceil(WIDTH);
         }
-        self.levels.truncate(height);
+        self.height = height;
     }
 
     /// Adds levels of one used lane until the tree is `height` high, so that two trees can be descended in step.
     pub fn raise(&mut self, height: usize) {
-        while self.levels.len() < height {
+        while self.height < height {
             let mut block = Block::EMPTY;
-            set_lane(&mut block, 0, &union_of_lanes(&self.levels[self.levels.len() - 1][0]));
-            self.levels.push(vec![block]);
+            set_lane(&mut block, 0, &union_of_lanes(&self.levels[self.height - 1][0]));
+            if self.levels.len() == self.height {
+                self.levels.push(Vec::new());
+            }
+            self.levels[self.height].clear();
+            self.levels[self.height].push(block);
+            self.height += 1;
         }
     }
 }
@@ -171,7 +177,7 @@ mod tests {
         assert!(seen.iter().copied().eq(0..boxes.len() as u32), "order is no permutation");
         for (leaf, &id) in pyramid.order.iter().enumerate() {
             let mut at = leaf;
-            for level in &pyramid.levels {
+            for level in &pyramid.levels[..pyramid.height] {
                 let (block, j) = (&level[at / WIDTH], at % WIDTH);
                 for k in 0..3 {
                     let b = &boxes[id as usize];

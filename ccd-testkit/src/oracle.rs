@@ -1,7 +1,7 @@
 //! The exact answer of a query in rational arithmetic: nothing is rounded, nothing is shared with the code under test.
 //!
 //! Roots of the coplanarity cubic are isolated by sign variations of exact Bernstein coefficients; at each, the containment conditions are decided by the
-//! signs of exact polynomials over the isolating interval, which is halved until they are certain. Queries where that never ends (contact exactly on a boundary, coplanar
+//! signs of exact polynomials over the isolating interval, which is divided until they are certain. Queries where that never ends (contact exactly on a boundary, coplanar
 //! motion, double roots) are reported as degenerate: the published ground truth covers those.
 
 use num_rational::BigRational;
@@ -98,8 +98,10 @@ fn sign(p: &Poly, lo: &BigRational, hi: &BigRational) -> Option<bool> {
     }
 }
 
-/// Halvings after which a query counts as degenerate.
-const MAX_DEPTH: u32 = 90;
+/// Divisions after which a query counts as degenerate.
+const MAX_DEPTH: u32 = 110;
+/// Divisions after which an interval is narrow enough: `(4/7)^75` is below 2^-60.
+const NARROW_DEPTH: u32 = 75;
 
 fn decide(a: [Poly; 3], b: [Poly; 3], c: [Poly; 3], triangle: bool) -> Answer {
     let n: [Poly; 3] = std::array::from_fn(|k| cross2(&b, &c, k));
@@ -111,7 +113,8 @@ fn decide(a: [Poly; 3], b: [Poly; 3], c: [Poly; 3], triangle: bool) -> Answer {
         (d, [vec![s, r], more].concat())
     });
     let mut stack = vec![(BigRational::zero(), BigRational::one(), 0u32)];
-    let half = exact(0.5);
+    // Not at the middle: roots at simple fractions of two would fall on the ends of intervals.
+    let part = exact(3.0) / exact(7.0);
     while let Some((lo, hi, depth)) = stack.pop() {
         let coefficients = bernstein(&f, &lo, &hi);
         let nonzero: Vec<bool> = coefficients.iter().filter(|c| !c.is_zero()).map(|c| c.is_positive()).collect();
@@ -126,7 +129,7 @@ fn decide(a: [Poly; 3], b: [Poly; 3], c: [Poly; 3], triangle: bool) -> Answer {
         if variations == 1 && !first.is_zero() && !last.is_zero() {
             match contained(&conditions, &lo, &hi) {
                 Some(false) => continue,
-                Some(true) if depth >= 60 => {
+                Some(true) if depth >= NARROW_DEPTH => {
                     use num_traits::ToPrimitive;
                     let f = |x: &BigRational| x.to_f64().expect("a time");
                     return Answer::Contact(f(&lo), f(&hi));
@@ -134,7 +137,7 @@ fn decide(a: [Poly; 3], b: [Poly; 3], c: [Poly; 3], triangle: bool) -> Answer {
                 _ => {}
             }
         }
-        let middle = (&lo + &hi) * &half;
+        let middle = &lo + (&hi - &lo) * &part;
         stack.push((middle.clone(), hi, depth + 1));
         stack.push((lo, middle, depth + 1));
     }

@@ -1,0 +1,242 @@
+//! The simulation of the demo: a mass-spring cloth with a limit on strain (Provot 1995), and contacts resolved so that nothing passes through.
+//!
+//! A step is first taken freely. Contacts at a small distance then push features apart along the direction in which they are nearest. What would still touch is held
+//! back: vertices of such contacts move only to a part of their time of impact, and this is repeated until the step is certified free. A step in which
+//! every vertex stands still is free because the one before was, so this ends.
+
+use ccd::{Bodies, Contact, Error, Kind, Mesh, Options, Session};
+use ccd_core::closest::closest;
+use ccd_core::motion::{Motion, Patch};
+use ccd_core::vec3::{add, dot, lerp, scale, sub};
+
+/// Side of the cloth, number of vertices along it: 4,096 vertices and 7,938 triangles.
+const SIDE: f64 = 2.0;
+const N: usize = 64;
+/// Sphere: 16,384 vertices and 32,258 triangles, as in Tian and Wan's largest scene.
+const N_SPHERE: usize = 128;
+const RADIUS: f64 = 0.42;
+const CENTRE: [f64; 3] = [0.0, -0.75, 0.25];
+/// Seconds, metres per second squared, part of the velocity kept each step.
+const DT: f64 = 1.0 / 480.0;
+const GRAVITY: f64 = 9.81;
+const DAMPING: f64 = 0.998;
+/// Springs may be longer than at rest by this part (Provot 1995: 10 %).
+const MAX_STRAIN: f64 = 0.05;
+const STRAIN_ROUNDS: usize = 16;
+/// Features are pushed apart below this distance, in metres.
+const PUSH_DISTANCE: f64 = 0.006;
+/// Part of the velocity along a surface that contact takes away.
+const FRICTION: f64 = 0.15;
+/// Rounds of pushing, and rounds of holding back after which a vertex in contact does not move at all.
+const PUSH_ROUNDS: usize = 2;
+const HOLD_ROUNDS: usize = 6;
+/// Rounds after which holding back has failed: more than there are ways to fix one vertex after the other in practice.
+const MAX_ROUNDS: usize = 200;
+
+/// The state of the simulation.
+pub struct Cloth {
+    pub mesh: Mesh,
+    pub x: Vec<[f64; 3]>,
+    v: Vec<[f64; 3]>,
+    springs: Vec<(usize, usize, f64)>,
+    push: Session,
+    hold: Session,
+    /// Contacts of the last step's free motion.
+    pub contacts: Vec<Contact>,
+    /// Milliseconds in the library and number of its calls, since the last reset.
+    pub ccd_ms: f64,
+    pub n_calls: usize,
+}
+
+/// Vertices of the cloth come first.
+pub const N_CLOTH: usize = N * N;
+
+impl Cloth {
+    pub fn new() -> Result<Self, Error> {
+        let mut x = Vec::new();
+        let mut faces: Vec<[u32; 3]> = Vec::new();
+        for i in 0..N * N {
+            let at = |k: usize| SIDE * (k as f64 / (N - 1) as f64 - 0.5);
+            // Slightly uneven, so that nothing is exactly coplanar.
+            x.push([at(i % N), 1e-4 * ((i * 7919) % 13) as f64, at(i / N)]);
+        }
+        grid(&mut faces, N, 0);
+        let n_faces_cloth = faces.len();
+        for i in 0..N_SPHERE * N_SPHERE {
+            let (u, v) = (i % N_SPHERE, i / N_SPHERE);
+            let last = (N_SPHERE - 1) as f64;
+            let (longitude, latitude) = (std::f64::consts::TAU * u as f64 / last, std::f64::consts::PI * v as f64 / last);
+            let n = [latitude.sin() * longitude.cos(), latitude.cos(), latitude.sin() * longitude.sin()];
+            x.push(add(CENTRE, scale(n, RADIUS)));
+        }
+        grid(&mut faces, N_SPHERE, N_CLOTH as u32);
+        let mesh = Mesh::new(x.len(), &faces)?;
+        let body: Vec<u32> = (0..x.len()).map(|v| (v >= N_CLOTH) as u32).collect();
+        let bodies = Bodies::new(&body, &[false, true], true);
+        let session = |min_distance| Session::new(mesh.clone(), Options { min_distance, threads: 0, bodies: Some(bodies.clone()) });
+        let (push, hold) = (session(PUSH_DISTANCE)?, session(0.0)?);
+        let springs = springs(&faces[..n_faces_cloth], &x);
+        let v = vec![[0.0; 3]; N_CLOTH];
+        Ok(Self { mesh, x, v, springs, push, hold, contacts: Vec::new(), ccd_ms: 0.0, n_calls: 0 })
+    }
+
+    /// Corners 0 and `N - 1` are pinned.
+    fn pinned(v: usize) -> bool {
+        v == 0 || v == N - 1
+    }
+
+    /// One step of the simulation.
+    pub fn step(&mut self) -> Result<(), super::Failure> {
+        let x0 = self.x.clone();
+        let mut x1 = x0.clone();
+        for i in (0..N_CLOTH).filter(|&i| !Self::pinned(i)) {
+            self.v[i] = scale(add(self.v[i], [0.0, -GRAVITY * DT, 0.0]), DAMPING);
+            x1[i] = add(x0[i], scale(self.v[i], DT));
+        }
+        self.limit_strain(&mut x1);
+        self.contacts.clear();
+        for round in 0..PUSH_ROUNDS {
+            let report = self.push.step(&x0, &x1)?;
+            self.ccd_ms += report.times.total;
+            self.n_calls += 1;
+            if round == 0 {
+                self.contacts.extend_from_slice(&report.contacts);
+            }
+            if report.contacts.is_empty() {
+                break;
+            }
+            for c in &report.contacts {
+                push_apart(c, &self.mesh, &x0, &mut x1);
+            }
+        }
+        self.hold_back(&x0, &mut x1)?;
+        for i in 0..N_CLOTH {
+            self.v[i] = scale(sub(x1[i], x0[i]), 1.0 / DT);
+        }
+        self.x = x1;
+        Ok(())
+    }
+
+    /// Shortens springs that are too long, both ends equally (Provot 1995, section 5).
+    fn limit_strain(&self, x: &mut [[f64; 3]]) {
+        for _ in 0..STRAIN_ROUNDS {
+            for &(a, b, rest) in &self.springs {
+                let d = sub(x[b], x[a]);
+                let length = dot(d, d).sqrt();
+                let most = rest * (1.0 + MAX_STRAIN);
+                // Stretching is limited; being shorter than at rest is resisted softly.
+                let change = if length > most { length - most } else { 0.05 * (length - rest).min(0.0) };
+                if change == 0.0 || length == 0.0 {
+                    continue;
+                }
+                let (free_a, free_b) = (!Self::pinned(a) as u8 as f64, !Self::pinned(b) as u8 as f64);
+                let step = scale(d, change / length / (free_a + free_b).max(1.0));
+                x[a] = add(x[a], scale(step, free_a));
+                x[b] = sub(x[b], scale(step, free_b));
+            }
+        }
+    }
+
+    /// Shortens the motion of vertices until the step is certified free.
+    fn hold_back(&mut self, x0: &[[f64; 3]], x1: &mut [[f64; 3]]) -> Result<(), super::Failure> {
+        for round in 0..MAX_ROUNDS {
+            let report = self.hold.step(x0, &*x1)?;
+            self.ccd_ms += report.times.total;
+            self.n_calls += 1;
+            if report.contacts.is_empty() {
+                return Ok(());
+            }
+            for c in &report.contacts {
+                let part = if round < HOLD_ROUNDS { 0.8 * c.toi } else { 0.0 };
+                for v in vertices(c, &self.mesh).map(|v| v as usize).into_iter().filter(|&v| v < N_CLOTH) {
+                    // The shorter of what it may move now and what this contact allows.
+                    x1[v] = lerp(x0[v], x1[v], part.min(1.0));
+                }
+            }
+        }
+        Err(super::Failure(format!("the demo could not resolve its contacts in {MAX_ROUNDS} rounds")))
+    }
+}
+
+/// Two triangles per cell of an `n x n` grid whose vertices begin at `first`.
+fn grid(faces: &mut Vec<[u32; 3]>, n: usize, first: u32) {
+    let n = n as u32;
+    for i in 0..(n - 1) * (n - 1) {
+        let a = first + i / (n - 1) * n + i % (n - 1);
+        faces.extend([[a, a + n, a + 1], [a + 1, a + n, a + n + 1]]);
+    }
+}
+
+/// A spring along every side, and one across every two cells against bending.
+fn springs(faces: &[[u32; 3]], x: &[[f64; 3]]) -> Vec<(usize, usize, f64)> {
+    let mut pairs: Vec<(usize, usize)> = Vec::new();
+    for &[a, b, c] in faces {
+        for (p, q) in [(a, b), (b, c), (c, a)] {
+            pairs.push((p.min(q) as usize, p.max(q) as usize));
+        }
+    }
+    for i in 0..N * N {
+        if i % N + 2 < N {
+            pairs.push((i, i + 2));
+        }
+        if i / N + 2 < N {
+            pairs.push((i, i + 2 * N));
+        }
+    }
+    pairs.sort_unstable();
+    pairs.dedup();
+    let length = |(a, b): (usize, usize)| {
+        let d = sub(x[b], x[a]);
+        (a, b, dot(d, d).sqrt())
+    };
+    pairs.into_iter().map(length).collect()
+}
+
+/// `v f0 f1 f2` or `ea0 ea1 eb0 eb1`.
+fn vertices(c: &Contact, mesh: &Mesh) -> [u32; 4] {
+    match c.kind {
+        Kind::VertexFace => {
+            let [a, b, d] = mesh.faces()[c.b as usize];
+            [c.a, a, b, d]
+        }
+        Kind::EdgeEdge => {
+            let ([a, b], [d, e]) = (mesh.edges()[c.a as usize], mesh.edges()[c.b as usize]);
+            [a, b, d, e]
+        }
+    }
+}
+
+/// Moves the ends of the step apart along the direction in which the two features are nearest at the time of impact.
+fn push_apart(c: &Contact, mesh: &Mesh, x0: &[[f64; 3]], x1: &mut [[f64; 3]]) {
+    let ids = vertices(c, mesh).map(|v| v as usize);
+    let (t0, t1) = (ids.map(|v| x0[v]), ids.map(|v| x1[v]));
+    let (m, patch, n_first) = match c.kind {
+        Kind::VertexFace => (Motion::vertex_face(&t0, &t1, 0.0), Patch::Triangle, 1),
+        Kind::EdgeEdge => (Motion::edge_edge(&t0, &t1, 0.0), Patch::Parallelogram, 2),
+    };
+    let at = |x: &[[f64; 3]; 2]| lerp(x[0], x[1], c.toi);
+    let w = closest(at(&m.a), at(&m.b), at(&m.c), patch);
+    let length = dot(w, w).sqrt();
+    if length == 0.0 {
+        return;
+    }
+    // From the second feature to the first for vertex-face, from the first to the second for edge-edge.
+    let n = scale(w, if n_first == 1 { 1.0 / length } else { -1.0 / length });
+    let corners = m.corners(patch, 1);
+    let direction = scale(w, 1.0 / length);
+    let end = corners.iter().map(|&corner| dot(direction, corner)).fold(f64::INFINITY, f64::min);
+    let lacking = PUSH_DISTANCE - end;
+    if lacking <= 0.0 {
+        return;
+    }
+    let movable = |v: usize| v < N_CLOTH && !Cloth::pinned(v);
+    let sides = [ids[..n_first].iter().any(|&v| movable(v)), ids[n_first..].iter().any(|&v| movable(v))];
+    // Half a push a side if both can move, and not all at once: several contacts share vertices.
+    let share = 0.5 * lacking / (sides[0] as u8 + sides[1] as u8).max(1) as f64;
+    for (k, &v) in ids.iter().enumerate().filter(|&(_, &v)| movable(v)) {
+        let sign = if k < n_first { 1.0 } else { -1.0 };
+        let slide = sub(sub(x1[v], x0[v]), scale(n, dot(n, sub(x1[v], x0[v]))));
+        x1[v] = add(x1[v], scale(n, sign * share));
+        x1[v] = sub(x1[v], scale(slide, FRICTION / 4.0));
+    }
+}

@@ -1,0 +1,169 @@
+//! Arguments, dispatch, exit codes.
+
+mod boxes;
+mod check;
+mod cloth;
+mod demo;
+mod output;
+mod picture;
+mod plot;
+mod queries;
+mod sequence;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Continuous collision detection for triangle meshes.
+///
+/// Finds every vertex-face and edge-edge contact while each vertex moves on a straight line from one frame to the next, with the time of impact in [0, 1]. No
+/// contact is missed and no time is late. Contacts that cannot be certified are reported with the state "undecided".
+///
+/// Exit status: 0 done; 1 contacts were found and --fail-on-contact was given; 2 bad use or bad input.
+#[derive(Parser)]
+#[command(name = "ccd", version, max_term_width = 100)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Contacts between two frames of a mesh
+    #[command(after_help = "EXAMPLES:\n  ccd check before.ply after.ply\n  ccd check before.ply after.ply --json --contacts contacts.csv --picture contacts.png")]
+    Check(check::Check),
+    /// Contacts over many frames of a mesh, one step from each frame to the next
+    #[command(after_help = "EXAMPLES:\n  ccd sequence frames/*.ply --picture times.png")]
+    Sequence(sequence::Sequence),
+    /// Elemental queries from files, compared with the answers in them
+    #[command(after_help = "A file holds eight rows a query: four points at t0, four at t1 (v f0 f1 f2, or ea0 ea1 eb0 eb1), each as\n\
+        x numerator, x denominator, y .., z .., answer (0 or 1). Its path must name vertex-face (vf) or edge-edge (ee).")]
+    Queries(queries::Queries),
+    /// Overlapping pairs of boxes: the broad phase alone
+    #[command(after_help = "A file holds raw little-endian f32 numbers, six a box: min x y z, max x y z. Boxes that touch overlap.\n\
+        With one file, pairs within it; with two, pairs of a box of the first with one of the second.")]
+    Boxes(boxes::Boxes),
+    /// A cloth falls on a sphere; needs no file (the experiment of Tian and Wan)
+    Demo(demo::Demo),
+}
+
+/// What runs the work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Backend {
+    /// Threads of this machine
+    Cpu,
+    /// Not part of this version: ends with an error
+    Gpu,
+    /// The best that is there: in this version the CPU
+    Auto,
+}
+
+/// The coordinates that a step starts from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Precision {
+    /// Rounded to f32 on load, as an engine stores them
+    F32,
+    /// As they are in the file
+    F64,
+}
+
+impl Precision {
+    fn name(self) -> &'static str {
+        match self {
+            Precision::F32 => "f32",
+            Precision::F64 => "f64",
+        }
+    }
+}
+
+/// Options of every command that steps a mesh.
+#[derive(Args)]
+struct StepOptions {
+    /// What runs the work
+    #[arg(long, value_enum, default_value_t = Backend::Auto)]
+    backend: Backend,
+    /// Contact means a distance of at most D, in the unit of the coordinates
+    #[arg(long, value_name = "D", default_value_t = 0.0, allow_negative_numbers = true)]
+    min_distance: f64,
+    /// Coordinates of the step
+    #[arg(long, value_enum, default_value_t = Precision::F64)]
+    precision: Precision,
+    /// Number of threads; 0 means one per processor
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    threads: usize,
+    /// Print one JSON object instead of text
+    #[arg(long)]
+    json: bool,
+    /// Write contacts as CSV: kind,a,b,toi,state (sequence: frame first)
+    #[arg(long, value_name = "OUT.csv")]
+    contacts: Option<PathBuf>,
+    /// Write a picture (check: the mesh with its contacts; sequence: times and contacts a frame)
+    #[arg(long, value_name = "OUT.png")]
+    picture: Option<PathBuf>,
+    /// Exit with status 1 if there is a contact
+    #[arg(long)]
+    fail_on_contact: bool,
+}
+
+impl StepOptions {
+    fn library_options(&self) -> Result<ccd::Options, Failure> {
+        self.backend.require()?;
+        Ok(ccd::Options { min_distance: self.min_distance, threads: self.threads, bodies: None })
+    }
+}
+
+impl Backend {
+    /// An error where the backend is not there.
+    fn require(self) -> Result<(), Failure> {
+        match self {
+            Backend::Gpu => Err(Failure("--backend gpu: this version has no GPU backend; use cpu or auto".into())),
+            Backend::Cpu | Backend::Auto => Ok(()),
+        }
+    }
+}
+
+/// Why a command ends with status 2.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
+struct Failure(String);
+
+impl From<ccd::io::ReadError> for Failure {
+    fn from(e: ccd::io::ReadError) -> Self {
+        Failure(e.to_string())
+    }
+}
+
+impl From<ccd::Error> for Failure {
+    fn from(e: ccd::Error) -> Self {
+        Failure(e.to_string())
+    }
+}
+
+/// A failure that names the file.
+fn in_file(path: &std::path::Path, e: impl std::fmt::Display) -> Failure {
+    Failure(format!("{}: {e}", path.display()))
+}
+
+/// Whether there was a contact.
+type Outcome = Result<bool, Failure>;
+
+/// Runs the command; the exit status.
+pub fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let (outcome, fail_on_contact) = match &cli.command {
+        Command::Check(c) => (c.run(), c.options.fail_on_contact),
+        Command::Sequence(c) => (c.run(), c.options.fail_on_contact),
+        Command::Queries(c) => (c.run(), false),
+        Command::Boxes(c) => (c.run(), false),
+        Command::Demo(c) => (c.run(), false),
+    };
+    match outcome {
+        Ok(true) if fail_on_contact => ExitCode::from(1),
+        Ok(_) => ExitCode::SUCCESS,
+        Err(failure) => {
+            let style = anstyle::Style::new().bold().fg_color(Some(anstyle::AnsiColor::Red.into()));
+            anstream::eprintln!("{style}error:{style:#} {failure}");
+            ExitCode::from(2)
+        }
+    }
+}

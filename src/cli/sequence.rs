@@ -1,0 +1,147 @@
+//! `ccd sequence`: a session over many frames.
+
+use super::check::{mesh_of, same_topology, step};
+use super::output::{self, ContactFile, Counts, MeshSize, TimesMs};
+use super::{Failure, Outcome, StepOptions, plot};
+use ccd::Session;
+use ccd::io::{Frame, read_frame};
+use clap::Args;
+use serde::Serialize;
+use std::path::PathBuf;
+use std::time::Instant;
+
+#[derive(Args)]
+pub struct Sequence {
+    /// Frames of one mesh in order (.ply or .obj), two or more
+    #[arg(required = true, num_args = 2.., value_name = "FRAMES")]
+    frames: Vec<PathBuf>,
+    #[command(flatten)]
+    pub options: StepOptions,
+}
+
+#[derive(Serialize)]
+struct Step {
+    frame: usize,
+    candidates: Counts,
+    contacts: Counts,
+    undecided: u64,
+    toi: Option<f64>,
+    rebuilt: bool,
+    times_ms: TimesMs,
+}
+
+#[derive(Serialize)]
+struct Json {
+    mesh: MeshSize,
+    backend: &'static str,
+    precision: &'static str,
+    threads: usize,
+    steps: Vec<Step>,
+    summary: Summary,
+}
+
+#[derive(Serialize)]
+struct Summary {
+    steps: usize,
+    contacts: u64,
+    undecided: u64,
+    free_steps: usize,
+    rebuilt: usize,
+    median_ms: f64,
+    total_ms: f64,
+}
+
+impl Sequence {
+    pub fn run(&self) -> Outcome {
+        let options = self.options.library_options()?;
+        let load_start = Instant::now();
+        let mut before: Frame = read_frame(&self.frames[0])?;
+        let mut session = Session::new(mesh_of(&self.frames[0], &before)?, options)?;
+        let mut load = load_start.elapsed().as_secs_f64() * 1e3;
+        let mut file = match &self.options.contacts {
+            Some(path) => Some(ContactFile::create(path, true)?),
+            None => None,
+        };
+        let bar = output::progress(self.frames.len() - 1, "steps");
+        let mut steps: Vec<Step> = Vec::new();
+        if !self.options.json {
+            output::line("mesh", MeshSize::from(session.mesh()));
+            println!("{:>6} {:>9} {:>9} {:>10} {:>12} {:>10} {:>6}", "frame", "vf", "ee", "undecided", "earliest", "step", "trees");
+        }
+        for (i, paths) in self.frames.windows(2).enumerate() {
+            let start = Instant::now();
+            let after = read_frame(&paths[1])?;
+            same_topology((&paths[0], &before), (&paths[1], &after))?;
+            load += start.elapsed().as_secs_f64() * 1e3;
+            step(&mut session, self.options.precision, (&paths[0], &before), (&paths[1], &after))?;
+            let report = session.report();
+            let row = Step {
+                frame: i,
+                candidates: report.candidates.into(),
+                contacts: report.n_contacts().into(),
+                undecided: report.undecided,
+                toi: report.toi,
+                rebuilt: report.rebuilt,
+                times_ms: TimesMs::new(load, report),
+            };
+            if let Some(file) = &mut file {
+                file.write(i, &report.contacts)?;
+            }
+            if !self.options.json {
+                bar.suspend(|| print(&row));
+            }
+            steps.push(row);
+            bar.inc(1);
+            before = after;
+            load = 0.0;
+        }
+        bar.finish_and_clear();
+        self.finish(&session, steps)
+    }
+
+    fn finish(&self, session: &Session, steps: Vec<Step>) -> Outcome {
+        let summary = summarise(&steps);
+        if let Some(path) = &self.options.picture {
+            let times: Vec<f64> = steps.iter().map(step_ms).collect();
+            let contacts: Vec<f64> = steps.iter().map(|s| (s.contacts.vf + s.contacts.ee) as f64).collect();
+            plot::write(path, "frame", [("step, ms", &times), ("contacts", &contacts)])?;
+        }
+        let any = summary.contacts > 0;
+        if self.options.json {
+            let (mesh, threads) = (session.mesh().into(), session.threads());
+            output::json(&Json { mesh, backend: "cpu", precision: self.options.precision.name(), threads, steps, summary })?;
+        } else {
+            let text = format!("{} steps, {} of them free; {} contacts, {} undecided", summary.steps, summary.free_steps, summary.contacts, summary.undecided);
+            output::line("summary", text);
+            let ms = output::milliseconds;
+            let text = format!("median {} a step on {} threads, {} in all; trees built in {} steps", ms(summary.median_ms), session.threads(), ms(summary.total_ms), summary.rebuilt);
+            output::line("time", text);
+        }
+        output::flush();
+        Ok::<_, Failure>(any)
+    }
+}
+
+fn step_ms(s: &Step) -> f64 {
+    s.times_ms.total - s.times_ms.load
+}
+
+fn summarise(steps: &[Step]) -> Summary {
+    let mut times: Vec<f64> = steps.iter().map(step_ms).collect();
+    times.sort_unstable_by(f64::total_cmp);
+    Summary {
+        steps: steps.len(),
+        contacts: steps.iter().map(|s| s.contacts.vf + s.contacts.ee).sum(),
+        undecided: steps.iter().map(|s| s.undecided).sum(),
+        free_steps: steps.iter().filter(|s| s.toi.is_none()).count(),
+        rebuilt: steps.iter().filter(|s| s.rebuilt).count(),
+        median_ms: times[times.len() / 2],
+        total_ms: times.iter().sum(),
+    }
+}
+
+fn print(s: &Step) {
+    let toi = s.toi.map_or("-".into(), |t| format!("{t:.6e}"));
+    let trees = if s.rebuilt { "built" } else { "refit" };
+    println!("{:>6} {:>9} {:>9} {:>10} {:>12} {:>10} {:>6}", s.frame, s.contacts.vf, s.contacts.ee, s.undecided, toi, output::milliseconds(step_ms(s)), trees);
+}
