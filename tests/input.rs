@@ -81,7 +81,9 @@ fn write(dir: &Path, name: &str, content: &[u8]) -> PathBuf {
     path
 }
 
-const ASCII: &str = "ply\nformat ascii 1.0\ncomment x\nelement vertex 4\nproperty double x\nproperty float y\nproperty float z\nproperty uchar red\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 1\n1 0 0 1\n1 1 0 1\n0 1 0.1 1\n4 0 1 2 3\n";
+const ASCII: &str = "ply\nformat ascii 1.0\ncomment x\nelement vertex 4\nproperty double x\nproperty float y\nproperty float z\n\
+    property uchar red\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
+    0 0 0 1\n1 0 0 1\n1 1 0 1\n0 1 0.1 1\n4 0 1 2 3\n";
 
 #[test]
 fn meshes_are_read_in_every_encoding() {
@@ -113,16 +115,15 @@ fn meshes_are_read_in_every_encoding() {
 fn bad_files_are_named_with_the_place() {
     let dir = tempfile::tempdir().unwrap();
     let check = |name: &str, content: &[u8], says: &str| {
-        let error = read_frame(&write(dir.path(), name, content)).and_then(|f| {
-            f.mesh().map_err(|e| ccd::io::ReadError { path: name.into(), kind: ReadErrorKind::Mesh(e) })
-        });
+        let error = read_frame(&write(dir.path(), name, content))
+            .and_then(|f| f.mesh().map_err(|e| ccd::io::ReadError { path: name.into(), kind: ReadErrorKind::Mesh(e) }));
         let text = error.expect_err(name).to_string();
         assert!(text.contains(name) && text.contains(says), "{text:?} does not say {says:?}");
     };
     check("garbage.ply", &[0xff, 0x00, 0x80, 0x9c, 0x0a, 0x13], "garbage.ply");
     check("garbage.obj", &[0xff, 0x00, 0x80, 0x9c, 0x0a, 0x13], "line 1");
     check("empty.ply", b"", "end of file");
-    check("short.ply", ASCII[..ASCII.len() - 12].as_bytes(), "");
+    check("short.ply", &ASCII.as_bytes()[..ASCII.len() - 12], "face 0");
     check("index.ply", ASCII.replace("4 0 1 2 3", "4 0 1 2 9").as_bytes(), "vertex 9");
     check("negative.ply", ASCII.replace("4 0 1 2 3", "4 0 1 2 -3").as_bytes(), "-3");
     check("two.ply", ASCII.replace("4 0 1 2 3", "2 0 1").as_bytes(), "fewer than 3");

@@ -1,9 +1,9 @@
 //! Properties that hold for every input, on random ones; and the exact oracle, brute force and dense sampling as judges.
 
 use ccd::{Aabb, Bodies, BroadPhase, Contact, EdgeEdge, Kind, Mesh, Method, Options, Session, State, TOI_TOLERANCE, Verdict, VertexFace};
+use ccd_testkit::brute;
 use ccd_testkit::generate::{Random, crumpled_sheet, triangle_soup, uniform_boxes};
 use ccd_testkit::oracle::{self, Answer};
-use ccd_testkit::brute;
 use proptest::prelude::*;
 
 type Points = [[f64; 3]; 4];
@@ -140,7 +140,8 @@ proptest! {
 
 #[test]
 fn the_comparison_with_exact_arithmetic_can_fail() {
-    let (t0, t1) = ([[0.25, 1.0, 0.25], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]], [[0.25, -1.0, 0.25], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
+    let (t0, t1) =
+        ([[0.25, 1.0, 0.25], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]], [[0.25, -1.0, 0.25], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
     let answer = oracle::vertex_face(&t0, &t1);
     assert!(matches!(answer, Answer::Contact(..)));
     let fails = |v: Verdict<f64>, a: &Answer| std::panic::catch_unwind(|| check_oracle(v, a)).is_err();
@@ -282,7 +283,10 @@ fn fixed_bodies_do_not_touch_each_other() {
         Kind::VertexFace => (body[c.a as usize], c.b),
         Kind::EdgeEdge => (edge_body(c.a), edge_body(c.b)),
     };
-    let both_fixed = |c: &&Contact| { let (a, b) = bodies_of(c); fixed[a as usize] && fixed[b as usize] };
+    let both_fixed = |c: &&Contact| {
+        let (a, b) = bodies_of(c);
+        fixed[a as usize] && fixed[b as usize]
+    };
     let want: Vec<_> = all.contacts.iter().filter(|c| !both_fixed(c)).copied().collect();
     assert_eq!(report.contacts, want);
     assert!(want.len() < all.contacts.len());

@@ -6,8 +6,8 @@ use ccd::io::{Frame, Queries, Query, read_queries};
 use ccd::{
     BroadPhase, Contact, Digest, EdgeEdge, Kind, Method, Options, Pair, Real, Report, Session, State, TOI_TOLERANCE, Verdict, VertexFace,
 };
-use ccd_testkit::data::{self, SCENES, Scene, Time};
 use ccd_testkit::brute;
+use ccd_testkit::data::{self, SCENES, Scene, Time};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
 use std::collections::HashMap;
 use std::path::Path;
@@ -237,9 +237,8 @@ fn decide_f32(query: &Query) -> Verdict<f64> {
 
 /// A session over 60 frames gives what single steps give, refitted or rebuilt.
 fn check_debris_sequence(data: &Path) {
-    let frames: Vec<Frame> = (40..100)
-        .map(|i| ccd::io::read_frame(&data.join(format!("scenes/debris-wall/frames/{i:03}.ply"))).unwrap())
-        .collect();
+    let frames: Vec<Frame> =
+        (40..100).map(|i| ccd::io::read_frame(&data.join(format!("scenes/debris-wall/frames/{i:03}.ply"))).unwrap()).collect();
     let mut session = Session::new(frames[0].mesh().unwrap(), Options { threads: 2, ..Options::default() }).unwrap();
     let mut n_rebuilt = 0;
     for (i, pair) in frames.windows(2).enumerate() {
@@ -290,7 +289,18 @@ fn check_negative_controls(data: &Path) {
     };
     let certain = |r: &Report| r.contacts.iter().position(|c| c.state == State::Hit).unwrap();
     assert!(!fails(&|_| {}));
-    assert!(fails(&|r| { r.contacts.remove(5); }), "a missing contact passes");
+    assert!(
+        fails(&|r| {
+            r.contacts.remove(5);
+        }),
+        "a missing contact passes"
+    );
     assert!(fails(&|r| r.contacts[5].toi += 1e-9), "a late contact passes");
-    assert!(fails(&|r| { let i = certain(r); r.contacts[i].toi -= 3e-6 }), "a contact that is too early passes");
+    assert!(
+        fails(&|r| {
+            let i = certain(r);
+            r.contacts[i].toi -= 3e-6
+        }),
+        "a contact that is too early passes"
+    );
 }

@@ -74,10 +74,7 @@ impl<T: Real> Aabb<T> {
     #[inline]
     pub fn inflated(&self, margin: T) -> Self {
         if margin > T::splat(0.0) {
-            Self {
-                min: self.min.map(|x| (x - margin).next_down()),
-                max: self.max.map(|x| (x + margin).next_up()),
-            }
+            Self { min: self.min.map(|x| (x - margin).next_down()), max: self.max.map(|x| (x + margin).next_up()) }
         } else {
             *self
         }

@@ -79,4 +79,3 @@ pub fn within<R: Real>(m: &Motion<R>, patch: Patch, t: R, min_distance: R) -> bo
     let length = dot(x, x).sqrt_up() * R::splat(1.0 + 8.0 * R::UNIT) + m.corner_error() * R::splat(4.0);
     length <= min_distance
 }
-

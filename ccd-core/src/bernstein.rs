@@ -40,12 +40,7 @@ impl<N: Num> Coplanarity<N> {
         let n00 = cross(m.b[0], m.c[0]);
         let n11 = cross(m.b[1], m.c[1]);
         let n01 = add(cross(m.b[0], m.c[1]), cross(m.b[1], m.c[0]));
-        let c = [
-            dot(m.a[0], n00),
-            dot(m.a[1], n00) + dot(m.a[0], n01),
-            dot(m.a[0], n11) + dot(m.a[1], n01),
-            dot(m.a[1], n11),
-        ];
+        let c = [dot(m.a[0], n00), dot(m.a[1], n00) + dot(m.a[0], n01), dot(m.a[0], n11) + dot(m.a[1], n01), dot(m.a[1], n11)];
         let [ma, mb, mc] = m.magnitudes();
         let (one, eight) = (N::splat(1.0), N::splat(8.0));
         let bc = (mb * eight) * mc;

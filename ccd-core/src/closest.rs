@@ -7,11 +7,7 @@ use crate::vec3::{dot, scale, sub};
 /// `x` limited to `[0, 1]`; NaN (from a side of no length) becomes 0.
 #[inline]
 fn unit<R: Real>(x: R) -> R {
-    if x > R::splat(0.0) {
-        if x < R::splat(1.0) { x } else { R::splat(1.0) }
-    } else {
-        R::splat(0.0)
-    }
+    if x > R::splat(0.0) { if x < R::splat(1.0) { x } else { R::splat(1.0) } } else { R::splat(0.0) }
 }
 
 /// `a - x b` with the `x` in `[0, 1]` that makes it shortest.
@@ -44,9 +40,7 @@ pub fn closest<R: Real>(a: [R; 3], b: [R; 3], c: [R; 3], patch: Patch) -> [R; 3]
             let hypotenuse = to_segment(a_b, sub(c, b));
             [to_segment(a, b), to_segment(a, c), hypotenuse, hypotenuse]
         }
-        Patch::Parallelogram => {
-            [to_segment(a, b), to_segment(a, c), to_segment(a_b, c), to_segment(sub(a, c), b)]
-        }
+        Patch::Parallelogram => [to_segment(a, b), to_segment(a, c), to_segment(a_b, c), to_segment(sub(a, c), b)],
     };
     let mut best = sides[0];
     for k in 1..4 {

@@ -93,10 +93,19 @@ impl core::fmt::Display for Error {
         let axis_name = |axis: u8| ["x", "y", "z"][axis.min(2) as usize];
         match *self {
             Error::Coordinate { time, vertex, axis, value } => {
-                write!(f, "vertex {vertex} at t{time} has {} = {value}; coordinates must be finite and at most {:e}", axis_name(axis), Self::MAX_COORDINATE)
+                write!(
+                    f,
+                    "vertex {vertex} at t{time} has {} = {value}; coordinates must be finite and at most {:e}",
+                    axis_name(axis),
+                    Self::MAX_COORDINATE
+                )
             }
             Error::Index { element, at, vertex, n_vertices } => {
-                write!(f, "{element} {at} refers to vertex {vertex}, but there are {n_vertices} vertices (0 to {})", n_vertices.saturating_sub(1))
+                write!(
+                    f,
+                    "{element} {at} refers to vertex {vertex}, but there are {n_vertices} vertices (0 to {})",
+                    n_vertices.saturating_sub(1)
+                )
             }
             Error::VertexCount { time, expected, found } => {
                 write!(f, "t{time} has {found} vertices, the mesh has {expected}")

@@ -6,9 +6,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 ///
 /// Every operation rounds as IEEE 754 says or no worse than one unit roundoff per operation; a result that underflows
 /// may be flushed to zero. Nothing is assumed about NaN except that comparisons with it are false.
-pub trait Num:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
-{
+pub trait Num: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {
     /// Unit roundoff: half the distance from 1 to the next number (2^-24 or 2^-53).
     const UNIT: f64;
     /// Smallest positive normal number; flushing a result to zero loses less than this.

@@ -28,11 +28,7 @@ fn one_axis<N: Num>(x0: &[[N; 3]; 4], x1: &[[N; 3]; 4], n_first: usize, k: usize
 #[inline(always)]
 fn sides<N: Num>(x: &[[N; 3]; 4], n_first: usize, k: usize) -> (N, N) {
     let [p, q, r, s] = [x[0][k], x[1][k], x[2][k], x[3][k]];
-    if n_first == 1 {
-        (p - q.max(r.max(s)), q.min(r.min(s)) - p)
-    } else {
-        (p.min(q) - r.max(s), r.min(s) - p.max(q))
-    }
+    if n_first == 1 { (p - q.max(r.max(s)), q.min(r.min(s)) - p) } else { (p.min(q) - r.max(s), r.min(s) - p.max(q)) }
 }
 
 /// Positive only if the features are certainly never closer than `min_distance`, because they pass beside each other: tries the directions in the plane of
@@ -44,25 +40,36 @@ pub fn beside<N: Num>(m: &Motion<N>, patch: Patch, min_distance: N) -> N {
     let c = add(m.c[0], m.c[1]);
     let n = cross(b, c);
     let (corners0, corners1) = (m.corners(patch, 0), m.corners(patch, 1));
-    let needed = m.corner_error() * N::splat(1.01) + min_distance * N::splat(1.0001);
-    let along_b = apart(cross(n, b), &corners0, &corners1, needed);
-    let along_c = apart(cross(n, c), &corners0, &corners1, needed);
+    let [ma, mb, mc] = m.magnitudes();
+    let reach =
+        Reach { size: ma + mb + mc, needed: min_distance * N::splat(1.0001) + m.error * N::splat(3.1) + N::splat(256.0 * N::MIN_NORMAL) };
+    let along_b = apart(cross(n, b), &corners0, &corners1, &reach);
+    let along_c = apart(cross(n, c), &corners0, &corners1, &reach);
     let best = along_b.max(along_c);
-    if matches!(patch, Patch::Triangle) { best.max(apart(cross(n, sub(c, b)), &corners0, &corners1, needed)) } else { best }
+    if matches!(patch, Patch::Triangle) { best.max(apart(cross(n, sub(c, b)), &corners0, &corners1, &reach)) } else { best }
 }
 
-/// Separation along `w` beyond `needed` per unit of `w`; `sum_abs` is at least the length of `w`.
+/// What a separation must exceed.
+struct Reach<N> {
+    /// Bound of the components of all corners: times that of the direction, of every product with it.
+    size: N,
+    /// Distance and errors of the input, per unit of the direction.
+    needed: N,
+}
+
+/// Separation along `w` beyond what is needed; `sum_abs` is at least the length of `w`.
+///
+/// If a product overflows, so does the sum of `w` times the size, and the result is not positive.
 #[inline(always)]
-fn apart<N: Num>(w: [N; 3], corners0: &[[N; 3]; 4], corners1: &[[N; 3]; 4], needed: N) -> N {
+fn apart<N: Num>(w: [N; 3], corners0: &[[N; 3]; 4], corners1: &[[N; 3]; 4], reach: &Reach<N>) -> N {
     let first = dot(w, corners0[0]);
     let (mut low, mut high) = (first, first);
-    let mut poison = first - first;
     for j in 0..4 {
         let (g0, g1) = (dot(w, corners0[j]), dot(w, corners1[j]));
         low = low.min(g0).min(g1);
         high = high.max(g0).max(g1);
-        // 0, or NaN if a product overflowed: minima and maxima may lose it.
-        poison = poison + (g0 - g0) + (g1 - g1);
     }
-    low.max(-high) - sum_abs(w) * needed - N::splat(64.0 * N::MIN_NORMAL) + poison
+    let length = sum_abs(w);
+    let rounding = (length * reach.size) * N::splat(17.0 * N::UNIT);
+    low.max(-high) - rounding - length * reach.needed - N::splat(64.0 * N::MIN_NORMAL)
 }

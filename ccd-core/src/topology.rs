@@ -44,11 +44,8 @@ impl Mesh {
             n_degenerate += (edge[0] == edge[1]) as usize;
         }
         let sides = faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-        let mut edges: Vec<[u32; 2]> = sides
-            .chain(more_edges.iter().copied())
-            .filter(|[a, b]| a != b)
-            .map(|[a, b]| if a < b { [a, b] } else { [b, a] })
-            .collect();
+        let mut edges: Vec<[u32; 2]> =
+            sides.chain(more_edges.iter().copied()).filter(|[a, b]| a != b).map(|[a, b]| if a < b { [a, b] } else { [b, a] }).collect();
         edges.sort_unstable_by_key(|&[a, b]| (b, a));
         edges.dedup();
         edges.shrink_to_fit();

@@ -121,7 +121,13 @@ impl BroadPhase {
         Ok(Pairs { runs: &self.runs, workers: &self.workers })
     }
 
-    fn list<const ORDERED: bool>(&mut self, threads: &Threads, within: bool, slack: Option<f32>, confirm: &(dyn Fn(u32, u32) -> bool + Sync)) {
+    fn list<const ORDERED: bool>(
+        &mut self,
+        threads: &Threads,
+        within: bool,
+        slack: Option<f32>,
+        confirm: &(dyn Fn(u32, u32) -> bool + Sync),
+    ) {
         self.workers.resize_with(threads.count(), Lister::default);
         let (a, b) = (&self.a.pyramid, if within { &self.a.pyramid } else { &self.b.pyramid });
         for lister in &mut self.workers {
@@ -262,14 +268,16 @@ impl Side {
     fn take<T: Real + Send + Sync>(&mut self, threads: &Threads, boxes: &[Aabb<T>]) -> bool {
         self.boxes.resize(boxes.len(), Aabb::EMPTY);
         threads.fill(&mut self.boxes, |i| boxes[i].round_out());
-        let same = |r: &Aabb<f32>, b: &Aabb<T>| (0..3).all(|k| r.min[k] as f64 == b.min[k].to_f64() && r.max[k] as f64 == b.max[k].to_f64());
+        let same =
+            |r: &Aabb<f32>, b: &Aabb<T>| (0..3).all(|k| r.min[k] as f64 == b.min[k].to_f64() && r.max[k] as f64 == b.max[k].to_f64());
         T::UNIT == f32::UNIT || self.boxes.iter().zip(boxes).all(|(r, b)| same(r, b))
     }
 }
 
 /// Twice the spacing of `f32` at the greatest coordinate: outward rounding moves two bounds by less than that together.
 fn slack(a: &[Aabb<f32>], b: &[Aabb<f32>]) -> f32 {
-    let greatest = |boxes: &[Aabb<f32>]| boxes.iter().fold(0f32, |m, b| m.max(ccd_core::vec3::max_abs(b.min)).max(ccd_core::vec3::max_abs(b.max)));
+    let greatest =
+        |boxes: &[Aabb<f32>]| boxes.iter().fold(0f32, |m, b| m.max(ccd_core::vec3::max_abs(b.min)).max(ccd_core::vec3::max_abs(b.max)));
     slack_at(greatest(a).max(greatest(b)))
 }
 

@@ -28,11 +28,6 @@ pub struct Pyramid {
 }
 
 impl Pyramid {
-    /// Number of boxes.
-    pub fn len(&self) -> usize {
-        self.n
-    }
-
     /// Whether there is no box.
     pub fn is_empty(&self) -> bool {
         self.n == 0

@@ -274,9 +274,8 @@ impl Buffers {
     /// Fills the table that filters read; returns how far its numbers may be from the true ones (minus a common origin).
     fn fill_table<T: Real + Send + Sync>(&mut self, threads: &Threads, x: &Positions<T>, scan: &Scan) -> f32 {
         let exact = scan.exact && x.whole();
-        let centre: [f64; 3] = std::array::from_fn(|k| {
-            if exact || x.x0.is_empty() { 0.0 } else { 0.5 * scan.bounds.min[k] + 0.5 * scan.bounds.max[k] }
-        });
+        let centre: [f64; 3] =
+            std::array::from_fn(|k| if exact || x.x0.is_empty() { 0.0 } else { 0.5 * scan.bounds.min[k] + 0.5 * scan.bounds.max[k] });
         self.table.resize(x.x0.len(), [0.0; WIDTH]);
         threads.fill(&mut self.table, |i| {
             let (p, q) = (x.x0[i].map(T::to_f64), x.end(i));

@@ -271,12 +271,7 @@ mod avx2 {
     fn quads(r0: __m256, r1: __m256, r2: __m256, r3: __m256) -> [__m256; 4] {
         let (p, q) = (_mm256_unpacklo_ps(r0, r1), _mm256_unpackhi_ps(r0, r1));
         let (s, t) = (_mm256_unpacklo_ps(r2, r3), _mm256_unpackhi_ps(r2, r3));
-        [
-            _mm256_shuffle_ps::<0x44>(p, s),
-            _mm256_shuffle_ps::<0xee>(p, s),
-            _mm256_shuffle_ps::<0x44>(q, t),
-            _mm256_shuffle_ps::<0xee>(q, t),
-        ]
+        [_mm256_shuffle_ps::<0x44>(p, s), _mm256_shuffle_ps::<0xee>(p, s), _mm256_shuffle_ps::<0x44>(q, t), _mm256_shuffle_ps::<0xee>(q, t)]
     }
 
     #[inline]

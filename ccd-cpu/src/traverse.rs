@@ -45,7 +45,14 @@ impl Traversal {
     /// every so many-th task (1: all).
     ///
     /// Both trees must be equally high, see [`Pyramid::raise`].
-    pub fn run<R: Rows>(&mut self, threads: &Threads, (a, b): (&Pyramid, Option<&Pyramid>), part: usize, rows: &R, workers: &mut [R::Worker]) {
+    pub fn run<R: Rows>(
+        &mut self,
+        threads: &Threads,
+        (a, b): (&Pyramid, Option<&Pyramid>),
+        part: usize,
+        rows: &R,
+        workers: &mut [R::Worker],
+    ) {
         if !a.is_empty() && !b.is_some_and(Pyramid::is_empty) {
             crate::simd::dispatch!(simd => self.run_with(simd, threads, (a, b), part, rows, workers));
         }

@@ -49,16 +49,6 @@ impl Sink<Pair> for ListSink {
 const CHUNK: usize = 512;
 
 impl Tree {
-    /// Nodes: internal ones first, then leaves in Morton order.
-    pub fn nodes(&self) -> &[Node] {
-        &self.nodes
-    }
-
-    /// Internal nodes: children and ranges of leaves.
-    pub fn branches(&self) -> &[Branch] {
-        &self.branches
-    }
-
     /// Builds the tree. Fewer than two boxes give a tree without internal nodes.
     pub fn build(&mut self, threads: &Threads, boxes: &[Aabb<f32>]) {
         let n = boxes.len();
@@ -126,5 +116,65 @@ impl Tree {
         });
         out.clear();
         chunks.iter().for_each(|chunk| out.extend_from_slice(&chunk.0));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ccd_core::kernel::build::MAX_DEPTH;
+
+    /// Children split the range of their parent, boxes are exactly those of the leaves below, every box is one leaf, no path is too long.
+    fn check_well_formed(tree: &Tree, boxes: &[Aabb<f32>]) {
+        let n_internal = boxes.len() - 1;
+        let mut seen = vec![false; boxes.len()];
+        let range = |node: u32| match tree.branches.get(node as usize) {
+            Some(branch) => (branch.first, branch.last),
+            None => (node - n_internal as u32, node - n_internal as u32),
+        };
+        let mut stack = vec![(0u32, 1usize)];
+        while let Some((node, depth)) = stack.pop() {
+            assert!(depth <= MAX_DEPTH, "a path of {depth} nodes");
+            let (first, last) = range(node);
+            let leaves = (first..=last).map(|leaf| &boxes[tree.order[leaf as usize] as usize]);
+            let want = leaves.fold(Aabb::EMPTY, |all, b| all.union(b));
+            assert_eq!(tree.nodes[node as usize].aabb(), want, "box of node {node}");
+            match tree.branches.get(node as usize) {
+                Some(branch) => {
+                    let (left, right) = (range(branch.left), range(branch.right));
+                    assert_eq!((left.0, left.1 + 1, right.1), (first, right.0, last), "children of node {node}");
+                    stack.extend([(branch.left, depth + 1), (branch.right, depth + 1)]);
+                }
+                None => {
+                    assert!(tree.nodes[node as usize].is_leaf());
+                    let id = tree.nodes[node as usize].left as usize;
+                    assert!(!std::mem::replace(&mut seen[id], true), "box {id} is two leaves");
+                }
+            }
+        }
+        assert!(seen.iter().all(|&s| s), "a box is no leaf");
+    }
+
+    #[test]
+    fn trees_are_well_formed() {
+        let mut x = 5u32;
+        let mut unit = || {
+            x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+            (x >> 8) as f32 / 16_777_216.0
+        };
+        for n in [2usize, 3, 10, 1000, 5000] {
+            let random: Vec<_> = (0..n).map(|_| Aabb::of_point([unit(), unit(), unit()])).collect();
+            // Codes that differ in one bit each, and codes that do not differ at all: the deepest trees.
+            let powers: Vec<_> = (0..n).map(|i| Aabb::of_point([0.5f32.powi(i as i32 % 21), 0.0, 0.0])).collect();
+            let equal = vec![Aabb::of_point([1.0; 3]); n];
+            for boxes in [random, powers, equal] {
+                for threads in [1, 2] {
+                    let mut tree = Tree::default();
+                    let threads = Threads::new(threads).unwrap();
+                    threads.enter(|| tree.build(&threads, &boxes));
+                    check_well_formed(&tree, &boxes);
+                }
+            }
+        }
     }
 }

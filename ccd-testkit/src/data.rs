@@ -111,7 +111,8 @@ impl Scene {
             .map(|i| {
                 let (a, b) = (id(&pairs[i][0]), id(&pairs[i][1]));
                 let hit = answers[i].as_bool().expect("a Boolean");
-                let (a, b) = if kind == "vf" { (a.min(b), a.max(b) - n_vertices - n_edges) } else { (a.min(b) - n_vertices, a.max(b) - n_vertices) };
+                let (a, b) =
+                    if kind == "vf" { (a.min(b), a.max(b) - n_vertices - n_edges) } else { (a.min(b) - n_vertices, a.max(b) - n_vertices) };
                 Truth { a: a as u32, b: b as u32, hit, toi: times[i].toi }
             })
             .collect()

@@ -94,7 +94,15 @@ impl Boxes {
             }
             output::line("pairs", n_pairs);
             let ms = output::milliseconds;
-            let text = format!("median {} of {} runs on {} threads (first {}, least {}); loading {}", ms(times.median), self.runs, broad.threads(), ms(times.first), ms(times.min), ms(load));
+            let text = format!(
+                "median {} of {} runs on {} threads (first {}, least {}); loading {}",
+                ms(times.median),
+                self.runs,
+                broad.threads(),
+                ms(times.first),
+                ms(times.min),
+                ms(load)
+            );
             output::line("time", text);
         }
         output::flush();

@@ -1,7 +1,7 @@
 //! `ccd check`: contacts between two frames.
 
 use super::output::{self, ContactFile, Counts, MeshSize, TimesMs};
-use super::{Outcome, Precision, StepOptions, Failure, in_file, picture};
+use super::{Failure, Outcome, Precision, StepOptions, in_file, picture};
 use ccd::io::{Frame, read_frame};
 use ccd::{Mesh, Session};
 use clap::Args;
@@ -91,7 +91,13 @@ fn print(session: &Session, load: f64) {
         "time",
         format_args!(
             "{} on {} threads (boxes {}, build {}, traverse {}, narrow {}); loading {}",
-            ms(t.total), session.threads(), ms(t.boxes), ms(t.build), ms(t.traverse), ms(t.narrow), ms(load)
+            ms(t.total),
+            session.threads(),
+            ms(t.boxes),
+            ms(t.build),
+            ms(t.traverse),
+            ms(t.narrow),
+            ms(load)
         ),
     );
 }

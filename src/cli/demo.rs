@@ -41,12 +41,26 @@ impl Demo {
         bar.finish_and_clear();
         let (last, plots) = (self.out.join("last-frame.png"), self.out.join("times.png"));
         picture::write(&last, &cloth.mesh, &cloth.x, &cloth.x, &cloth.contacts)?;
-        plot::write(&plots, "frame", [("collision detection, ms a frame", &times), ("contacts within 6 mm in the last step of a frame", &contacts)])?;
+        plot::write(
+            &plots,
+            "frame",
+            [("collision detection, ms a frame", &times), ("contacts within 6 mm in the last step of a frame", &contacts)],
+        )?;
         let total: f64 = times.iter().sum();
-        output::line("collisions", format_args!("{} for {n_calls} steps, {} a step", output::milliseconds(total), output::milliseconds(total / n_calls as f64)));
+        output::line(
+            "collisions",
+            format_args!("{} for {n_calls} steps, {} a step", output::milliseconds(total), output::milliseconds(total / n_calls as f64)),
+        );
         output::line("contacts", format_args!("{} in the last step", cloth.contacts.len()));
         let n = penetrations(&cloth.mesh, &cloth.x);
-        output::line("penetration", if n == 0 { "none: no edge passes through a face (checked exactly, independently)".to_string() } else { format!("{n} edges pass through faces") });
+        output::line(
+            "penetration",
+            if n == 0 {
+                "none: no edge passes through a face (checked exactly, independently)".to_string()
+            } else {
+                format!("{n} edges pass through faces")
+            },
+        );
         output::line("written", format_args!("{}, {}", last.display(), plots.display()));
         if n > 0 {
             return Err(Failure(format!("{n} penetrations after {} frames", self.frames)));

@@ -30,7 +30,9 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     /// Contacts between two frames of a mesh
-    #[command(after_help = "EXAMPLES:\n  ccd check before.ply after.ply\n  ccd check before.ply after.ply --json --contacts contacts.csv --picture contacts.png")]
+    #[command(
+        after_help = "EXAMPLES:\n  ccd check before.ply after.ply\n  ccd check before.ply after.ply --json --contacts contacts.csv --picture contacts.png"
+    )]
     Check(check::Check),
     /// Contacts over many frames of a mesh, one step from each frame to the next
     #[command(after_help = "EXAMPLES:\n  ccd sequence frames/*.ply --picture times.png")]

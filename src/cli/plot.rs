@@ -18,7 +18,12 @@ pub fn write<const N: usize>(path: &Path, axis: &str, series: [(&str, &[f64]); N
     image.save_with_format(path, image::ImageFormat::Png).map_err(|e| in_file(path, e))
 }
 
-fn draw<const N: usize>(pixels: &mut [u8], size: (u32, u32), axis: &str, series: [(&str, &[f64]); N]) -> Result<(), Box<dyn std::error::Error>> {
+fn draw<const N: usize>(
+    pixels: &mut [u8],
+    size: (u32, u32),
+    axis: &str,
+    series: [(&str, &[f64]); N],
+) -> Result<(), Box<dyn std::error::Error>> {
     // The font travels with the program: none need be installed.
     register_font("sans-serif", FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT).map_err(|_| "the font cannot be read")?;
     let root = BitMapBackend::with_buffer(pixels, size).into_drawing_area();

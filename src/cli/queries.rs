@@ -82,7 +82,10 @@ impl Queries {
         if self.json {
             output::json(&Json { files, total })?;
         } else {
-            println!("{:>8} {:>7} {:>7} {:>10} {:>10} {:>10} {:>8}  file", "queries", "hits", "misses", "undecided", "false pos", "false neg", "ns each");
+            println!(
+                "{:>8} {:>7} {:>7} {:>10} {:>10} {:>10} {:>8}  file",
+                "queries", "hits", "misses", "undecided", "false pos", "false neg", "ns each"
+            );
             files.iter().for_each(|f| print(&f.counts, &f.file));
             print(&total, "total");
         }

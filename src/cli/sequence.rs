@@ -111,10 +111,19 @@ impl Sequence {
             let (mesh, threads) = (session.mesh().into(), session.threads());
             output::json(&Json { mesh, backend: "cpu", precision: self.options.precision.name(), threads, steps, summary })?;
         } else {
-            let text = format!("{} steps, {} of them free; {} contacts, {} undecided", summary.steps, summary.free_steps, summary.contacts, summary.undecided);
+            let text = format!(
+                "{} steps, {} of them free; {} contacts, {} undecided",
+                summary.steps, summary.free_steps, summary.contacts, summary.undecided
+            );
             output::line("summary", text);
             let ms = output::milliseconds;
-            let text = format!("median {} a step on {} threads, {} in all; trees built in {} steps", ms(summary.median_ms), session.threads(), ms(summary.total_ms), summary.rebuilt);
+            let text = format!(
+                "median {} a step on {} threads, {} in all; trees built in {} steps",
+                ms(summary.median_ms),
+                session.threads(),
+                ms(summary.total_ms),
+                summary.rebuilt
+            );
             output::line("time", text);
         }
         output::flush();
@@ -143,5 +152,14 @@ fn summarise(steps: &[Step]) -> Summary {
 fn print(s: &Step) {
     let toi = s.toi.map_or("-".into(), |t| format!("{t:.6e}"));
     let trees = if s.rebuilt { "built" } else { "refit" };
-    println!("{:>6} {:>9} {:>9} {:>10} {:>12} {:>10} {:>6}", s.frame, s.contacts.vf, s.contacts.ee, s.undecided, toi, output::milliseconds(step_ms(s)), trees);
+    println!(
+        "{:>6} {:>9} {:>9} {:>10} {:>12} {:>10} {:>6}",
+        s.frame,
+        s.contacts.vf,
+        s.contacts.ee,
+        s.undecided,
+        toi,
+        output::milliseconds(step_ms(s)),
+        trees
+    );
 }

@@ -50,9 +50,9 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
             }
             // Comments, normals, texture coordinates, groups, materials, curves and surfaces.
             _ if keyword.starts_with('#') => {}
-            "vn" | "vt" | "vp" | "o" | "g" | "s" | "mtllib" | "usemtl" | "p" | "cstype" | "deg" | "curv" | "curv2" | "surf"
-            | "parm" | "trim" | "hole" | "scrv" | "sp" | "end" | "con" | "mg" | "bevel" | "c_interp" | "d_interp" | "lod"
-            | "shadow_obj" | "trace_obj" | "ctech" | "stech" | "bmat" | "step" | "usemap" | "maplib" => n_known += 1,
+            "vn" | "vt" | "vp" | "o" | "g" | "s" | "mtllib" | "usemtl" | "p" | "cstype" | "deg" | "curv" | "curv2" | "surf" | "parm"
+            | "trim" | "hole" | "scrv" | "sp" | "end" | "con" | "mg" | "bevel" | "c_interp" | "d_interp" | "lod" | "shadow_obj"
+            | "trace_obj" | "ctech" | "stech" | "bmat" | "step" | "usemap" | "maplib" => n_known += 1,
             _ => return Err(bad(format!("`{}` is no statement of OBJ", keyword.chars().take(20).collect::<String>()))),
         }
     }

@@ -31,9 +31,8 @@ pub fn read_queries(path: &Path) -> Result<Queries, ReadError> {
 }
 
 fn read(path: &Path) -> Result<Queries, ReadErrorKind> {
-    let edge_edge = is_edge_edge(path).ok_or_else(|| {
-        ReadErrorKind::Header("the path names neither vertex-face (vf) nor edge-edge (ee) queries".into())
-    })?;
+    let edge_edge = is_edge_edge(path)
+        .ok_or_else(|| ReadErrorKind::Header("the path names neither vertex-face (vf) nor edge-edge (ee) queries".into()))?;
     let file = std::fs::File::open(path)?;
     let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(file);
     let mut out = Queries::default();
@@ -66,11 +65,7 @@ fn read(path: &Path) -> Result<Queries, ReadErrorKind> {
         if n_rows % 8 == 0 {
             let t0 = [points[0], points[1], points[2], points[3]];
             let t1 = [points[4], points[5], points[6], points[7]];
-            out.queries.push(if edge_edge {
-                Query::EdgeEdge(EdgeEdge { t0, t1 })
-            } else {
-                Query::VertexFace(VertexFace { t0, t1 })
-            });
+            out.queries.push(if edge_edge { Query::EdgeEdge(EdgeEdge { t0, t1 }) } else { Query::VertexFace(VertexFace { t0, t1 }) });
             out.answers.push(answer);
         }
     }

@@ -1,1 +1,54 @@
-fn main() {}
+//! `cargo xtask`: what the project does to itself.
+
+mod ci;
+#[cfg(feature = "report")]
+mod report;
+mod tidy;
+
+use clap::Parser;
+use std::path::Path;
+use std::process::ExitCode;
+
+/// Tasks of the project.
+#[derive(Parser)]
+#[command(name = "cargo xtask")]
+enum Task {
+    /// Everything that must pass: formatting, lints, no_std, tests, docs, tidy
+    Ci,
+    /// Rules of the repository that no compiler checks
+    Tidy,
+    /// Measure against ipctk and parry3d and write benches/RESULTS.md (needs the data, python3, and pip or an installed ipctk)
+    Report {
+        /// Runs of each measurement; medians are reported
+        #[arg(long, default_value_t = 5)]
+        runs: usize,
+    },
+}
+
+fn main() -> ExitCode {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."));
+    let result = match Task::parse() {
+        Task::Ci => ci::run(root),
+        Task::Tidy => tidy::run(root),
+        Task::Report { runs } => report_task(root, runs),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(e) => {
+            eprintln!("error: {e}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+#[cfg(feature = "report")]
+fn report_task(root: &Path, runs: usize) -> Result<(), String> {
+    report::run(root, runs)
+}
+
+/// Without the libraries to compare with: builds itself again with them.
+#[cfg(not(feature = "report"))]
+fn report_task(root: &Path, runs: usize) -> Result<(), String> {
+    let runs = runs.to_string();
+    ci::command(root, &["cargo", "run", "--release", "-p", "xtask", "--features", "report", "--", "report", "--runs", &runs])
+}
