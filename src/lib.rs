@@ -34,6 +34,7 @@
 //! | several bodies, fixed bodies | [`Bodies`] in [`Options`] |
 //! | contact at a distance | [`Options::min_distance`] |
 //! | one pair of features | [`vertex_face`], [`edge_edge`] |
+//! | the candidate pairs of a step | [`Session::candidates`] |
 //! | boxes in, overlapping pairs out | [`BroadPhase`] |
 //! | read meshes and query files | `io` (feature `io`) |
 //!
@@ -50,5 +51,6 @@ pub use ccd_core::layout::Pair;
 pub use ccd_core::topology::{Bodies, Mesh};
 pub use ccd_core::{Aabb, EdgeEdge, Error, Real, TOI_TOLERANCE, Verdict, VertexFace, edge_edge, vertex_face};
 pub use ccd_cpu::{
-    BroadPhase, Contact, Kind, MAX_LOOSENESS, Method, Options, Pairs, PerKind, Report, Session, State, Times, earliest_toi, step,
+    BroadPhase, Candidates, Contact, Kind, MAX_LOOSENESS, Method, Options, Pairs, PerKind, Report, Session, State, Times, earliest_toi,
+    step,
 };

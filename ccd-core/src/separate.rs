@@ -7,28 +7,17 @@ use crate::motion::{Motion, Patch};
 use crate::real::Num;
 use crate::vec3::{add, cross, dot, sub, sum_abs};
 
-/// The greatest gap that one of the three axes keeps between two groups of points during the whole step, or a number that is not
-/// positive: the first `n_first` (1 or 2) of the four points against the others. Only compares and subtracts coordinates.
+/// The greatest gap that two features keep along one of the three axes during the whole step, or a number that is not positive; from their
+/// boxes `[min, max]` at `t = 0` and `t = 1`. Only compares and subtracts coordinates.
 #[inline(always)]
-pub fn axis_gap<N: Num>(x0: &[[N; 3]; 4], x1: &[[N; 3]; 4], n_first: usize) -> N {
-    let x = one_axis(x0, x1, n_first, 0);
-    let y = one_axis(x0, x1, n_first, 1);
-    let z = one_axis(x0, x1, n_first, 2);
-    x.max(y).max(z)
-}
-
-#[inline(always)]
-fn one_axis<N: Num>(x0: &[[N; 3]; 4], x1: &[[N; 3]; 4], n_first: usize, k: usize) -> N {
-    let (above0, below0) = sides(x0, n_first, k);
-    let (above1, below1) = sides(x1, n_first, k);
-    above0.min(above1).max(below0.min(below1))
-}
-
-/// How far the first points are above the others along axis `k`, and how far below.
-#[inline(always)]
-fn sides<N: Num>(x: &[[N; 3]; 4], n_first: usize, k: usize) -> (N, N) {
-    let [p, q, r, s] = [x[0][k], x[1][k], x[2][k], x[3][k]];
-    if n_first == 1 { (p - q.max(r.max(s)), q.min(r.min(s)) - p) } else { (p.min(q) - r.max(s), r.min(s) - p.max(q)) }
+pub fn axis_gap<N: Num>(a0: &[[N; 3]; 2], a1: &[[N; 3]; 2], b0: &[[N; 3]; 2], b1: &[[N; 3]; 2]) -> N {
+    let mut best = N::splat(0.0);
+    for k in 0..3 {
+        let above = (a0[0][k] - b0[1][k]).min(a1[0][k] - b1[1][k]);
+        let below = (b0[0][k] - a0[1][k]).min(b1[0][k] - a1[1][k]);
+        best = best.max(above).max(below);
+    }
+    best
 }
 
 /// Positive only if the features are certainly never closer than `min_distance`, because they pass beside each other: tries the directions in the plane of

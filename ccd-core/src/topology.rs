@@ -96,11 +96,21 @@ impl Bodies {
         self.body_of_vertex[v as usize]
     }
 
+    /// Whether body `b` does not move.
+    #[inline]
+    pub fn fixed(&self, b: u32) -> bool {
+        self.fixed.get(b as usize).copied().unwrap_or(false)
+    }
+
+    /// Whether any body does not move.
+    pub fn any_fixed(&self) -> bool {
+        self.fixed.contains(&true)
+    }
+
     /// Whether features of bodies `a` and `b` are to be tested against each other.
     #[inline]
     pub fn wants(&self, a: u32, b: u32) -> bool {
-        let fixed = |body: u32| self.fixed.get(body as usize).copied().unwrap_or(false);
-        (a != b || self.self_contact) && !(fixed(a) && fixed(b))
+        (a != b || self.self_contact) && !(self.fixed(a) && self.fixed(b))
     }
 
     /// Checks that there is a body for every vertex and that no element joins two.

@@ -70,7 +70,7 @@ impl BroadPhase {
             let exact = self.a.take(&threads, boxes);
             match self.method {
                 Method::Blocks => {
-                    self.a.pyramid.build(&threads, &self.a.boxes);
+                    self.a.pyramid.build(&threads, &self.a.boxes, None);
                     let slack = if exact { None } else { Some(slack(&self.a.boxes, &self.a.boxes)) };
                     let confirm = |a: u32, b: u32| boxes[a as usize].overlaps(&boxes[b as usize]);
                     self.list::<true>(&threads, true, slack, &confirm);
@@ -98,8 +98,8 @@ impl BroadPhase {
             let exact = self.a.take(&threads, a) & self.b.take(&threads, b);
             match self.method {
                 Method::Blocks => {
-                    self.a.pyramid.build(&threads, &self.a.boxes);
-                    self.b.pyramid.build(&threads, &self.b.boxes);
+                    self.a.pyramid.build(&threads, &self.a.boxes, None);
+                    self.b.pyramid.build(&threads, &self.b.boxes, None);
                     let height = self.a.pyramid.height().max(self.b.pyramid.height());
                     self.a.pyramid.raise(height);
                     self.b.pyramid.raise(height);
@@ -131,8 +131,7 @@ impl BroadPhase {
         self.workers.resize_with(threads.count(), Lister::default);
         let (a, b) = (&self.a.pyramid, if within { &self.a.pyramid } else { &self.b.pyramid });
         for lister in &mut self.workers {
-            lister.pairs.clear();
-            lister.segments.clear();
+            lister.clear();
         }
         let rows = Listing::<ORDERED> { a, b, slack, confirm };
         self.traversal.run(threads, (a, (!within).then_some(b)), 1, &rows, &mut self.workers);
@@ -143,9 +142,22 @@ impl BroadPhase {
 /// What one worker found: pairs, and which task each run of them belongs to.
 #[derive(Debug, Default)]
 #[repr(align(128))]
-struct Lister {
-    pairs: Vec<Pair>,
+pub(crate) struct Lister {
+    pub(crate) pairs: Vec<Pair>,
     segments: Vec<(usize, usize)>,
+}
+
+impl Lister {
+    /// Forgets everything, keeps buffers.
+    pub(crate) fn clear(&mut self) {
+        self.pairs.clear();
+        self.segments.clear();
+    }
+
+    /// Pairs from here on belong to this task.
+    pub(crate) fn begin(&mut self, task: usize) {
+        self.segments.push((task, self.pairs.len()));
+    }
 }
 
 struct Listing<'a, const ORDERED: bool> {
@@ -177,7 +189,7 @@ impl<const ORDERED: bool> Rows for Listing<'_, ORDERED> {
     }
 
     fn begin(&self, lister: &mut Lister, task: usize) {
-        lister.segments.push((task, lister.pairs.len()));
+        lister.begin(task);
     }
 }
 
@@ -185,9 +197,8 @@ impl<const ORDERED: bool> Rows for Listing<'_, ORDERED> {
 fn only_list(workers: &mut Vec<Lister>) -> &mut Vec<Pair> {
     workers.resize_with(1, Lister::default);
     let lister = &mut workers[0];
-    lister.pairs.clear();
-    lister.segments.clear();
-    lister.segments.push((0, 0));
+    lister.clear();
+    lister.begin(0);
     &mut lister.pairs
 }
 
@@ -209,7 +220,7 @@ pub struct Pairs<'a> {
 
 /// A run of pairs: of which task, found by which worker, where.
 #[derive(Clone, Copy, Debug)]
-struct Run {
+pub(crate) struct Run {
     task: usize,
     worker: usize,
     start: usize,
@@ -217,6 +228,10 @@ struct Run {
 }
 
 impl<'a> Pairs<'a> {
+    pub(crate) fn new(runs: &'a [Run], workers: &'a [Lister]) -> Self {
+        Self { runs, workers }
+    }
+
     /// Number of pairs.
     pub fn len(&self) -> usize {
         self.runs.iter().map(|r| r.end - r.start).sum()
@@ -247,7 +262,7 @@ impl<'a> Pairs<'a> {
 }
 
 /// Puts the workers' segments in the order of tasks, neighbours in one worker's list joined.
-fn order_runs(workers: &[Lister], runs: &mut Vec<Run>) {
+pub(crate) fn order_runs(workers: &[Lister], runs: &mut Vec<Run>) {
     runs.clear();
     for (k, worker) in workers.iter().enumerate() {
         let ends = worker.segments.iter().skip(1).map(|s| s.1).chain([worker.pairs.len()]);

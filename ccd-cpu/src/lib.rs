@@ -3,8 +3,10 @@ mod broad;
 mod contact;
 mod lanes;
 mod narrow;
+mod prepare;
 mod pyramid;
 mod radix;
+mod rows;
 mod session;
 mod simd;
 mod threads;
@@ -13,4 +15,4 @@ mod tree;
 
 pub use broad::{BroadPhase, Method, Pairs};
 pub use contact::{Contact, Kind, PerKind, Report, State, Times};
-pub use session::{MAX_LOOSENESS, Options, Session, earliest_toi, step};
+pub use session::{Candidates, MAX_LOOSENESS, Options, Session, earliest_toi, step};

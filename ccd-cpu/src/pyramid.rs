@@ -22,6 +22,9 @@ pub struct Pyramid {
     /// `levels[0]` holds the boxes, `levels[height - 1]` is one block; those above are kept for their memory.
     levels: Vec<Vec<Block>>,
     height: usize,
+    /// Per level and block: the lanes that hold fixed boxes only; used if any is fixed.
+    fixed: Vec<Vec<u8>>,
+    any_fixed: bool,
     radix: Radix,
     chunk_bounds: Vec<Aabb<f32>>,
     looseness_at_build: f64,
@@ -48,8 +51,19 @@ impl Pyramid {
         &self.order
     }
 
-    /// Sorts the boxes anew and builds all levels.
-    pub fn build(&mut self, threads: &Threads, boxes: &[Aabb<f32>]) {
+    /// Lanes of block `i` of a level that hold fixed boxes only.
+    #[inline(always)]
+    pub fn fixed(&self, level: usize, i: usize) -> u8 {
+        if level < self.fixed.len() && i < self.fixed[level].len() { self.fixed[level][i] } else { 0 }
+    }
+
+    /// Whether any box is fixed.
+    pub fn any_fixed(&self) -> bool {
+        self.any_fixed
+    }
+
+    /// Sorts the boxes anew and builds all levels. Boxes for which `fixed(i)` come last, so that whole blocks are fixed.
+    pub fn build(&mut self, threads: &Threads, boxes: &[Aabb<f32>], fixed: Option<&(dyn Fn(usize) -> bool + Sync)>) {
         self.n = boxes.len();
         self.chunk_bounds.resize(boxes.len().div_ceil(bounds::CHUNK), Aabb::EMPTY);
         threads.fill(&mut self.chunk_bounds, |i| bounds::scene_bounds(i, boxes));
@@ -57,11 +71,32 @@ impl Pyramid {
         let grid = MortonGrid::new(&scene, MORTON_BITS);
         let key = |i: usize| {
             let [low, high] = bounds::morton(i, boxes, &grid);
-            (high as u64) << 32 | low as u64
+            let code = (high as u64) << 32 | low as u64;
+            match fixed {
+                Some(fixed) => (fixed(i) as u64) << 62 | code >> 1,
+                None => code,
+            }
         };
         self.radix.sort(threads, boxes.len(), key, &mut self.order);
         self.fit(threads, boxes);
+        self.mark_fixed(fixed);
         self.looseness_at_build = self.looseness();
+    }
+
+    fn mark_fixed(&mut self, fixed: Option<&(dyn Fn(usize) -> bool + Sync)>) {
+        self.any_fixed = fixed.is_some();
+        let Some(fixed) = fixed else { return };
+        for level in 0..self.height {
+            if self.fixed.len() == level {
+                self.fixed.push(Vec::new());
+            }
+            let (below, here) = self.fixed.split_at_mut(level);
+            here[0].clear();
+            match below.last() {
+                None => here[0].extend(self.order.chunks(WIDTH).map(|ids| all_of(ids, |&id| fixed(id as usize)))),
+                Some(below) => here[0].extend(below.chunks(WIDTH).map(|masks| all_of(masks, |&mask| mask == 0xff))),
+            }
+        }
     }
 
     /// Keeps the order of the last build and takes new boxes, as many as then. Returns how much looser blocks have become since: the ratio of
@@ -144,6 +179,11 @@ impl Pyramid {
     }
 }
 
+/// The items for which `f`, as bits; a lane past the last item counts as fixed.
+fn all_of<T>(items: &[T], f: impl Fn(&T) -> bool) -> u8 {
+    items.iter().enumerate().fold(0xff, |mask, (j, item)| if f(item) { mask } else { mask & !(1 << j) })
+}
+
 fn set_lane(block: &mut Block, j: usize, aabb: &Aabb<f32>) {
     for k in 0..3 {
         block.min[k][j] = aabb.min[k];
@@ -195,7 +235,7 @@ mod tests {
                 (x >> 8) as f32 / 16_777_216.0
             };
             let mut boxes: Vec<_> = (0..n).map(|_| Aabb::of_point([unit(), unit(), unit()])).collect();
-            pyramid.build(&threads, &boxes);
+            pyramid.build(&threads, &boxes, None);
             check_well_formed(&pyramid, &boxes);
             for b in &mut boxes {
                 b.max[1] += unit();

@@ -29,8 +29,6 @@ pub trait Simd: Copy + Send + Sync {
     fn overlaps_shrunk(self, a: &Block, i: usize, b: &Block, shrink: f32) -> u32;
     /// Lanes in which `x` is one of the two.
     fn equals(self, lanes: &[u32; WIDTH], x: [u32; 2]) -> u32;
-    /// Lanes in which `x` is the number.
-    fn equals_one(self, lanes: &[u32; WIDTH], x: u32) -> u32;
     /// Appends `(a, b[j])` for every lane `j` in `mask`, ascending; lesser id first if `ORDERED`.
     fn append<const ORDERED: bool>(self, out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mask: u32);
     /// Rows `ids` of a table, transposed: component `k` of all rows in `out[k]`.
@@ -94,12 +92,11 @@ impl Simd for Plain {
 
     #[inline(always)]
     fn equals(self, lanes: &[u32; WIDTH], x: [u32; 2]) -> u32 {
-        self.equals_one(lanes, x[0]) | self.equals_one(lanes, x[1])
-    }
-
-    #[inline(always)]
-    fn equals_one(self, lanes: &[u32; WIDTH], x: u32) -> u32 {
-        (0..WIDTH).fold(0, |mask, j| mask | ((lanes[j] == x) as u32) << j)
+        let mut mask = 0;
+        for j in 0..WIDTH {
+            mask |= ((lanes[j] == x[0] || lanes[j] == x[1]) as u32) << j;
+        }
+        mask
     }
 
     #[inline(always)]
@@ -201,13 +198,6 @@ mod avx2 {
 
     #[inline]
     #[target_feature(enable = "avx2,popcnt,bmi1,lzcnt")]
-    fn equals_one(lanes: &[u32; WIDTH], x: u32) -> u32 {
-        let equal = _mm256_cmpeq_epi32(load_ids(lanes), _mm256_set1_epi32(x as i32));
-        _mm256_movemask_ps(_mm256_castsi256_ps(equal)) as u32
-    }
-
-    #[inline]
-    #[target_feature(enable = "avx2,popcnt,bmi1,lzcnt")]
     fn equals(lanes: &[u32; WIDTH], x: [u32; 2]) -> u32 {
         let lanes = load_ids(lanes);
         let first = _mm256_cmpeq_epi32(lanes, _mm256_set1_epi32(x[0] as i32));
@@ -304,11 +294,6 @@ mod avx2 {
         fn equals(self, lanes: &[u32; WIDTH], x: [u32; 2]) -> u32 {
             // SAFETY: see above.
             unsafe { equals(lanes, x) }
-        }
-        #[inline(always)]
-        fn equals_one(self, lanes: &[u32; WIDTH], x: u32) -> u32 {
-            // SAFETY: see above.
-            unsafe { equals_one(lanes, x) }
         }
         #[inline(always)]
         fn append<const ORDERED: bool>(self, out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mask: u32) {

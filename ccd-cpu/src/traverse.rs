@@ -107,7 +107,7 @@ impl Traversal {
 fn children<S: Simd>(simd: S, a: &Pyramid, b: &Pyramid, within: bool, task: Task, out: &mut Vec<Task>) {
     let level = task.level as usize;
     let (block_a, block_b) = (&a.level(level)[task.a as usize], &b.level(level)[task.b as usize]);
-    let mut masks = overlaps(simd, block_a, block_b);
+    let mut masks = overlaps(simd, block_a, block_b) & !both_fixed(a, b, task);
     if within && task.a == task.b {
         masks &= UPPER_OR_DIAGONAL;
     }
@@ -126,6 +126,17 @@ fn overlaps<S: Simd>(simd: S, a: &Block, b: &Block) -> u64 {
         masks |= (simd.overlaps(a, i, b) as u64) << (8 * i);
     }
     masks
+}
+
+/// Byte `i`, bit `j`: whether everything in box `i` of one block and box `j` of the other is fixed.
+#[inline(always)]
+fn both_fixed(a: &Pyramid, b: &Pyramid, task: Task) -> u64 {
+    if !a.any_fixed() {
+        return 0;
+    }
+    let rows = a.fixed(task.level as usize, task.a as usize);
+    let row = b.fixed(task.level as usize, task.b as usize) as u64;
+    (0..WIDTH).fold(0, |masks, i| if rows >> i & 1 == 1 { masks | row << (8 * i) } else { masks })
 }
 
 /// Byte `i` has the bits `j >= i`.
@@ -159,7 +170,7 @@ impl<R: Rows> Work for Descent<'_, R> {
                 continue;
             }
             let (block_a, block_b) = (&leaves_a[task.a as usize], &leaves_b[task.b as usize]);
-            let mut masks = overlaps(simd, block_a, block_b);
+            let mut masks = overlaps(simd, block_a, block_b) & !both_fixed(a, b, task);
             if within && task.a == task.b {
                 masks &= UPPER;
             }

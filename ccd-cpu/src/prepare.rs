@@ -1,0 +1,217 @@
+//! What a step prepares before anything is compared: checked coordinates, boxes, trees, the table that filters read.
+
+use crate::broad::slack_at;
+use crate::lanes::WIDTH;
+use crate::pyramid::Pyramid;
+use crate::rows::{Leaves, Scene};
+use crate::session::{MAX_LOOSENESS, Options};
+use crate::threads::Threads;
+use ccd_core::kernel::sweep;
+use ccd_core::topology::{Bodies, Mesh};
+use ccd_core::{Aabb, Error, Num, Real};
+
+/// Positions of a step, of which only the times up to `until` matter.
+pub struct Positions<'a, T> {
+    pub x0: &'a [[T; 3]],
+    pub x1: &'a [[T; 3]],
+    pub until: f64,
+}
+
+impl<T: Real> Positions<'_, T> {
+    /// Whether the whole step matters.
+    fn whole(&self) -> bool {
+        self.until >= 1.0
+    }
+
+    /// Position of vertex `i` at `until`, up to the rounding of four operations in `f64`.
+    fn end(&self, i: usize) -> [f64; 3] {
+        let (p, q) = (self.x0[i].map(T::to_f64), self.x1[i].map(T::to_f64));
+        if self.whole() { q } else { std::array::from_fn(|k| p[k] + (q[k] - p[k]) * self.until) }
+    }
+}
+
+/// Boxes, trees and tables of a mesh; buffers are kept between steps.
+#[derive(Debug, Default)]
+pub struct Prepared {
+    built: bool,
+    scans: Vec<Scan>,
+    scan: Scan,
+    table: Vec<[f32; WIDTH]>,
+    table_error: f32,
+    pub vertices: Feature<1>,
+    pub edges: Feature<2>,
+    pub faces: Feature<3>,
+}
+
+/// Boxes and tree of one kind of feature with `N` vertices.
+#[derive(Debug, Default)]
+pub struct Feature<const N: usize> {
+    boxes: Vec<Aabb<f32>>,
+    pub pyramid: Pyramid,
+    pub leaves: Leaves<N>,
+}
+
+/// What one pass over a part of the positions finds.
+#[derive(Clone, Copy, Debug)]
+struct Scan {
+    bounds: Aabb<f64>,
+    exact: bool,
+    finite: bool,
+}
+
+impl Scan {
+    const NONE: Self = Self { bounds: Aabb { min: [f64::INFINITY; 3], max: [f64::NEG_INFINITY; 3] }, exact: true, finite: true };
+}
+
+impl Default for Scan {
+    fn default() -> Self {
+        Self::NONE
+    }
+}
+
+impl Prepared {
+    /// Checks coordinates, fills the table and sweeps all boxes.
+    pub fn boxes<T: Real + Send + Sync>(
+        &mut self,
+        threads: &Threads,
+        mesh: &Mesh,
+        options: &Options,
+        x: &Positions<T>,
+    ) -> Result<(), Error> {
+        self.scan = self.scan(threads, x)?;
+        self.table_error = self.fill_table(threads, x);
+        self.sweep(threads, mesh, x, margin(options));
+        Ok(())
+    }
+
+    /// What workers read of a step whose boxes and trees are there.
+    pub fn scene<'a, T: Real>(&'a self, mesh: &'a Mesh, options: &'a Options, x: &Positions<'a, T>, keep_contacts: bool) -> Scene<'a, T> {
+        let bounds = &self.scan.bounds;
+        let greatest = (0..3).fold(0f64, |m, k| m.max(bounds.min[k].abs()).max(bounds.max[k].abs()));
+        // A shorter time has boxes of its own, which nobody compares with those of the input.
+        let rounded = T::UNIT < f32::UNIT && !(self.scan.exact && options.min_distance == 0.0) && x.whole();
+        Scene {
+            mesh,
+            bodies: options.bodies.as_ref(),
+            x0: x.x0,
+            x1: x.x1,
+            table: &self.table,
+            table_error: self.table_error,
+            min_distance: options.min_distance,
+            slack: rounded.then(|| slack_at(ccd_core::aabb::round_up(greatest + options.min_distance))),
+            margin: margin(options),
+            keep_contacts,
+        }
+    }
+
+    /// Checks coordinates and finds their bounds and whether each is an `f32`.
+    fn scan<T: Real + Send + Sync>(&mut self, threads: &Threads, x: &Positions<T>) -> Result<Scan, Error> {
+        const CHUNK: usize = 2048;
+        self.scans.resize(x.x0.len().div_ceil(CHUNK), Scan::NONE);
+        threads.fill(&mut self.scans, |i| {
+            let mut scan = Scan::NONE;
+            for v in i * CHUNK..((i + 1) * CHUNK).min(x.x0.len()) {
+                for p in [x.x0[v], x.x1[v]] {
+                    for k in 0..3 {
+                        let c = p[k].to_f64();
+                        scan.bounds.min[k] = scan.bounds.min[k].min(c);
+                        scan.bounds.max[k] = scan.bounds.max[k].max(c);
+                        scan.exact &= c as f32 as f64 == c;
+                        scan.finite &= c.abs() <= Error::MAX_COORDINATE;
+                    }
+                }
+            }
+            scan
+        });
+        let all = self.scans.iter().fold(Scan::NONE, |all, s| Scan {
+            bounds: all.bounds.union(&s.bounds),
+            exact: all.exact & s.exact,
+            finite: all.finite & s.finite,
+        });
+        if !all.finite {
+            ccd_core::error::check_coordinates(0, x.x0)?;
+            ccd_core::error::check_coordinates(1, x.x1)?;
+        }
+        Ok(all)
+    }
+
+    /// Fills the table that filters read; returns how far its numbers may be from the true ones (minus a common origin).
+    fn fill_table<T: Real + Send + Sync>(&mut self, threads: &Threads, x: &Positions<T>) -> f32 {
+        let scan = self.scan;
+        let exact = scan.exact && x.whole();
+        let centre: [f64; 3] =
+            std::array::from_fn(|k| if exact || x.x0.is_empty() { 0.0 } else { 0.5 * scan.bounds.min[k] + 0.5 * scan.bounds.max[k] });
+        self.table.resize(x.x0.len(), [0.0; WIDTH]);
+        threads.fill(&mut self.table, |i| {
+            let (p, q) = (x.x0[i].map(T::to_f64), x.end(i));
+            let f = |x: [f64; 3], k: usize| (x[k] - centre[k]) as f32;
+            [f(p, 0), f(p, 1), f(p, 2), 0.0, f(q, 0), f(q, 1), f(q, 2), 0.0]
+        });
+        if exact {
+            return 0.0;
+        }
+        // Rounding to f32, and before it at most six roundings in f64 of numbers no greater than the coordinates.
+        let reach = (0..3).fold(0f64, |m, k| m.max(scan.bounds.max[k] - centre[k]).max(centre[k] - scan.bounds.min[k]));
+        let greatest = (0..3).fold(0f64, |m, k| m.max(scan.bounds.max[k].abs()).max(scan.bounds.min[k].abs()));
+        ccd_core::aabb::round_up(reach * (1.01 * f32::UNIT) + greatest * (16.0 * f64::UNIT) + f32::MIN_NORMAL)
+    }
+
+    /// Boxes of all features.
+    fn sweep<T: Real + Send + Sync>(&mut self, threads: &Threads, mesh: &Mesh, x: &Positions<T>, margin: T) {
+        let boxes = &mut self.vertices.boxes;
+        boxes.resize(mesh.n_vertices(), Aabb::EMPTY);
+        if x.whole() {
+            threads.fill(boxes, |i| sweep::vertex(i, x.x0, x.x1, margin));
+        } else {
+            threads.fill(boxes, |i| {
+                let (p, q) = (x.x0[i].map(T::to_f64), x.end(i));
+                let largest = ccd_core::vec3::max_abs(p).max(ccd_core::vec3::max_abs(x.x1[i].map(T::to_f64)));
+                // Four roundings of numbers at most twice the largest coordinate.
+                sweep::swept(p, q).inflated(margin.to_f64() + largest * (16.0 * f64::UNIT)).round_out()
+            });
+        }
+        let vertices = &self.vertices.boxes;
+        self.edges.boxes.resize(mesh.edges().len(), Aabb::EMPTY);
+        threads.fill(&mut self.edges.boxes, |i| sweep::edge(i, mesh.edges(), vertices));
+        self.faces.boxes.resize(mesh.faces().len(), Aabb::EMPTY);
+        threads.fill(&mut self.faces.boxes, |i| sweep::face(i, mesh.faces(), vertices));
+    }
+
+    /// Refits all trees, or builds them if they never were or if one has become too loose. Returns whether they were built.
+    pub fn trees(&mut self, threads: &Threads, mesh: &Mesh, bodies: Option<&Bodies>) -> bool {
+        let Self { vertices, edges, faces, table, .. } = self;
+        let mut loose = !self.built;
+        if self.built {
+            let v = vertices.pyramid.refit(threads, &vertices.boxes);
+            let e = edges.pyramid.refit(threads, &edges.boxes);
+            let f = faces.pyramid.refit(threads, &faces.boxes);
+            loose = v.max(e).max(f) > MAX_LOOSENESS;
+        }
+        if loose {
+            self.built = true;
+            let fixed = |v: u32| bodies.is_some_and(|b| b.fixed(b.body(v)));
+            let any = bodies.is_some_and(Bodies::any_fixed);
+            let (of_vertex, of_edge, of_face) =
+                (|i: usize| fixed(i as u32), |i: usize| fixed(mesh.edges()[i][0]), |i: usize| fixed(mesh.faces()[i][0]));
+            vertices.pyramid.build(threads, &vertices.boxes, any.then_some(&of_vertex));
+            edges.pyramid.build(threads, &edges.boxes, any.then_some(&of_edge));
+            faces.pyramid.build(threads, &faces.boxes, any.then_some(&of_face));
+            vertices.leaves.order(threads, vertices.pyramid.order(), |v| [v]);
+            edges.leaves.order(threads, edges.pyramid.order(), |e| mesh.edges()[e as usize]);
+            faces.leaves.order(threads, faces.pyramid.order(), |f| mesh.faces()[f as usize]);
+        }
+        let height = vertices.pyramid.height().max(faces.pyramid.height());
+        vertices.pyramid.raise(height);
+        faces.pyramid.raise(height);
+        vertices.leaves.place(threads, table);
+        edges.leaves.place(threads, table);
+        faces.leaves.place(threads, table);
+        loose
+    }
+}
+
+/// Half of the minimum distance, rounded up: two boxes grown by it keep the distance.
+fn margin<T: Real>(options: &Options) -> T {
+    let half = T::splat(options.min_distance * 0.5);
+    if half > T::splat(0.0) { half.next_up() } else { half }
+}
