@@ -23,16 +23,6 @@ impl Lanes {
         }
         Self(out)
     }
-
-    /// The lanes that are greater than `x`, as bits; NaN is not.
-    #[inline(always)]
-    pub fn greater(self, x: f32) -> u32 {
-        let mut mask = 0;
-        for i in 0..WIDTH {
-            mask |= ((self.0[i] > x) as u32) << i;
-        }
-        mask
-    }
 }
 
 impl Add for Lanes {

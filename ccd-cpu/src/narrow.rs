@@ -171,9 +171,9 @@ impl<T: Real> Filter<'_, T> {
             } else {
                 (Motion::edge_edge(&x0, &x1, error), Patch::Parallelogram)
             };
-            let mut rejected = Coplanarity::new(&motion).clearance(distance).greater(0.0);
+            let mut rejected = simd.greater(Coplanarity::new(&motion).clearance(distance), 0.0);
             if rejected != 0xff {
-                rejected |= beside(&motion, patch, distance).greater(0.0);
+                rejected |= simd.greater(beside(&motion, patch, distance), 0.0);
             }
             let mut left = !rejected & (0xff >> (WIDTH - eight.len()));
             while left != 0 {

@@ -5,7 +5,7 @@ use crate::broad::lane_ids;
 use crate::contact::Kind;
 use crate::lanes::{Lanes, WIDTH};
 use crate::pyramid::Pyramid;
-use crate::simd::{Block, Simd};
+use crate::simd::{Block, Simd, Work};
 use crate::threads::Threads;
 use crate::traverse::Rows;
 use ccd_core::kernel::sweep;
@@ -70,22 +70,32 @@ impl<const N: usize> Leaves<N> {
     pub fn place(&mut self, threads: &Threads, table: &[[f32; WIDTH]]) {
         let vertices = &self.vertices;
         self.ends.resize(vertices.len(), [Block::EMPTY; 2]);
-        threads.fill(&mut self.ends, |i| {
-            let mut ends = [Block::EMPTY; 2];
-            for ids in &vertices[i] {
-                for (j, &id) in ids.iter().enumerate() {
-                    let row = &table[id as usize];
-                    for (t, block) in ends.iter_mut().enumerate() {
-                        for k in 0..3 {
-                            let x = row[4 * t + k];
-                            block.min[k][j] = block.min[k][j].min(x);
-                            block.max[k][j] = block.max[k][j].max(x);
-                        }
-                    }
-                }
+        crate::simd::dispatch!(simd => threads.fill(&mut self.ends, |i| simd.run(Place { table, vertices: &vertices[i] })));
+    }
+}
+
+/// The boxes of eight features at both ends.
+struct Place<'a, const N: usize> {
+    table: &'a [[f32; WIDTH]],
+    vertices: &'a [[u32; WIDTH]; N],
+}
+
+impl<const N: usize> Work for Place<'_, N> {
+    type Out = [Block; 2];
+
+    #[inline(always)]
+    fn call<S: Simd>(self, simd: S) -> [Block; 2] {
+        let first = simd.gather(self.table, &self.vertices[0]);
+        let (mut min, mut max) = (first, first);
+        for ids in &self.vertices[1..] {
+            let next = simd.gather(self.table, ids);
+            for k in 0..WIDTH {
+                min[k] = min[k].min(next[k]);
+                max[k] = max[k].max(next[k]);
             }
-            ends
-        });
+        }
+        let block = |k: usize| Block { min: [min[k].0, min[k + 1].0, min[k + 2].0], max: [max[k].0, max[k + 1].0, max[k + 2].0] };
+        [block(0), block(4)]
     }
 }
 
@@ -141,7 +151,7 @@ impl<T: Real + Send + Sync, W: Take> Rows for EdgeRows<'_, T, W> {
         }
         worker.count(mask.count_ones() as u64);
         if W::FILTERED {
-            mask &= !separated(&self.leaves.ends[a], lane, &self.leaves.ends[b], self.scene.needed_gap());
+            mask &= !separated(simd, &self.leaves.ends[a], lane, &self.leaves.ends[b], self.scene.needed_gap());
         }
         if mask != 0 {
             let (id, ids) = (self.edges.order()[a * WIDTH + lane], lane_ids(self.edges.order(), b));
@@ -179,7 +189,7 @@ impl<T: Real + Send + Sync, W: Take> Rows for FaceRows<'_, T, W> {
         }
         worker.count(mask.count_ones() as u64);
         if W::FILTERED {
-            mask &= !separated(&self.vertex_leaves.ends[a], lane, &self.face_leaves.ends[b], self.scene.needed_gap());
+            mask &= !separated(simd, &self.vertex_leaves.ends[a], lane, &self.face_leaves.ends[b], self.scene.needed_gap());
         }
         if mask != 0 {
             worker.take(simd, self.scene, Kind::VertexFace, vertex, &lane_ids(self.faces.order(), b), mask);
@@ -211,21 +221,24 @@ fn keep(mask: u32, wanted: impl Fn(usize) -> bool) -> u32 {
 
 /// Lanes of `b` that an axis keeps further than `needed` from lane `i` of `a` during the whole step.
 #[inline(always)]
-fn separated(a: &[Block; 2], i: usize, b: &[Block; 2], needed: f32) -> u32 {
-    axis_gap(&one(&a[0], i), &one(&a[1], i), &all(&b[0]), &all(&b[1])).greater(needed)
+fn separated<S: Simd>(simd: S, a: &[Block; 2], i: usize, b: &[Block; 2], needed: f32) -> u32 {
+    simd.greater(axis_gap(&one(&a[0], i), &one(&a[1], i), &all(&b[0]), &all(&b[1])), needed)
 }
 
 /// Lane `i` in all lanes.
 #[inline(always)]
 fn one(block: &Block, i: usize) -> [[Lanes; 3]; 2] {
-    let of = |x: &[[f32; WIDTH]; 3]| [Lanes([x[0][i]; WIDTH]), Lanes([x[1][i]; WIDTH]), Lanes([x[2][i]; WIDTH])];
-    [of(&block.min), of(&block.max)]
+    let (min, max) = (&block.min, &block.max);
+    [
+        [Lanes([min[0][i]; WIDTH]), Lanes([min[1][i]; WIDTH]), Lanes([min[2][i]; WIDTH])],
+        [Lanes([max[0][i]; WIDTH]), Lanes([max[1][i]; WIDTH]), Lanes([max[2][i]; WIDTH])],
+    ]
 }
 
 #[inline(always)]
 fn all(block: &Block) -> [[Lanes; 3]; 2] {
-    let of = |x: &[[f32; WIDTH]; 3]| [Lanes(x[0]), Lanes(x[1]), Lanes(x[2])];
-    [of(&block.min), of(&block.max)]
+    let (min, max) = (&block.min, &block.max);
+    [[Lanes(min[0]), Lanes(min[1]), Lanes(min[2])], [Lanes(max[0]), Lanes(max[1]), Lanes(max[2])]]
 }
 
 /// Whether `Num` for lanes rounds like `f32`: the bounds of the filters rest on it.

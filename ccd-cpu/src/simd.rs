@@ -29,6 +29,8 @@ pub trait Simd: Copy + Send + Sync {
     fn overlaps_shrunk(self, a: &Block, i: usize, b: &Block, shrink: f32) -> u32;
     /// Lanes in which `x` is one of the two.
     fn equals(self, lanes: &[u32; WIDTH], x: [u32; 2]) -> u32;
+    /// Lanes that are greater than `x`; NaN is not.
+    fn greater(self, lanes: Lanes, x: f32) -> u32;
     /// Appends `(a, b[j])` for every lane `j` in `mask`, ascending; lesser id first if `ORDERED`.
     fn append<const ORDERED: bool>(self, out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mask: u32);
     /// Rows `ids` of a table, transposed: component `k` of all rows in `out[k]`.
@@ -95,6 +97,15 @@ impl Simd for Plain {
         let mut mask = 0;
         for j in 0..WIDTH {
             mask |= ((lanes[j] == x[0] || lanes[j] == x[1]) as u32) << j;
+        }
+        mask
+    }
+
+    #[inline(always)]
+    fn greater(self, lanes: Lanes, x: f32) -> u32 {
+        let mut mask = 0;
+        for j in 0..WIDTH {
+            mask |= ((lanes.0[j] > x) as u32) << j;
         }
         mask
     }
@@ -207,6 +218,12 @@ mod avx2 {
 
     #[inline]
     #[target_feature(enable = "avx2,popcnt,bmi1,lzcnt")]
+    fn greater(lanes: Lanes, x: f32) -> u32 {
+        _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_GT_OQ>(load(&lanes.0), _mm256_set1_ps(x))) as u32
+    }
+
+    #[inline]
+    #[target_feature(enable = "avx2,popcnt,bmi1,lzcnt")]
     fn append<const ORDERED: bool>(out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mask: u32) {
         let mask = mask & 0xff;
         if out.capacity() - out.len() < WIDTH {
@@ -294,6 +311,11 @@ mod avx2 {
         fn equals(self, lanes: &[u32; WIDTH], x: [u32; 2]) -> u32 {
             // SAFETY: see above.
             unsafe { equals(lanes, x) }
+        }
+        #[inline(always)]
+        fn greater(self, lanes: Lanes, x: f32) -> u32 {
+            // SAFETY: see above.
+            unsafe { greater(lanes, x) }
         }
         #[inline(always)]
         fn append<const ORDERED: bool>(self, out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mask: u32) {
