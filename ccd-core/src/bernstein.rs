@@ -9,10 +9,10 @@
 //! Let `A B C` bound the components of `a b c` over both times, `u` the unit roundoff, `e` the input error of a difference.
 //! Three times each Bernstein value is a sum of at most 18 products of three components (`6 x 3`). A product passes at
 //! most 2 multiplications and 17 additions in whatever order a compiler picks, contracted or not, and its factors carry
-//! relative error `u` each and absolute error `e`:
+//! an error of `2 u` times their bound each (one rounding for a difference, another where a step was halved) and the absolute error `e`:
 //!
-//! `error <= 18 (20 u + 3 u) A B C + 18 e (A B + B C + C A)`, up to terms of second order, which the constants below absorb
-//! (`440` for `414`, `19` for `18`). A result that underflows and is flushed loses at most the smallest normal number times
+//! `error <= 18 (20 u + 6 u) A B C + 18 e (A B + B C + C A)`, up to terms of second order, which the constants below absorb
+//! (`490` for `468`, `19` for `18`). A result that underflows and is flushed loses at most the smallest normal number times
 //! the factors still to come, which `256 MIN_NORMAL (1 + A)(1 + B)(1 + C)` covers. If anything overflows, so does `64 A B C`, which is
 //! part of the bound, and the filter answers "unknown".
 
@@ -45,7 +45,7 @@ impl<N: Num> Coplanarity<N> {
         let (one, eight) = (N::splat(1.0), N::splat(8.0));
         let bc = (mb * eight) * mc;
         let abc = (ma * eight) * bc;
-        let rounding = abc * N::splat(440.0 / 64.0 * N::UNIT);
+        let rounding = abc * N::splat(490.0 / 64.0 * N::UNIT);
         let input = m.error * N::splat(19.0) * (ma * (mb + mc) + mb * mc);
         let flushed = N::splat(256.0 * N::MIN_NORMAL) * ((one + ma) * ((one + mb) * (one + mc)));
         let half = N::splat(0.5);

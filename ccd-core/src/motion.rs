@@ -10,7 +10,7 @@
 //! origin the query is.
 
 use crate::real::Num;
-use crate::vec3::{max_abs, sub};
+use crate::vec3::{add, max_abs, scale, sub};
 
 /// The region of `(s, r)` in which the patch exists.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,6 +55,20 @@ impl<N: Num> Motion<N> {
             c: [sub(t0[2], t0[3]), sub(t1[2], t1[3])],
             error: coordinate_error + coordinate_error,
         }
+    }
+
+    /// The first and the second half of the step. The vectors in the middle carry two roundings instead of one, which the bounds of
+    /// filters allow for.
+    #[inline(always)]
+    pub fn halves(&self) -> [Self; 2] {
+        let half = N::splat(0.5);
+        let a = scale(add(self.a[0], self.a[1]), half);
+        let b = scale(add(self.b[0], self.b[1]), half);
+        let c = scale(add(self.c[0], self.c[1]), half);
+        [
+            Self { a: [self.a[0], a], b: [self.b[0], b], c: [self.c[0], c], error: self.error },
+            Self { a: [a, self.a[1]], b: [b, self.b[1]], c: [c, self.c[1]], error: self.error },
+        ]
     }
 
     /// Bounds of the absolute components of `a`, `b`, `c` over the whole step, input error included.

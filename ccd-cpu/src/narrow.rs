@@ -23,7 +23,6 @@ const QUEUE: usize = 512;
 #[repr(align(128))]
 pub struct Worker {
     queue: Vec<Pair>,
-    near: Vec<Pair>,
     pub contacts: Vec<Contact>,
     pub toi: Option<f64>,
     pub n_candidates: u64,
@@ -36,8 +35,6 @@ impl Worker {
     pub fn reset(&mut self) {
         self.queue.clear();
         self.queue.reserve(QUEUE + WIDTH);
-        self.near.clear();
-        self.near.reserve(QUEUE + WIDTH);
         self.contacts.clear();
         self.toi = None;
         self.start_kind();
@@ -53,13 +50,12 @@ impl Worker {
     /// Filters and decides what is queued.
     fn flush<S: Simd, T: Real>(&mut self, simd: S, scene: &Scene<T>, kind: Kind) {
         let start = Instant::now();
-        simd.run(Filter { queue: &self.queue, near: &mut self.near, scene, kind });
-        self.n_filtered += self.near.len() as u64;
-        for i in 0..self.near.len() {
-            self.decide(scene, kind, self.near[i]);
+        simd.run(Filter { pairs: &mut self.queue, scene, kind });
+        self.n_filtered += self.queue.len() as u64;
+        for i in 0..self.queue.len() {
+            self.decide(scene, kind, self.queue[i]);
         }
         self.queue.clear();
-        self.near.clear();
         self.narrow += start.elapsed();
     }
 
@@ -125,10 +121,9 @@ fn wide<T: Real>(ids: [u32; 4], x: &[[T; 3]]) -> [[f64; 3]; 4] {
     narrow::gather(ids, x).map(|p| p.map(T::to_f64))
 }
 
-/// Moves what the `f32` filters cannot reject from `queue` to `near`.
+/// Keeps of `pairs` what the `f32` filters cannot reject, in place: first over the whole step, then what is left over each half of it.
 struct Filter<'a, T> {
-    queue: &'a [Pair],
-    near: &'a mut Vec<Pair>,
+    pairs: &'a mut Vec<Pair>,
     scene: &'a Scene<'a, T>,
     kind: Kind,
 }
@@ -137,49 +132,72 @@ impl<T: Real> Work for Filter<'_, T> {
     type Out = ();
 
     #[inline(always)]
-    fn call<S: Simd>(self, simd: S) {
+    fn call<S: Simd>(mut self, simd: S) {
         match self.kind {
-            Kind::VertexFace => self.filter::<S, true>(simd),
-            Kind::EdgeEdge => self.filter::<S, false>(simd),
+            Kind::VertexFace => {
+                self.keep::<S, true, false>(simd);
+                self.keep::<S, true, true>(simd);
+            }
+            Kind::EdgeEdge => {
+                self.keep::<S, false, false>(simd);
+                self.keep::<S, false, true>(simd);
+            }
         }
     }
 }
 
 impl<T: Real> Filter<'_, T> {
+    /// Keeps what cannot be rejected over the whole step or over one of its halves, in order. (No closures here: they would not be compiled with the
+    /// instruction set.)
     #[inline(always)]
-    fn filter<S: Simd, const VERTEX_FACE: bool>(self, simd: S) {
-        let Filter { queue, near, scene, kind } = self;
-        let distance = Lanes([ccd_core::aabb::round_up(scene.min_distance); WIDTH]);
-        let error = Lanes([scene.table_error; WIDTH]);
-        for eight in queue.chunks(WIDTH) {
-            let mut v = [[0u32; WIDTH]; 4];
-            for j in 0..WIDTH {
-                let four = vertices(scene, kind, eight[j.min(eight.len() - 1)]);
-                for k in 0..4 {
-                    v[k][j] = four[k];
-                }
-            }
-            let mut x0 = [[distance; 3]; 4];
-            let mut x1 = [[distance; 3]; 4];
-            for k in 0..4 {
-                let p = simd.gather(scene.table, &v[k]);
-                x0[k] = [p[0], p[1], p[2]];
-                x1[k] = [p[4], p[5], p[6]];
-            }
-            let (motion, patch) = if VERTEX_FACE {
-                (Motion::vertex_face(&x0, &x1, error), Patch::Triangle)
+    fn keep<S: Simd, const VERTEX_FACE: bool, const HALVES: bool>(&mut self, simd: S) {
+        let patch = if VERTEX_FACE { Patch::Triangle } else { Patch::Parallelogram };
+        let distance = Lanes([ccd_core::aabb::round_up(self.scene.min_distance); WIDTH]);
+        let mut n = 0;
+        for start in (0..self.pairs.len()).step_by(WIDTH) {
+            let end = (start + WIDTH).min(self.pairs.len());
+            let motion = load::<S, T, VERTEX_FACE>(simd, self.scene, self.kind, &self.pairs[start..end]);
+            let rejected = if HALVES {
+                let [first, second] = motion.halves();
+                apart(simd, &first, patch, distance) & apart(simd, &second, patch, distance)
             } else {
-                (Motion::edge_edge(&x0, &x1, error), Patch::Parallelogram)
+                apart(simd, &motion, patch, distance)
             };
-            let mut rejected = simd.greater(Coplanarity::new(&motion).clearance(distance), 0.0);
-            if rejected != 0xff {
-                rejected |= simd.greater(beside(&motion, patch, distance), 0.0);
-            }
-            let mut left = !rejected & (0xff >> (WIDTH - eight.len()));
+            let mut left = !rejected & (0xff >> (WIDTH - (end - start)));
             while left != 0 {
-                near.push(eight[left.trailing_zeros() as usize]);
+                self.pairs[n] = self.pairs[start + left.trailing_zeros() as usize];
+                n += 1;
                 left &= left - 1;
             }
         }
+        self.pairs.truncate(n);
     }
+}
+
+/// The motion of up to eight pairs; lanes past the last repeat it.
+#[inline(always)]
+fn load<S: Simd, T, const VERTEX_FACE: bool>(simd: S, scene: &Scene<T>, kind: Kind, eight: &[Pair]) -> Motion<Lanes> {
+    let mut v = [[0u32; WIDTH]; 4];
+    for j in 0..WIDTH {
+        let four = vertices(scene, kind, eight[j.min(eight.len() - 1)]);
+        for k in 0..4 {
+            v[k][j] = four[k];
+        }
+    }
+    let error = Lanes([scene.table_error; WIDTH]);
+    let mut x0 = [[error; 3]; 4];
+    let mut x1 = [[error; 3]; 4];
+    for k in 0..4 {
+        let p = simd.gather(scene.table, &v[k]);
+        x0[k] = [p[0], p[1], p[2]];
+        x1[k] = [p[4], p[5], p[6]];
+    }
+    if VERTEX_FACE { Motion::vertex_face(&x0, &x1, error) } else { Motion::edge_edge(&x0, &x1, error) }
+}
+
+/// Lanes in which the features certainly stay further than `distance` apart.
+#[inline(always)]
+fn apart<S: Simd>(simd: S, motion: &Motion<Lanes>, patch: Patch, distance: Lanes) -> u32 {
+    let by_plane = simd.greater(Coplanarity::new(motion).clearance(distance), 0.0);
+    if by_plane == 0xff { by_plane } else { by_plane | simd.greater(beside(motion, patch, distance), 0.0) }
 }

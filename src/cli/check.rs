@@ -50,7 +50,7 @@ impl Check {
             ContactFile::create(path, false)?.write(0, &report.contacts)?;
         }
         if let Some(path) = &self.options.picture {
-            picture::write(path, mesh, &t0.positions, &t1.positions, &report.contacts)?;
+            picture::write(path, mesh, &t0.positions, &report.contacts)?;
         }
         let contacts = report.n_contacts();
         if self.options.json {

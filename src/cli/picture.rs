@@ -24,27 +24,29 @@ const UNDECIDED: [f64; 3] = [0.95, 0.60, 0.05];
 
 /// Writes the mesh as it is at the start of the step; marks are where features meet: red for hits, orange for undecided ones, faint where the mesh
 /// hides them; a ring marks the earliest.
-pub fn write(path: &Path, mesh: &Mesh, x0: &[[f64; 3]], x1: &[[f64; 3]], contacts: &[Contact]) -> Result<(), Failure> {
+pub fn write(path: &Path, mesh: &Mesh, x0: &[[f64; 3]], contacts: &[Contact]) -> Result<(), Failure> {
     let mut canvas = Canvas::new(x0);
     for &face in mesh.faces() {
         canvas.triangle(face.map(|v| x0[v as usize]));
     }
     // Few marks are large, many are small.
     let radius = (14.0 - 2.0 * (contacts.len().max(1) as f64).log10()).max(3.0);
+    // So that many marks behind a surface do not add up to one before it.
+    let hidden = (300.0 / contacts.len().max(1) as f64).clamp(0.01, 0.12);
     let order = |c: &&Contact| c.state == State::Hit;
     for c in contacts.iter().filter(|c| !order(c)).chain(contacts.iter().filter(order)) {
         let colour = if c.state == State::Hit { HIT } else { UNDECIDED };
-        canvas.disc(place(c, mesh, x0, x1), radius, colour);
+        canvas.disc(place(c, mesh, x0), radius, colour, hidden);
     }
     if let Some(first) = contacts.iter().min_by(|a, b| a.toi.total_cmp(&b.toi)) {
-        canvas.ring(place(first, mesh, x0, x1), 26.0);
+        canvas.ring(place(first, mesh, x0), 26.0);
     }
     canvas.save(path)
 }
 
 /// Roughly where a contact is, on the mesh at the start: the vertex, or the middle between the middles of the edges.
-fn place(c: &Contact, mesh: &Mesh, x0: &[[f64; 3]], x1: &[[f64; 3]]) -> [f64; 3] {
-    let at = |v: u32| lerp(x0[v as usize], x1[v as usize], 0.0);
+fn place(c: &Contact, mesh: &Mesh, x0: &[[f64; 3]]) -> [f64; 3] {
+    let at = |v: u32| x0[v as usize];
     match c.kind {
         Kind::VertexFace => at(c.a),
         Kind::EdgeEdge => {
@@ -145,10 +147,10 @@ impl Canvas {
         }
     }
 
-    fn disc(&mut self, at: [f64; 3], radius: f64, colour: [f64; 3]) {
+    fn disc(&mut self, at: [f64; 3], radius: f64, colour: [f64; 3], hidden: f64) {
         let bias = 0.004 * self.extent;
         self.stamp(at, radius, |canvas, i, _, depth| {
-            let opacity = if depth + bias >= canvas.depth[i] { 0.9 } else { 0.12 };
+            let opacity = if depth + bias >= canvas.depth[i] { 0.9 } else { hidden };
             canvas.colour[i] = lerp(canvas.colour[i], colour, opacity);
         });
     }
