@@ -237,8 +237,11 @@ fn section(out: &mut String, name: &str, threads: usize, ours: &Ours, ipctk: &se
         ours.digests[2].count
     );
     assert_eq!(ours.digests, parry.digests, "{name}: parry3d finds other pairs");
-    let theirs = [0, 1].map(|k| ipctk["candidates"][k].as_u64().unwrap_or(0) as usize);
-    assert_eq!(ours.n_candidates, theirs, "{name}: ipctk finds other candidates");
+    // Its boxes are rounded to f32: it lists a few pairs more.
+    for k in 0..2 {
+        let (ours, theirs) = (ours.n_candidates[k], ipctk["candidates"][k].as_u64().unwrap_or(0) as usize);
+        assert!(ours <= theirs && theirs - ours <= theirs / 1000, "{name}: {ours} candidates, ipctk {theirs}");
+    }
 }
 
 fn scaling(out: &mut String, ours: &[Ours]) {
