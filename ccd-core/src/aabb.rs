@@ -64,10 +64,12 @@ impl<T: Real> Aabb<T> {
         (self.max[0] - self.min[0]) + (self.max[1] - self.min[1]) + (self.max[2] - self.min[2])
     }
 
-    /// The same box, or a slightly larger one, in `f32`.
+    /// The same box, or a slightly larger one, in `f32`. Bounds that no finite `f32` reaches become the greatest one, on both sides of a comparison alike,
+    /// so boxes that overlap still do; only the empty box has infinite bounds.
     #[inline]
     pub fn round_out(&self) -> Aabb<f32> {
-        Aabb { min: self.min.map(round_down), max: self.max.map(round_up) }
+        let finite = |x: f32| x.max(-f32::MAX).min(f32::MAX);
+        Aabb { min: self.min.map(|x| finite(round_down(x))), max: self.max.map(|x| finite(round_up(x))) }
     }
 
     /// The box grown by `margin >= 0` on every side, rounded outward.
@@ -114,6 +116,14 @@ mod tests {
             assert!(lo == hi || lo.next_up() == hi, "{x} in [{lo}, {hi}] is not tight");
         }
         assert_eq!(round_down(0.25f64), 0.25);
+    }
+
+    #[test]
+    fn boxes_beyond_f32_still_overlap_and_the_empty_box_does_not() {
+        let far = Aabb { min: [-1e60f64; 3], max: [1e60; 3] };
+        let farther = Aabb { min: [1e60f64; 3], max: [1e70; 3] };
+        assert!(far.overlaps(&farther) && far.round_out().overlaps(&farther.round_out()));
+        assert!(!far.round_out().overlaps(&Aabb::EMPTY));
     }
 
     #[test]

@@ -33,12 +33,13 @@ const WIDTH: f64 = 2.273_736_754_432_320_6e-13;
 impl<R: Real> Cubic<R> {
     /// `error` bounds how far the exact polynomial is from `c` anywhere on `[0, 1]`.
     ///
-    /// The band adds the rounding of evaluation (at most `12 u max|c|`) and what a critical point that is only nearly right
-    /// can hide (the derivative there is below `16 u` of its largest coefficient, itself at most `8 max|c|`).
+    /// The band adds the rounding of evaluation, at most `12 u max|c|`, and what a critical point that is only nearly right can hide: the derivative
+    /// there is below `19 u` times the sum of its coefficients, itself at most `12 max|c|` (from the quadratic formula without cancellation, whose residual is
+    /// at most `11 u` of that sum, and the rounding of the point), so the cubic turns back by less than `228 u max|c|`.
     #[inline]
     pub fn new(c: [R; 4], error: R) -> Self {
         let largest = c[0].abs().max(c[1].abs()).max(c[2].abs().max(c[3].abs()));
-        Self { c, band: error + largest * R::splat(160.0 * R::UNIT) }
+        Self { c, band: error + largest * R::splat(256.0 * R::UNIT) }
     }
 
     /// Value at `t` in `[0, 1]`.

@@ -4,6 +4,9 @@
 
 use super::{ReadError, ReadErrorKind};
 use crate::{EdgeEdge, VertexFace};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{ToPrimitive, Zero};
 use std::path::Path;
 
 /// An elemental query of either kind.
@@ -89,17 +92,14 @@ fn is_edge_edge(path: &Path) -> Option<bool> {
 
 /// `numerator / denominator`, refused if it is no `f64` exactly: a rounded query would be another query.
 fn fraction(numerator: &str, denominator: &str) -> Result<f64, String> {
-    let parse = |s: &str| s.trim().parse::<i128>().map_err(|_| format!("`{s}` is not an integer"));
+    let parse = |s: &str| s.trim().parse::<BigInt>().map_err(|_| format!("`{s}` is not an integer"));
     let (n, d) = (parse(numerator)?, parse(denominator)?);
-    if d == 0 {
+    if d.is_zero() {
         return Err("the denominator is 0".into());
     }
-    let value = n as f64 / d as f64;
-    let exact = n as f64 as i128 == n && d as f64 as i128 == d && product_is(value, d as f64, n as f64);
-    if exact { Ok(value) } else { Err(format!("{n}/{d} is not a double-precision number")) }
-}
-
-/// Whether `x * y == z` without rounding.
-fn product_is(x: f64, y: f64, z: f64) -> bool {
-    x.mul_add(y, -z) == 0.0
+    let exact = BigRational::new(n, d);
+    match exact.to_f64() {
+        Some(value) if value.is_finite() && BigRational::from_float(value).as_ref() == Some(&exact) => Ok(value),
+        _ => Err(format!("{numerator}/{denominator} is not a double-precision number")),
+    }
 }
