@@ -68,7 +68,7 @@ impl<T: Real> Aabb<T> {
     /// so boxes that overlap still do; only the empty box has infinite bounds.
     #[inline]
     pub fn round_out(&self) -> Aabb<f32> {
-        let finite = |x: f32| x.max(-f32::MAX).min(f32::MAX);
+        let finite = |x: f32| x.clamp(-f32::MAX, f32::MAX);
         Aabb { min: self.min.map(|x| finite(round_down(x))), max: self.max.map(|x| finite(round_up(x))) }
     }
 

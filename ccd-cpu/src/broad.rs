@@ -21,8 +21,8 @@ pub enum Method {
 
 /// Finds overlapping boxes; keeps its buffers between calls.
 ///
-/// Overlap is closed: boxes that touch are a pair. Infinite bounds count as the greatest finite `f32`. `f64` boxes are compared as they are, not as their `f32` roundings. The order of pairs
-/// depends on the boxes and the method, not on the number of threads.
+/// Overlap is closed: boxes that touch are a pair. Infinite bounds count as the greatest finite `f32`. `f64` boxes are compared as they are, not as
+/// their `f32` roundings. The order of pairs depends on the boxes and the method, not on the number of threads.
 #[derive(Debug)]
 pub struct BroadPhase {
     threads: Threads,

@@ -10,7 +10,6 @@ use ccd_core::bernstein::Coplanarity;
 use ccd_core::kernel::narrow;
 use ccd_core::layout::Pair;
 use ccd_core::motion::{Motion, Patch};
-use ccd_core::query::solve;
 use ccd_core::separate::beside;
 use ccd_core::{Real, Verdict};
 use std::time::{Duration, Instant};
@@ -61,10 +60,9 @@ impl Worker {
 
     fn decide<T: Real>(&mut self, scene: &Scene<T>, kind: Kind, pair: Pair) {
         let ids = vertices(scene, kind, pair);
-        let (t0, t1) = (wide(ids, scene.x0), wide(ids, scene.x1));
         let verdict = match kind {
-            Kind::VertexFace => solve(&Motion::vertex_face(&t0, &t1, 0.0), Patch::Triangle, scene.min_distance),
-            Kind::EdgeEdge => solve(&Motion::edge_edge(&t0, &t1, 0.0), Patch::Parallelogram, scene.min_distance),
+            Kind::VertexFace => narrow::vertex_face(ids, scene.x0, scene.x1, scene.min_distance, 0.0),
+            Kind::EdgeEdge => narrow::edge_edge(ids, scene.x0, scene.x1, scene.min_distance, 0.0),
         };
         let (state, toi) = match verdict {
             Verdict::Miss => return,
@@ -114,11 +112,6 @@ fn vertices<T>(scene: &Scene<T>, kind: Kind, pair: Pair) -> [u32; 4] {
         Kind::VertexFace => narrow::vertex_face_ids(pair, scene.mesh.faces()),
         Kind::EdgeEdge => narrow::edge_edge_ids(pair, scene.mesh.edges()),
     }
-}
-
-#[inline(always)]
-fn wide<T: Real>(ids: [u32; 4], x: &[[T; 3]]) -> [[f64; 3]; 4] {
-    narrow::gather(ids, x).map(|p| p.map(T::to_f64))
 }
 
 /// Keeps of `pairs` what the `f32` filters cannot reject, in place: first over the whole step, then what is left over each half of it.

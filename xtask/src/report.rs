@@ -197,7 +197,8 @@ fn header(root: &Path, runs: usize) -> Result<String, String> {
     Ok(format!(
         "# Results\n\nWritten by `cargo xtask report --runs {runs}` on {}, commit {}{changed}, {cpu}, {cores} cores, {}.\n\n\
          Milliseconds, medians of {runs} runs in one go; compare ratios, not times. \"Fresh\" pays for every buffer anew, as the other libraries do; \
-         \"kept\" keeps them from the run before. Candidates: checks, boxes, trees, and all pairs without a shared vertex listed. parry3d: the same boxes, build and traversal together; it has no parallel traversal of two trees.\n",
+         \"kept\" keeps them from the run before. Candidates: checks, boxes, trees, and all pairs without a shared vertex listed. \
+         parry3d: the same boxes, build and traversal together; it has no parallel traversal of two trees.\n",
         shell(&["date", "-u", "+%Y-%m-%d"]),
         shell(&["git", "rev-parse", "--short", "HEAD"]),
         shell(&["rustc", "--version"]),

@@ -5,10 +5,15 @@ use crate::motion::{Motion, Patch};
 use crate::query::{Verdict, solve};
 use crate::real::Real;
 
-/// Positions of four vertices at one time.
+/// Positions of four vertices at one time, in the precision `R` of the arithmetic.
 #[inline]
-pub fn gather<R: Copy>(ids: [u32; 4], x: &[[R; 3]]) -> [[R; 3]; 4] {
-    [x[ids[0] as usize], x[ids[1] as usize], x[ids[2] as usize], x[ids[3] as usize]]
+pub fn gather<T: Copy + Into<R>, R: Real>(ids: [u32; 4], x: &[[T; 3]]) -> [[R; 3]; 4] {
+    let mut out = [[R::splat(0.0); 3]; 4];
+    for i in 0..4 {
+        let p = x[ids[i] as usize];
+        out[i] = [p[0].into(), p[1].into(), p[2].into()];
+    }
+    out
 }
 
 /// The vertex ids `v f0 f1 f2` of a vertex-face pair.
@@ -25,14 +30,26 @@ pub fn edge_edge_ids(pair: Pair, edges: &[[u32; 2]]) -> [u32; 4] {
     [a0, a1, b0, b1]
 }
 
-/// Verdict of a vertex-face pair; every coordinate may be off by `coordinate_error`.
-pub fn vertex_face<R: Real>(ids: [u32; 4], x0: &[[R; 3]], x1: &[[R; 3]], min_distance: R, coordinate_error: R) -> Verdict<R> {
+/// Verdict of a vertex-face pair of vertices `v f0 f1 f2`; every coordinate may be off by `coordinate_error`.
+pub fn vertex_face<T: Copy + Into<R>, R: Real>(
+    ids: [u32; 4],
+    x0: &[[T; 3]],
+    x1: &[[T; 3]],
+    min_distance: R,
+    coordinate_error: R,
+) -> Verdict<R> {
     let m = Motion::vertex_face(&gather(ids, x0), &gather(ids, x1), coordinate_error);
     solve(&m, Patch::Triangle, min_distance)
 }
 
-/// Verdict of an edge-edge pair; every coordinate may be off by `coordinate_error`.
-pub fn edge_edge<R: Real>(ids: [u32; 4], x0: &[[R; 3]], x1: &[[R; 3]], min_distance: R, coordinate_error: R) -> Verdict<R> {
+/// Verdict of an edge-edge pair of vertices `ea0 ea1 eb0 eb1`; every coordinate may be off by `coordinate_error`.
+pub fn edge_edge<T: Copy + Into<R>, R: Real>(
+    ids: [u32; 4],
+    x0: &[[T; 3]],
+    x1: &[[T; 3]],
+    min_distance: R,
+    coordinate_error: R,
+) -> Verdict<R> {
     let m = Motion::edge_edge(&gather(ids, x0), &gather(ids, x1), coordinate_error);
     solve(&m, Patch::Parallelogram, min_distance)
 }
