@@ -242,7 +242,7 @@ fn broad_phase_equals_brute_force_on_uniform_and_equal_boxes() {
             Aabb { min: p, max: p.map(|c| c + 2e37) }
         })
         .collect();
-    let endless = vec![Aabb { min: [f32::NEG_INFINITY; 3], max: [f32::INFINITY; 3] }; 3];
+    let endless = [Aabb { min: [f32::NEG_INFINITY; 3], max: [f32::INFINITY; 3] }; 3];
     for set in [&boxes[..], &equal[..], &huge[..], &boxes[..1], &endless[..], &[]] {
         for method in [Method::Blocks, Method::Tree] {
             let mut broad = BroadPhase::new(2, method).unwrap();
