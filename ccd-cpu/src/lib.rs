@@ -3,6 +3,7 @@ mod broad;
 mod contact;
 mod lanes;
 mod narrow;
+mod order;
 mod prepare;
 mod pyramid;
 mod radix;

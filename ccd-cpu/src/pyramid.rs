@@ -4,15 +4,10 @@
 //! there are no pointers, and refitting is one pass over the levels.
 
 use crate::lanes::WIDTH;
-use crate::radix::Radix;
+use crate::order::MortonOrder;
 use crate::simd::Block;
 use crate::threads::Threads;
 use ccd_core::Aabb;
-use ccd_core::kernel::bounds;
-use ccd_core::morton::MortonGrid;
-
-/// Bits per axis of the Morton codes that order boxes.
-const MORTON_BITS: u32 = 21;
 
 /// A tree over `n` boxes.
 #[derive(Debug, Default)]
@@ -25,8 +20,7 @@ pub struct Pyramid {
     /// Per level and block: the lanes that hold fixed boxes only; used if any is fixed.
     fixed: Vec<Vec<u8>>,
     any_fixed: bool,
-    radix: Radix,
-    chunk_bounds: Vec<Aabb<f32>>,
+    morton: MortonOrder,
     looseness_at_build: f64,
 }
 
@@ -65,19 +59,7 @@ impl Pyramid {
     /// Sorts the boxes anew and builds all levels. Boxes for which `fixed(i)` come last, so that whole blocks are fixed.
     pub fn build(&mut self, threads: &Threads, boxes: &[Aabb<f32>], fixed: Option<&(dyn Fn(usize) -> bool + Sync)>) {
         self.n = boxes.len();
-        self.chunk_bounds.resize(boxes.len().div_ceil(bounds::CHUNK), Aabb::EMPTY);
-        threads.fill(&mut self.chunk_bounds, |i| bounds::scene_bounds(i, boxes));
-        let scene = self.chunk_bounds.iter().fold(Aabb::EMPTY, |all, b| all.union(b));
-        let grid = MortonGrid::new(&scene, MORTON_BITS);
-        let key = |i: usize| {
-            let [low, high] = bounds::morton(i, boxes, &grid);
-            let code = (high as u64) << 32 | low as u64;
-            match fixed {
-                Some(fixed) => (fixed(i) as u64) << 62 | code >> 1,
-                None => code,
-            }
-        };
-        self.radix.sort(threads, boxes.len(), key, &mut self.order);
+        self.morton.sort(threads, boxes, fixed, &mut self.order);
         self.fit(threads, boxes);
         self.mark_fixed(fixed);
         self.looseness_at_build = self.looseness();

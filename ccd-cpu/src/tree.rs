@@ -1,11 +1,10 @@
 //! The binary radix tree on threads: the kernels of `ccd-core`, one call per thread of a GPU, over rayon.
 
-use crate::radix::Radix;
+use crate::order::MortonOrder;
 use crate::threads::Threads;
 use ccd_core::Aabb;
 use ccd_core::kernel::{Sink, Words, bounds, build, refit, traverse};
 use ccd_core::layout::{Branch, Node, Pair};
-use ccd_core::morton::MortonGrid;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 /// A tree over boxes and what its construction needs; buffers are kept.
@@ -18,7 +17,7 @@ pub struct Tree {
     visits: Vec<AtomicU32>,
     boxes: Vec<AtomicU32>,
     nodes: Vec<Node>,
-    radix: Radix,
+    morton: MortonOrder,
 }
 
 /// Atomic words as kernels see them.
@@ -53,15 +52,7 @@ impl Tree {
     pub fn build(&mut self, threads: &Threads, boxes: &[Aabb<f32>]) {
         let n = boxes.len();
         let n_internal = n.saturating_sub(1);
-        let mut chunks = vec![Aabb::EMPTY; n.div_ceil(bounds::CHUNK)];
-        threads.fill(&mut chunks, |i| bounds::scene_bounds(i, boxes));
-        let scene = chunks.iter().fold(Aabb::EMPTY, |all, b| all.union(b));
-        let grid = MortonGrid::new(&scene, 21);
-        let key = |i: usize| {
-            let [low, high] = bounds::morton(i, boxes, &grid);
-            (high as u64) << 32 | low as u64
-        };
-        self.radix.sort(threads, n, key, &mut self.order);
+        let grid = self.morton.sort(threads, boxes, None, &mut self.order);
         self.codes.resize(n, [0; 2]);
         threads.fill(&mut self.codes, |i| bounds::morton(self.order[i] as usize, boxes, &grid));
         self.branches.resize(n_internal, Branch { left: 0, right: 0, first: 0, last: 0 });

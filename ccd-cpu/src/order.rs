@@ -1,0 +1,43 @@
+//! Boxes in Morton order: bounds of the scene, codes of the centres, sort.
+
+use crate::radix::Radix;
+use crate::threads::Threads;
+use ccd_core::Aabb;
+use ccd_core::kernel::bounds;
+use ccd_core::morton::MortonGrid;
+
+/// Bits per axis of the codes.
+const BITS: u32 = 21;
+
+/// Sorts boxes along the Morton curve; buffers are kept.
+#[derive(Debug, Default)]
+pub struct MortonOrder {
+    radix: Radix,
+    chunks: Vec<Aabb<f32>>,
+}
+
+impl MortonOrder {
+    /// Fills `order` with the ids of the boxes; those for which `last(i)` come after all others. Returns the grid of the codes.
+    pub fn sort(
+        &mut self,
+        threads: &Threads,
+        boxes: &[Aabb<f32>],
+        last: Option<&(dyn Fn(usize) -> bool + Sync)>,
+        order: &mut Vec<u32>,
+    ) -> MortonGrid {
+        self.chunks.resize(boxes.len().div_ceil(bounds::CHUNK), Aabb::EMPTY);
+        threads.fill(&mut self.chunks, |i| bounds::scene_bounds(i, boxes));
+        let scene = self.chunks.iter().fold(Aabb::EMPTY, |all, b| all.union(b));
+        let grid = MortonGrid::new(&scene, BITS);
+        let key = |i: usize| {
+            let [low, high] = bounds::morton(i, boxes, &grid);
+            let code = (high as u64) << 32 | low as u64;
+            match last {
+                Some(last) => (last(i) as u64) << 62 | code >> 1,
+                None => code,
+            }
+        };
+        self.radix.sort(threads, boxes.len(), key, order);
+        grid
+    }
+}
