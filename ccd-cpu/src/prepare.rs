@@ -19,7 +19,7 @@ pub struct Positions<'a, T> {
 
 impl<T: Real> Positions<'_, T> {
     /// Whether the whole step matters.
-    fn whole(&self) -> bool {
+    pub fn whole(&self) -> bool {
         self.until >= 1.0
     }
 
@@ -177,15 +177,16 @@ impl Prepared {
         threads.fill(&mut self.faces.boxes, |i| sweep::face(i, mesh.faces(), vertices));
     }
 
-    /// Refits all trees, or builds them if they never were or if one has become too loose. Returns whether they were built.
-    pub fn trees(&mut self, threads: &Threads, mesh: &Mesh, bodies: Option<&Bodies>) -> bool {
+    /// Refits all trees, or builds them if they never were or if one has become too loose. Returns whether they were built. Boxes of less than the
+    /// `whole` step say nothing about looseness and only refit.
+    pub fn trees(&mut self, threads: &Threads, mesh: &Mesh, bodies: Option<&Bodies>, whole: bool) -> bool {
         let Self { vertices, edges, faces, table, .. } = self;
         let mut loose = !self.built;
         if self.built {
             let v = vertices.pyramid.refit(threads, &vertices.boxes);
             let e = edges.pyramid.refit(threads, &edges.boxes);
             let f = faces.pyramid.refit(threads, &faces.boxes);
-            loose = v.max(e).max(f) > MAX_LOOSENESS;
+            loose = whole && v.max(e).max(f) > MAX_LOOSENESS;
         }
         if loose {
             self.built = true;

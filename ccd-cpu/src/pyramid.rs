@@ -22,6 +22,7 @@ pub struct Pyramid {
     any_fixed: bool,
     morton: MortonOrder,
     looseness_at_build: f64,
+    sums: Vec<f64>,
 }
 
 impl Pyramid {
@@ -62,7 +63,7 @@ impl Pyramid {
         self.morton.sort(threads, boxes, fixed, &mut self.order);
         self.fit(threads, boxes);
         self.mark_fixed(fixed);
-        self.looseness_at_build = self.looseness();
+        self.looseness_at_build = self.looseness(threads);
     }
 
     fn mark_fixed(&mut self, fixed: Option<&(dyn Fn(usize) -> bool + Sync)>) {
@@ -86,27 +87,18 @@ impl Pyramid {
     pub fn refit(&mut self, threads: &Threads, boxes: &[Aabb<f32>]) -> f64 {
         assert_eq!(boxes.len(), self.n, "refit with another number of boxes");
         self.fit(threads, boxes);
-        if self.looseness_at_build > 0.0 { self.looseness() / self.looseness_at_build } else { 1.0 }
+        let looseness = self.looseness(threads);
+        if self.looseness_at_build > 0.0 { looseness / self.looseness_at_build } else { 1.0 }
     }
 
     /// Sum of the side lengths of all blocks of eight, relative to that of the boxes in them: what a block costs its tests.
-    fn looseness(&self) -> f64 {
+    fn looseness(&mut self, threads: &Threads) -> f64 {
         if self.height < 2 {
             return 1.0;
         }
-        let sum = |level: &[Block]| {
-            let mut sum = 0.0;
-            for block in level {
-                for j in 0..WIDTH {
-                    if block.min[0][j] <= block.max[0][j] {
-                        sum += (0..3).map(|k| block.max[k][j] as f64 - block.min[k][j] as f64).sum::<f64>();
-                    }
-                }
-            }
-            sum
-        };
-        let boxes = sum(&self.levels[0]);
-        if boxes > 0.0 { sum(&self.levels[1]) / boxes } else { 1.0 }
+        let boxes = extents(threads, &self.levels[0], &mut self.sums);
+        let blocks = extents(threads, &self.levels[1], &mut self.sums);
+        if boxes > 0.0 { blocks / boxes } else { 1.0 }
     }
 
     fn fit(&mut self, threads: &Threads, boxes: &[Aabb<f32>]) {
@@ -159,6 +151,18 @@ impl Pyramid {
             self.height += 1;
         }
     }
+}
+
+/// Sum of the side lengths of all boxes of a level; the order of additions does not depend on threads.
+fn extents(threads: &Threads, level: &[Block], sums: &mut Vec<f64>) -> f64 {
+    sums.resize(level.len(), 0.0);
+    threads.fill(sums, |i| {
+        let block = &level[i];
+        let side =
+            |k: usize, j: usize| if block.min[k][j] <= block.max[k][j] { block.max[k][j] as f64 - block.min[k][j] as f64 } else { 0.0 };
+        (0..WIDTH).map(|j| side(0, j) + side(1, j) + side(2, j)).sum()
+    });
+    sums.iter().sum()
 }
 
 /// The items for which `f`, as bits; a lane past the last item counts as fixed.

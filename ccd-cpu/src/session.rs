@@ -111,7 +111,7 @@ impl Session {
         threads.enter(|| {
             let x = Positions { x0, x1, until: 1.0 };
             prepared.boxes(threads, mesh, options, &x)?;
-            prepared.trees(threads, mesh, options.bodies.as_ref());
+            prepared.trees(threads, mesh, options.bodies.as_ref(), true);
             let scene = prepared.scene(mesh, options, &x, false);
             for (kind, lists) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(listers.iter_mut()) {
                 lists.resize_with(threads.count(), Lister::default);
@@ -147,25 +147,21 @@ impl Session {
             workers.iter_mut().for_each(Worker::reset);
             report.contacts.clear();
             report.times = Default::default();
-            let mut pass = |until: f64, part: usize| {
-                let x = Positions { x0, x1, until };
-                let start = Instant::now();
-                prepared.boxes(threads, mesh, options, &x)?;
-                report.times.boxes += milliseconds(start);
-                let start = Instant::now();
-                report.rebuilt = prepared.trees(threads, mesh, options.bodies.as_ref());
-                report.times.build += milliseconds(start);
-                let scene = prepared.scene(mesh, options, &x, !earliest);
-                detect(threads, traversal, prepared, &scene, part, workers, report);
-                Ok(workers.iter().filter_map(|w| w.toi).reduce(f64::min))
-            };
+            let mut x = Positions { x0, x1, until: 1.0 };
+            prepare(threads, prepared, mesh, options, &x, report)?;
             if earliest {
-                // A part of the tasks first; what it finds bounds the time that matters, and with it all boxes.
-                let bound = pass(1.0, SAMPLE)?;
-                pass(bound.unwrap_or(1.0), 1)?;
-            } else {
-                pass(1.0, 1)?;
+                // A part of the tasks first; what it finds bounds the time that matters. Smaller boxes for that time are worth it if
+                // there are many candidates.
+                detect(threads, traversal, prepared, &prepared.scene(mesh, options, &x, false), SAMPLE, workers, report);
+                let n_features = mesh.n_vertices() + mesh.edges().len() + mesh.faces().len();
+                if let Some(bound) = least_toi(workers)
+                    && report.candidates.total() * SAMPLE as u64 > CANDIDATES_PER_FEATURE * n_features as u64
+                {
+                    x.until = bound;
+                    prepare(threads, prepared, mesh, options, &x, report)?;
+                }
             }
+            detect(threads, traversal, prepared, &prepared.scene(mesh, options, &x, !earliest), 1, workers, report);
             collect(threads, workers, report);
             report.times.total = milliseconds(start);
             Ok(())
@@ -196,6 +192,32 @@ pub fn earliest_toi<T: Real + Send + Sync>(mesh: &Mesh, x0: &[[T; 3]], x1: &[[T;
 
 /// Of how many tasks one is sampled to bound the earliest time of impact.
 const SAMPLE: usize = 64;
+/// From this many candidates per feature on, sweeping all boxes again for a shorter time costs less than it saves: both take some 25 ns each.
+const CANDIDATES_PER_FEATURE: u64 = 2;
+
+/// Boxes and trees of a step up to the time that matters.
+fn prepare<T: Real + Send + Sync>(
+    threads: &Threads,
+    prepared: &mut Prepared,
+    mesh: &Mesh,
+    options: &Options,
+    x: &Positions<T>,
+    report: &mut Report,
+) -> Result<(), Error> {
+    let start = Instant::now();
+    prepared.boxes(threads, mesh, options, x)?;
+    report.times.boxes += milliseconds(start);
+    let start = Instant::now();
+    let rebuilt = prepared.trees(threads, mesh, options.bodies.as_ref(), x.whole());
+    report.rebuilt = rebuilt || (report.rebuilt && !x.whole());
+    report.times.build += milliseconds(start);
+    Ok(())
+}
+
+/// The least time of impact that any worker found.
+fn least_toi(workers: &[Worker]) -> Option<f64> {
+    workers.iter().filter_map(|w| w.toi).reduce(f64::min)
+}
 
 /// Finds and decides all candidates, or those of every `part`-th task.
 fn detect<T: Real + Send + Sync>(
@@ -280,7 +302,7 @@ fn collect(threads: &Threads, workers: &mut [Worker], report: &mut Report) {
         worker.contacts.reserve(total + total / 8);
     }
     threads.sort(&mut report.contacts, |c: &Contact| (c.kind, c.a, c.b));
-    report.toi = workers.iter().filter_map(|w| w.toi).reduce(f64::min);
+    report.toi = least_toi(workers);
     report.undecided = report.contacts.iter().filter(|c| c.state == State::Undecided).count() as u64;
     report.times.narrow += milliseconds(start);
 }
