@@ -46,6 +46,11 @@
 #[cfg(feature = "io")]
 pub mod io;
 
+/// The README's example is compiled and run with the documentation tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 pub use ccd_core::digest::Digest;
 pub use ccd_core::layout::Pair;
 pub use ccd_core::topology::{Bodies, Mesh};
