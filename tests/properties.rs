@@ -83,6 +83,22 @@ proptest! {
     }
 
     #[test]
+    fn filters_reject_misses_only(t0 in points(), t1 in points(), distance in 0.0..0.2f64) {
+        use ccd_core::bernstein::{edge_edge_filter, vertex_face_filter};
+        for d in [0.0, distance] {
+            let (face, edges) = (VertexFace { t0, t1 }, EdgeEdge { t0, t1 });
+            if vertex_face_filter(&t0, &t1, d) {
+                prop_assert_eq!(ccd::vertex_face(&face, d), Verdict::Miss);
+                check_oracle(Verdict::Miss, &oracle::vertex_face(&t0, &t1));
+            }
+            if edge_edge_filter(&t0, &t1, d) {
+                prop_assert_eq!(ccd::edge_edge(&edges, d), Verdict::Miss);
+                check_oracle(Verdict::Miss, &oracle::edge_edge(&t0, &t1));
+            }
+        }
+    }
+
+    #[test]
     fn reversing_time_keeps_the_answer(t0 in points(), t1 in points()) {
         let check = |a: Verdict<f64>, b: Verdict<f64>| assert!(!matches!((a, b), (Verdict::Hit { .. }, Verdict::Miss) | (Verdict::Miss, Verdict::Hit { .. })));
         check(vf(t0, t1), vf(t1, t0));

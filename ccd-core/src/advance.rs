@@ -34,7 +34,7 @@ pub fn advance<R: Real>(m: &Motion<R>, patch: Patch, from: R, until: R, min_dist
     let mut t = from;
     for _ in 0..MAX_DIRECTIONS {
         let w = closest(lerp(m.a[0], m.a[1], t), lerp(m.b[0], m.b[1], t), lerp(m.c[0], m.c[1], t), patch);
-        // Powers of two keep the scale of `w` near 1 so that its products neither overflow nor vanish; directions need no unit length.
+        // Components of `w` that add up to 1: its products neither overflow nor vanish, and a direction needs no unit length.
         let w_sum = sum_abs(w);
         if !(w_sum > zero) || !w_sum.is_finite_number() {
             return Advance::Stuck(t);

@@ -20,12 +20,6 @@ pub fn scale<N: Num>(a: [N; 3], s: N) -> [N; 3] {
     [a[0] * s, a[1] * s, a[2] * s]
 }
 
-/// `-a`
-#[inline(always)]
-pub fn neg<N: Num>(a: [N; 3]) -> [N; 3] {
-    [-a[0], -a[1], -a[2]]
-}
-
 /// `a + (b - a) t`
 #[inline(always)]
 pub fn lerp<N: Num>(a: [N; 3], b: [N; 3], t: N) -> [N; 3] {

@@ -1,6 +1,7 @@
 //! The broad phase alone: boxes in, overlapping pairs out.
 
 use crate::pyramid::Pyramid;
+use crate::rows::keep;
 use crate::simd::Simd;
 use crate::threads::Threads;
 use crate::traverse::{Rows, Traversal};
@@ -65,27 +66,27 @@ impl BroadPhase {
     /// Pairs within one set, each once, lesser index first.
     pub fn self_pairs<T: Real + Send + Sync>(&mut self, boxes: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
         check_boxes(boxes)?;
-        let threads = std::mem::replace(&mut self.threads, Threads::new(1)?);
+        let Self { threads, method, a, traversal, tree, workers, runs, .. } = self;
         threads.enter(|| {
-            let exact = self.a.take(&threads, boxes);
-            match self.method {
+            let exact = a.take(threads, boxes);
+            match method {
                 Method::Blocks => {
-                    self.a.pyramid.build(&threads, &self.a.boxes, None);
-                    let slack = if exact { None } else { Some(slack(&self.a.boxes, &self.a.boxes)) };
-                    let confirm = |a: u32, b: u32| boxes[a as usize].overlaps(&boxes[b as usize]);
-                    self.list::<true>(&threads, true, slack, &confirm);
+                    a.pyramid.build(threads, &a.boxes, None);
+                    let slack = (!exact).then(|| slack(&a.boxes, &a.boxes));
+                    let confirm = |i: u32, j: u32| boxes[i as usize].overlaps(&boxes[j as usize]);
+                    let rows = Listing::<true> { a: &a.pyramid, b: &a.pyramid, slack, confirm: &confirm };
+                    list(threads, traversal, &rows, workers);
                 }
                 Method::Tree => {
-                    let out = only_list(&mut self.workers);
-                    self.tree.self_pairs(&threads, &self.a.boxes, out);
+                    let out = only_list(workers);
+                    tree.self_pairs(threads, &a.boxes, out);
                     if !exact {
                         out.retain(|p| boxes[p.a as usize].overlaps(&boxes[p.b as usize]));
                     }
-                    order_runs(&self.workers, &mut self.runs);
                 }
             }
+            order_runs(workers, runs);
         });
-        self.threads = threads;
         Ok(Pairs { runs: &self.runs, workers: &self.workers })
     }
 
@@ -93,50 +94,40 @@ impl BroadPhase {
     pub fn pairs<T: Real + Send + Sync>(&mut self, a: &[Aabb<T>], b: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
         check_boxes(a)?;
         check_boxes(b)?;
-        let threads = std::mem::replace(&mut self.threads, Threads::new(1)?);
+        let Self { threads, method, a: side_a, b: side_b, traversal, tree, workers, runs } = self;
         threads.enter(|| {
-            let exact = self.a.take(&threads, a) & self.b.take(&threads, b);
-            match self.method {
+            let exact = side_a.take(threads, a) & side_b.take(threads, b);
+            match method {
                 Method::Blocks => {
-                    self.a.pyramid.build(&threads, &self.a.boxes, None);
-                    self.b.pyramid.build(&threads, &self.b.boxes, None);
-                    let height = self.a.pyramid.height().max(self.b.pyramid.height());
-                    self.a.pyramid.raise(height);
-                    self.b.pyramid.raise(height);
-                    let slack = if exact { None } else { Some(slack(&self.a.boxes, &self.b.boxes)) };
+                    side_a.pyramid.build(threads, &side_a.boxes, None);
+                    side_b.pyramid.build(threads, &side_b.boxes, None);
+                    let height = side_a.pyramid.height().max(side_b.pyramid.height());
+                    side_a.pyramid.raise(height);
+                    side_b.pyramid.raise(height);
+                    let slack = (!exact).then(|| slack(&side_a.boxes, &side_b.boxes));
                     let confirm = |i: u32, j: u32| a[i as usize].overlaps(&b[j as usize]);
-                    self.list::<false>(&threads, false, slack, &confirm);
+                    let rows = Listing::<false> { a: &side_a.pyramid, b: &side_b.pyramid, slack, confirm: &confirm };
+                    list(threads, traversal, &rows, workers);
                 }
                 Method::Tree => {
-                    let out = only_list(&mut self.workers);
-                    self.tree.pairs(&threads, &self.a.boxes, &self.b.boxes, out);
+                    let out = only_list(workers);
+                    tree.pairs(threads, &side_a.boxes, &side_b.boxes, out);
                     if !exact {
                         out.retain(|p| a[p.a as usize].overlaps(&b[p.b as usize]));
                     }
-                    order_runs(&self.workers, &mut self.runs);
                 }
             }
+            order_runs(workers, runs);
         });
-        self.threads = threads;
         Ok(Pairs { runs: &self.runs, workers: &self.workers })
     }
+}
 
-    fn list<const ORDERED: bool>(
-        &mut self,
-        threads: &Threads,
-        within: bool,
-        slack: Option<f32>,
-        confirm: &(dyn Fn(u32, u32) -> bool + Sync),
-    ) {
-        self.workers.resize_with(threads.count(), Lister::default);
-        let (a, b) = (&self.a.pyramid, if within { &self.a.pyramid } else { &self.b.pyramid });
-        for lister in &mut self.workers {
-            lister.clear();
-        }
-        let rows = Listing::<ORDERED> { a, b, slack, confirm };
-        self.traversal.run(threads, (a, (!within).then_some(b)), 1, &rows, &mut self.workers);
-        order_runs(&self.workers, &mut self.runs);
-    }
+/// Lists all pairs: within one set if its pairs are ordered, else of one set with another.
+fn list<const WITHIN: bool>(threads: &Threads, traversal: &mut Traversal, rows: &Listing<WITHIN>, workers: &mut Vec<Lister>) {
+    workers.resize_with(threads.count(), Lister::default);
+    workers.iter_mut().for_each(Lister::clear);
+    traversal.run(threads, (rows.a, (!WITHIN).then_some(rows.b)), 1, rows, workers);
 }
 
 /// What one worker found: pairs, and which task each run of them belongs to.
@@ -160,14 +151,14 @@ impl Lister {
     }
 }
 
-struct Listing<'a, const ORDERED: bool> {
+struct Listing<'a, const WITHIN: bool> {
     a: &'a Pyramid,
     b: &'a Pyramid,
     slack: Option<f32>,
     confirm: &'a (dyn Fn(u32, u32) -> bool + Sync),
 }
 
-impl<const ORDERED: bool> Rows for Listing<'_, ORDERED> {
+impl<const WITHIN: bool> Rows for Listing<'_, WITHIN> {
     type Worker = Lister;
 
     #[inline(always)]
@@ -176,16 +167,9 @@ impl<const ORDERED: bool> Rows for Listing<'_, ORDERED> {
         let ids = lane_ids(self.b.order(), b);
         if let Some(slack) = self.slack {
             let sure = simd.overlaps_shrunk(&self.a.level(0)[a], lane, &self.b.level(0)[b], slack);
-            let mut unsure = mask & !sure;
-            while unsure != 0 {
-                let j = unsure.trailing_zeros();
-                unsure &= unsure - 1;
-                if !(self.confirm)(id, ids[j as usize]) {
-                    mask &= !(1 << j);
-                }
-            }
+            mask = mask & sure | keep(mask & !sure, |j| (self.confirm)(id, ids[j]));
         }
-        simd.append::<ORDERED>(&mut lister.pairs, id, &ids, mask);
+        simd.append::<WITHIN>(&mut lister.pairs, id, &ids, mask);
     }
 
     fn begin(&self, lister: &mut Lister, task: usize) {

@@ -207,7 +207,7 @@ impl<T: Real + Send + Sync, W: Take> Rows for FaceRows<'_, T, W> {
 
 /// The bits `j` of `mask` for which `wanted(j)`.
 #[inline(always)]
-fn keep(mask: u32, wanted: impl Fn(usize) -> bool) -> u32 {
+pub(crate) fn keep(mask: u32, wanted: impl Fn(usize) -> bool) -> u32 {
     let (mut rest, mut out) = (mask, mask);
     while rest != 0 {
         let j = rest.trailing_zeros();

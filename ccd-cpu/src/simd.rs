@@ -334,3 +334,50 @@ mod avx2 {
         }
     }
 }
+
+#[cfg(all(test, target_arch = "x86_64"))]
+mod tests {
+    use super::*;
+
+    /// A few distinct numbers, so that comparisons are often equal, and all that is special.
+    const VALUES: [f32; 10] = [0.0, -0.0, 1.0, 1.5, -1.0, 2.0, f32::MAX, f32::INFINITY, f32::NEG_INFINITY, f32::NAN];
+
+    #[test]
+    fn instruction_sets_give_the_same_bits() {
+        let Some(avx2) = Avx2::new() else {
+            println!("no AVX2 here: nothing to compare");
+            return;
+        };
+        let mut x = 3u32;
+        let mut bits = || {
+            x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+            (x >> 16) as usize
+        };
+        let (mut plain_pairs, mut avx2_pairs, mut n_overlaps) = (Vec::new(), Vec::new(), 0);
+        for _ in 0..5000 {
+            let mut value = || VALUES[bits() % VALUES.len()];
+            let mut rows = || std::array::from_fn(|_| std::array::from_fn(|_| value()));
+            let (a, b) = (Block { min: rows(), max: rows() }, Block { min: rows(), max: rows() });
+            for i in 0..WIDTH {
+                let mask = Plain.overlaps(&a, i, &b);
+                n_overlaps += mask.count_ones();
+                assert_eq!(mask, avx2.overlaps(&a, i, &b), "{a:?} {i} {b:?}");
+                assert_eq!(Plain.overlaps_shrunk(&a, i, &b, 0.5), avx2.overlaps_shrunk(&a, i, &b, 0.5), "{a:?} {i} {b:?}");
+            }
+            let limit = value();
+            assert_eq!(Plain.greater(Lanes(a.min[0]), limit), avx2.greater(Lanes(a.min[0]), limit), "{a:?} {limit}");
+            let ids: [u32; WIDTH] = std::array::from_fn(|_| bits() as u32 % 5);
+            let (id, mask) = (bits() as u32 % 5, bits() as u32 & 0xff);
+            assert_eq!(Plain.equals(&ids, [id, 2]), avx2.equals(&ids, [id, 2]), "{ids:?} {id}");
+            Plain.append::<true>(&mut plain_pairs, id, &ids, mask);
+            avx2.append::<true>(&mut avx2_pairs, id, &ids, mask);
+            Plain.append::<false>(&mut plain_pairs, id, &ids, mask);
+            avx2.append::<false>(&mut avx2_pairs, id, &ids, mask);
+            let table = [a.min[0], a.min[1], a.max[0], b.min[2], b.max[1]];
+            let to_bits = |lanes: [Lanes; WIDTH]| lanes.map(|l| l.0.map(f32::to_bits));
+            assert_eq!(to_bits(Plain.gather(&table, &ids)), to_bits(avx2.gather(&table, &ids)), "{table:?} {ids:?}");
+        }
+        assert_eq!(plain_pairs, avx2_pairs);
+        assert!(n_overlaps > 100 && plain_pairs.len() > 1000, "{n_overlaps} overlaps, {} pairs", plain_pairs.len());
+    }
+}
