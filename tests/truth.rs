@@ -215,7 +215,7 @@ fn check_verdict<R: Real>(verdict: Verdict<R>, time: &Time, what: &str) -> (bool
 }
 
 fn decide<R: Real>(query: &Query) -> Verdict<R> {
-    let narrow = |x: &[[f64; 3]; 4]| x.map(|p| p.map(R::splat));
+    let narrow = |x: &[[f64; 3]; 4]| x.map(|p| p.map(R::from_f64));
     match query {
         Query::VertexFace(q) => ccd::vertex_face(&VertexFace { t0: narrow(&q.t0), t1: narrow(&q.t1) }, R::splat(0.0)),
         Query::EdgeEdge(q) => ccd::edge_edge(&EdgeEdge { t0: narrow(&q.t0), t1: narrow(&q.t1) }, R::splat(0.0)),

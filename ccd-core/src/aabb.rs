@@ -1,6 +1,6 @@
 //! Axis-aligned boxes, closed overlap, and the one place where numbers are rounded outward.
 
-use crate::real::Real;
+use crate::real::{Num, Real};
 use bytemuck::{Pod, Zeroable};
 
 /// A closed axis-aligned box; `min > max` in any axis means empty.
@@ -64,19 +64,28 @@ impl<T: Real> Aabb<T> {
         (self.max[0] - self.min[0]) + (self.max[1] - self.min[1]) + (self.max[2] - self.min[2])
     }
 
-    /// The same box, or a slightly larger one, in `f32`. Bounds that no finite `f32` reaches become the greatest one, on both sides of a comparison alike,
-    /// so boxes that overlap still do; only the empty box has infinite bounds.
+    /// The same box, or a slightly larger one, in `f32`. Bounds beyond [`GREATEST`] become that, on both sides of a comparison alike, so boxes that
+    /// overlap still do; only the empty box has greater bounds.
     #[inline]
     pub fn round_out(&self) -> Aabb<f32> {
-        let finite = |x: f32| x.clamp(-f32::MAX, f32::MAX);
-        Aabb { min: self.min.map(|x| finite(round_down(x))), max: self.max.map(|x| finite(round_up(x))) }
+        let mut out = Aabb::EMPTY;
+        for k in 0..3 {
+            out.min[k] = Num::min(Num::max(self.min[k].round_down(), -GREATEST), GREATEST);
+            out.max[k] = Num::min(Num::max(self.max[k].round_up(), -GREATEST), GREATEST);
+        }
+        out
     }
 
     /// The box grown by `margin >= 0` on every side, rounded outward.
     #[inline]
     pub fn inflated(&self, margin: T) -> Self {
         if margin > T::splat(0.0) {
-            Self { min: self.min.map(|x| (x - margin).next_down()), max: self.max.map(|x| (x + margin).next_up()) }
+            let mut out = *self;
+            for k in 0..3 {
+                out.min[k] = (out.min[k] - margin).next_down();
+                out.max[k] = (out.max[k] + margin).next_up();
+            }
+            out
         } else {
             *self
         }
@@ -84,25 +93,13 @@ impl<T: Real> Aabb<T> {
 }
 
 impl Aabb<f32> {
-    /// The empty box: the neutral element of [`Aabb::union`]; overlaps nothing.
-    pub const EMPTY: Self = Self { min: [f32::INFINITY; 3], max: [f32::NEG_INFINITY; 3] };
+    /// The empty box: the neutral element of [`Aabb::union`] among boxes that were rounded out; overlaps none of them. Its bounds are finite because
+    /// shader languages cannot write others.
+    pub const EMPTY: Self = Self { min: [3.0e38; 3], max: [-3.0e38; 3] };
 }
 
-/// The greatest `f32` that is not above `x`.
-#[inline]
-pub fn round_down<T: Real>(x: T) -> f32 {
-    let x = x.to_f64();
-    let y = x as f32;
-    if y as f64 > x { y.next_down() } else { y }
-}
-
-/// The smallest `f32` that is not below `x`.
-#[inline]
-pub fn round_up<T: Real>(x: T) -> f32 {
-    let x = x.to_f64();
-    let y = x as f32;
-    if (y as f64) < x { y.next_up() } else { y }
-}
+/// Greatest bound of a box in `f32` that is not empty.
+pub const GREATEST: f32 = 2.9e38;
 
 #[cfg(test)]
 mod tests {
@@ -110,12 +107,12 @@ mod tests {
 
     #[test]
     fn rounding_encloses_and_keeps_exact_values() {
-        for x in [0.0, -0.0, 0.1, -0.1, 1.0 / 3.0, 1e-50, -1e-50, 1e300, -1e300, 0.5, 3.0e38, -3.5e38] {
-            let (lo, hi) = (round_down(x), round_up(x));
+        for x in [0.0, -0.0, 0.1, -0.1, 1.0 / 3.0, 1e-50, -1e-50, 0.5, 3.0e38, -3.5e38] {
+            let (lo, hi) = (Real::round_down(x), Real::round_up(x));
             assert!(lo as f64 <= x && x <= hi as f64, "{x} not in [{lo}, {hi}]");
-            assert!(lo == hi || lo.next_up() == hi, "{x} in [{lo}, {hi}] is not tight");
+            assert!(lo == hi || f32::next_up(lo) == hi, "{x} in [{lo}, {hi}] is not tight");
         }
-        assert_eq!(round_down(0.25f64), 0.25);
+        assert_eq!(Real::round_down(0.25f64), 0.25);
     }
 
     #[test]
@@ -131,7 +128,7 @@ mod tests {
         let a = Aabb { min: [0.0; 3], max: [1.0f32; 3] };
         let mut b = Aabb { min: [1.0; 3], max: [2.0; 3] };
         assert!(a.overlaps(&b) && b.overlaps(&a));
-        b.min[1] = 1.0f32.next_up();
+        b.min[1] = f32::next_up(1.0);
         assert!(!a.overlaps(&b) && !b.overlaps(&a));
         assert!(!a.overlaps(&Aabb::EMPTY) && !Aabb::EMPTY.overlaps(&Aabb::EMPTY));
     }

@@ -24,7 +24,7 @@ pub enum Advance<R> {
 /// Directions tried before giving up: grazing motions creep, and a caller is told [`Advance::Stuck`].
 const MAX_DIRECTIONS: usize = 48;
 /// Progress in time below which creeping ends: 2^-32.
-const MIN_PROGRESS: f64 = 2.328_306_436_538_696_3e-10;
+const MIN_PROGRESS: f32 = 2.328_306_4e-10;
 
 /// Advances from `from` towards `until` while the features certainly stay further than `min_distance >= 0` apart.
 pub fn advance<R: Real>(m: &Motion<R>, patch: Patch, from: R, until: R, min_distance: R) -> Advance<R> {
@@ -41,11 +41,11 @@ pub fn advance<R: Real>(m: &Motion<R>, patch: Patch, from: R, until: R, min_dist
         }
         let w = scale(w, R::splat(1.0) / w_sum);
         let length = dot(w, w).sqrt_up();
-        let needed = slack * R::splat(1.01) + min_distance * length * R::splat(1.0 + 8.0 * R::UNIT);
+        let needed = slack * R::splat(1.01) + min_distance * length * (R::splat(1.0) + R::UNIT * R::splat(8.0));
         let mut next = R::splat(2.0);
         for j in 0..4 {
             let (g0, g1) = (dot(w, corners0[j]), dot(w, corners1[j]));
-            let needed = needed + (g0.abs() + g1.abs()) * R::splat(8.0 * R::UNIT);
+            let needed = needed + (g0.abs() + g1.abs()) * (R::UNIT * R::splat(8.0));
             if g0 > needed && g1 > needed {
                 continue;
             }
@@ -53,7 +53,7 @@ pub fn advance<R: Real>(m: &Motion<R>, patch: Patch, from: R, until: R, min_dist
                 return Advance::Stuck(t);
             }
             if g1 < g0 {
-                let reach = (g0 - needed) / (g0 - g1) * R::splat(1.0 - 16.0 * R::UNIT);
+                let reach = (g0 - needed) / (g0 - g1) * (R::splat(1.0) - R::UNIT * R::splat(16.0));
                 next = next.min(reach);
             }
         }
@@ -76,6 +76,6 @@ pub fn advance<R: Real>(m: &Motion<R>, patch: Patch, from: R, until: R, min_dist
 pub fn within<R: Real>(m: &Motion<R>, patch: Patch, t: R, min_distance: R) -> bool {
     let x = closest(lerp(m.a[0], m.a[1], t), lerp(m.b[0], m.b[1], t), lerp(m.c[0], m.c[1], t), patch);
     // Twice for the interpolation besides the differences, twice for the length of an error in three components.
-    let length = dot(x, x).sqrt_up() * R::splat(1.0 + 8.0 * R::UNIT) + m.corner_error() * R::splat(4.0);
+    let length = dot(x, x).sqrt_up() * (R::splat(1.0) + R::UNIT * R::splat(8.0)) + m.corner_error() * R::splat(4.0);
     length <= min_distance
 }

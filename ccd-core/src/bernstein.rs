@@ -45,14 +45,14 @@ impl<N: Num> Coplanarity<N> {
         let (one, eight) = (N::splat(1.0), N::splat(8.0));
         let bc = (mb * eight) * mc;
         let abc = (ma * eight) * bc;
-        let rounding = abc * N::splat(490.0 / 64.0 * N::UNIT);
+        let rounding = abc * (N::UNIT * N::splat(490.0 / 64.0));
         let input = m.error * N::splat(19.0) * (ma * (mb + mc) + mb * mc);
-        let flushed = N::splat(256.0 * N::MIN_NORMAL) * ((one + ma) * ((one + mb) * (one + mc)));
+        let flushed = (N::MIN_NORMAL * N::splat(256.0)) * ((one + ma) * ((one + mb) * (one + mc)));
         let half = N::splat(0.5);
         let normal = sum_abs(n00).max(sum_abs(n11)).max(sum_abs(n01) * half)
-            + bc * N::splat(4.0 * N::UNIT)
+            + bc * (N::UNIT * N::splat(4.0))
             + m.error * N::splat(6.0) * (mb + mc)
-            + N::splat(256.0 * N::MIN_NORMAL) * ((one + mb) * (one + mc));
+            + (N::MIN_NORMAL * N::splat(256.0)) * ((one + mb) * (one + mc));
         Self { c, bound: rounding + input + flushed, normal }
     }
 

@@ -28,7 +28,7 @@ pub struct Cubic<R> {
 /// [`WIDTH`]. Running out leaves a wider interval, never a wrong one.
 const MAX_STEPS: usize = 64;
 /// Width, in time, to which an end of an interval is refined: 2^-42, far below the 1e-6 that a caller is promised.
-const WIDTH: f64 = 2.273_736_754_432_320_6e-13;
+const WIDTH: f32 = 2.273_736_8e-13;
 
 impl<R: Real> Cubic<R> {
     /// `error` bounds how far the exact polynomial is from `c` anywhere on `[0, 1]`.
@@ -39,7 +39,7 @@ impl<R: Real> Cubic<R> {
     #[inline]
     pub fn new(c: [R; 4], error: R) -> Self {
         let largest = c[0].abs().max(c[1].abs()).max(c[2].abs().max(c[3].abs()));
-        Self { c, band: error + largest * R::splat(256.0 * R::UNIT) }
+        Self { c, band: error + largest * (R::UNIT * R::splat(256.0)) }
     }
 
     /// Value at `t` in `[0, 1]`.
@@ -59,7 +59,7 @@ impl<R: Real> Cubic<R> {
     }
 
     /// The critical points inside `(0, 1)`, ascending, as the ends of monotone pieces: `[0, .., 1]` and the number of pieces.
-    fn pieces(&self) -> ([R; 4], usize) {
+    pub fn pieces(&self) -> ([R; 4], usize) {
         let (zero, one) = (R::splat(0.0), R::splat(1.0));
         let [q0, q1, q2] = self.derivative();
         let mut ends = [zero, one, one, one];
@@ -73,9 +73,9 @@ impl<R: Real> Cubic<R> {
             if t[1] < t[0] {
                 t = [t[1], t[0]];
             }
-            for x in t {
-                if x > zero && x < one {
-                    ends[n] = x;
+            for i in 0..2 {
+                if t[i] > zero && t[i] < one {
+                    ends[n] = t[i];
                     n += 1;
                 }
             }
@@ -100,7 +100,7 @@ impl<R: Real> Cubic<R> {
     }
 
     /// The interval of possible zeros within one monotone piece `[from, to]`.
-    fn zero_in_piece(&self, from: R, to: R) -> Option<Interval<R>> {
+    pub fn zero_in_piece(&self, from: R, to: R) -> Option<Interval<R>> {
         let (f0, f1) = (self.value(from), self.value(to));
         let starts_outside = f0.abs() > self.band;
         let ends_outside = f1.abs() > self.band;

@@ -31,7 +31,7 @@ impl<R: Real> Ball<R> {
         let magnitude = max_abs(x[0]).max(max_abs(x[1])) + error;
         let centre = lerp(x[0], x[1], middle);
         let travel = max_abs(sub(x[1], x[0]));
-        let radius = half * travel * R::splat(1.01) + magnitude * R::splat(8.0 * R::UNIT) + error;
+        let radius = half * travel * R::splat(1.01) + magnitude * (R::UNIT * R::splat(8.0)) + error;
         Self { centre, radius, size: max_abs(centre) + radius }
     }
 }
@@ -42,8 +42,8 @@ fn cross2<R: Real>(p: &Ball<R>, q: &Ball<R>, i: usize, j: usize) -> (R, R) {
     let value = p.centre[i] * q.centre[j] - p.centre[j] * q.centre[i];
     let one = R::splat(1.0);
     let error = (p.radius * q.size + p.size * q.radius) * R::splat(2.01)
-        + p.size * q.size * R::splat(8.0 * R::UNIT)
-        + R::splat(256.0 * R::MIN_NORMAL) * ((one + p.size) * (one + q.size));
+        + p.size * q.size * (R::UNIT * R::splat(8.0))
+        + (R::MIN_NORMAL * R::splat(256.0)) * ((one + p.size) * (one + q.size));
     (value, error)
 }
 
@@ -52,8 +52,10 @@ pub fn inside<R: Real>(m: &Motion<R>, patch: Patch, lo: R, hi: R) -> Inside {
     let half = (hi - lo) * R::splat(0.5);
     let middle = lo + half;
     // The middle is rounded: let the ball reach a little further.
-    let half = half + R::splat(4.0 * R::UNIT);
-    let [a, b, c] = [&m.a, &m.b, &m.c].map(|x| Ball::new(x, middle, half, m.error));
+    let half = half + (R::UNIT * R::splat(4.0));
+    let a = Ball::new(&m.a, middle, half, m.error);
+    let b = Ball::new(&m.b, middle, half, m.error);
+    let c = Ball::new(&m.c, middle, half, m.error);
     let n = cross(b.centre, c.centre);
     let (i, j) = if n[0].abs() > n[1].abs() {
         if n[0].abs() > n[2].abs() { (1, 2) } else { (0, 1) }
@@ -70,7 +72,7 @@ pub fn inside<R: Real>(m: &Motion<R>, patch: Patch, lo: R, hi: R) -> Inside {
     let (s, s_error) = cross2(&a, &c, i, j);
     let (r, r_error) = cross2(&b, &a, i, j);
     let (d, s, r) = (d * sign, s * sign, r * sign);
-    let rounding = (d.abs() + s.abs() + r.abs()) * R::splat(4.0 * R::UNIT);
+    let rounding = (d.abs() + s.abs() + r.abs()) * (R::UNIT * R::splat(4.0));
     let conditions = match patch {
         Patch::Triangle => {
             let rest = (d - s - r, d_error + s_error + r_error + rounding);

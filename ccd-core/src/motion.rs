@@ -98,6 +98,6 @@ impl<N: Num> Motion<N> {
     #[inline(always)]
     pub fn corner_error(&self) -> N {
         let [a, b, c] = self.magnitudes();
-        (a + b + c) * N::splat(16.0 * N::UNIT) + self.error * N::splat(3.0) + N::splat(256.0 * N::MIN_NORMAL)
+        (a + b + c) * (N::UNIT * N::splat(16.0)) + self.error * N::splat(3.0) + (N::MIN_NORMAL * N::splat(256.0))
     }
 }

@@ -12,6 +12,8 @@ use crate::real::Real;
 
 /// How early an unflagged time of impact may be, in units of the step.
 pub const TOI_TOLERANCE: f64 = 1e-6;
+/// Half of it, as kernels use it.
+const HALF_TOLERANCE: f32 = 5e-7;
 
 /// The answer of a query.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,14 +102,14 @@ pub fn solve<R: Real>(m: &Motion<R>, patch: Patch, min_distance: R) -> Verdict<R
 fn touching<R: Real>(m: &Motion<R>, patch: Patch, plane: &Coplanarity<R>) -> Verdict<R> {
     // The bound is of 3 f; 0.34 is a third, rounded up.
     let cubic = Cubic::new(plane.c, plane.bound * R::splat(0.34));
-    let (intervals, n) = cubic.zero_intervals();
-    for i in 0..n {
-        let at = intervals[i];
+    let (ends, n_pieces) = cubic.pieces();
+    for i in 0..n_pieces {
+        let Some(at) = cubic.zero_in_piece(ends[i], ends[i + 1]) else { continue };
         let place = inside(m, patch, at.lo, at.hi);
         if matches!(place, Inside::Outside) {
             continue;
         }
-        let narrow = at.hi - at.lo <= R::splat(0.5 * TOI_TOLERANCE);
+        let narrow = at.hi - at.lo <= R::splat(HALF_TOLERANCE);
         if matches!(place, Inside::Inside) && at.crosses && narrow {
             return Verdict::Hit { toi: at.lo };
         }
@@ -126,8 +128,9 @@ fn at_distance<R: Real>(m: &Motion<R>, patch: Patch, min_distance: R) -> Verdict
         Advance::Stuck(toi) => toi,
     };
     // A hit needs a witness: a time shortly after `toi` at which the distance certainly is small enough.
-    for later in [0.0, 0.01, 0.9] {
-        let t = (toi + R::splat(later * TOI_TOLERANCE)).min(one);
+    let later = [0.0, 0.02 * HALF_TOLERANCE, 1.8 * HALF_TOLERANCE];
+    for i in 0..3 {
+        let t = (toi + R::splat(later[i])).min(one);
         if within(m, patch, t, min_distance) {
             return Verdict::Hit { toi };
         }

@@ -8,11 +8,11 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// may be flushed to zero. Nothing is assumed about NaN except that comparisons with it are false.
 pub trait Num: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {
     /// Unit roundoff: half the distance from 1 to the next number (2^-24 or 2^-53).
-    const UNIT: f64;
+    const UNIT: Self;
     /// Smallest positive normal number; flushing a result to zero loses less than this.
-    const MIN_NORMAL: f64;
-    /// The number nearest to `x`, in every lane.
-    fn splat(x: f64) -> Self;
+    const MIN_NORMAL: Self;
+    /// `x` in every lane; exact. The constants of the geometry are `f32`, because a shader without `f64` cannot even name one.
+    fn splat(x: f32) -> Self;
     /// Absolute value.
     fn abs(self) -> Self;
     /// The greater of two numbers; either one if one of them is NaN.
@@ -25,6 +25,12 @@ pub trait Num: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Sel
 pub trait Real: Num + PartialOrd + core::ops::Div<Output = Self> + core::fmt::Debug + Into<f64> {
     /// Exact for `f32` and `f64`.
     fn to_f64(self) -> f64;
+    /// The number nearest to `x`.
+    fn from_f64(x: f64) -> Self;
+    /// The greatest `f32` that is not above the number.
+    fn round_down(self) -> f32;
+    /// The smallest `f32` that is not below the number.
+    fn round_up(self) -> f32;
     /// An upper bound of the square root, at most a few units in the last place above it; 0 for `x <= 0`.
     fn sqrt_up(self) -> Self;
     /// The next number towards positive infinity; infinity stays.
@@ -36,12 +42,12 @@ pub trait Real: Num + PartialOrd + core::ops::Div<Output = Self> + core::fmt::De
 }
 
 macro_rules! real {
-    ($t:ty, $unit:expr, $guess:expr) => {
+    ($t:ty, $unit:expr, $guess:expr, $exponent:expr) => {
         impl Num for $t {
-            const UNIT: f64 = $unit;
-            const MIN_NORMAL: f64 = <$t>::MIN_POSITIVE as f64;
+            const UNIT: Self = $unit;
+            const MIN_NORMAL: Self = <$t>::MIN_POSITIVE;
             #[inline(always)]
-            fn splat(x: f64) -> Self {
+            fn splat(x: f32) -> Self {
                 x as $t
             }
             #[inline(always)]
@@ -63,6 +69,20 @@ macro_rules! real {
             fn to_f64(self) -> f64 {
                 self as f64
             }
+            #[inline(always)]
+            fn from_f64(x: f64) -> Self {
+                x as $t
+            }
+            #[inline(always)]
+            fn round_down(self) -> f32 {
+                let y = self as f32;
+                if (y as Self) > self { Real::next_down(y) } else { y }
+            }
+            #[inline(always)]
+            fn round_up(self) -> f32 {
+                let y = self as f32;
+                if (y as Self) < self { Real::next_up(y) } else { y }
+            }
             fn sqrt_up(self) -> Self {
                 // Heron's iteration: every iterate after the first is at or above the root, up to rounding.
                 if self <= Self::MIN_POSITIVE {
@@ -72,19 +92,29 @@ macro_rules! real {
                 for _ in 0..5 {
                     y = 0.5 * (y + self / y);
                 }
-                y * (1.0 + 4.0 * Self::UNIT as Self)
+                y * (1.0 + 4.0 * Self::UNIT)
             }
             #[inline]
             fn next_up(self) -> Self {
-                <$t>::next_up(self)
+                // By bits, because devices have no such instruction: bits of numbers of one sign are in the order of the numbers.
+                let bits = self.to_bits();
+                if !(self < <$t>::from_bits($exponent)) {
+                    self
+                } else if self > 0.0 {
+                    <$t>::from_bits(bits + 1)
+                } else if self < 0.0 {
+                    <$t>::from_bits(bits - 1)
+                } else {
+                    <$t>::from_bits(1)
+                }
             }
             #[inline]
             fn next_down(self) -> Self {
-                <$t>::next_down(self)
+                -Real::next_up(-self)
             }
             #[inline]
             fn is_finite_number(self) -> bool {
-                <$t>::is_finite(self)
+                self.to_bits() & $exponent != $exponent
             }
         }
     };
@@ -102,8 +132,8 @@ fn sqrt_guess_f64(x: f64) -> f64 {
     f64::from_bits((x.to_bits() >> 1) + 0x1ff7_69e5_c000_0000)
 }
 
-real!(f32, 5.960_464_477_539_063e-8, sqrt_guess_f32);
-real!(f64, 1.110_223_024_625_156_5e-16, sqrt_guess_f64);
+real!(f32, 5.960_464_477_539_063e-8, sqrt_guess_f32, 0x7f80_0000);
+real!(f64, 1.110_223_024_625_156_5e-16, sqrt_guess_f64, 0x7ff0_0000_0000_0000);
 
 #[cfg(test)]
 mod tests {
@@ -112,6 +142,28 @@ mod tests {
     fn check_sqrt<R: Real>(x: R, slack: f64) {
         let (got, want) = (x.sqrt_up().to_f64(), x.to_f64().sqrt());
         assert!(got >= want && got <= want * (1.0 + slack), "sqrt_up({x:?}) = {got}, root {want}");
+    }
+
+    #[test]
+    fn neighbours_are_those_of_the_standard_library() {
+        let mut x = 1u32;
+        for i in 0..20_000u64 {
+            x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+            let narrow = f32::from_bits(x);
+            let wide = f64::from_bits((x as u64) << 32 | i);
+            if narrow.is_nan() || wide.is_nan() {
+                continue;
+            }
+            assert_eq!(Real::next_up(narrow), f32::next_up(narrow), "{narrow:e}");
+            assert_eq!(Real::next_down(narrow), f32::next_down(narrow), "{narrow:e}");
+            assert_eq!(Real::next_up(wide), f64::next_up(wide), "{wide:e}");
+            assert_eq!(Real::next_down(wide), f64::next_down(wide), "{wide:e}");
+            assert_eq!(narrow.is_finite_number(), narrow.is_finite());
+        }
+        for x in [0.0, -0.0, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, f32::MIN] {
+            assert_eq!((Real::next_up(x), Real::next_down(x)), (f32::next_up(x), f32::next_down(x)), "{x:e}");
+        }
+        assert!(!f32::NAN.is_finite_number() && Real::next_up(f64::NAN).is_nan());
     }
 
     #[test]

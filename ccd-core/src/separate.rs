@@ -31,7 +31,7 @@ pub fn beside<N: Num>(m: &Motion<N>, patch: Patch, min_distance: N) -> N {
     let (corners0, corners1) = (m.corners(patch, 0), m.corners(patch, 1));
     let [ma, mb, mc] = m.magnitudes();
     let reach =
-        Reach { size: ma + mb + mc, needed: min_distance * N::splat(1.0001) + m.error * N::splat(3.1) + N::splat(256.0 * N::MIN_NORMAL) };
+        Reach { size: ma + mb + mc, needed: min_distance * N::splat(1.0001) + m.error * N::splat(3.1) + (N::MIN_NORMAL * N::splat(256.0)) };
     let along_b = apart(cross(n, b), &corners0, &corners1, &reach);
     let along_c = apart(cross(n, c), &corners0, &corners1, &reach);
     let best = along_b.max(along_c);
@@ -59,6 +59,6 @@ fn apart<N: Num>(w: [N; 3], corners0: &[[N; 3]; 4], corners1: &[[N; 3]; 4], reac
         high = high.max(g0).max(g1);
     }
     let length = sum_abs(w);
-    let rounding = (length * reach.size) * N::splat(17.0 * N::UNIT);
-    low.max(-high) - rounding - length * reach.needed - N::splat(64.0 * N::MIN_NORMAL)
+    let rounding = (length * reach.size) * (N::UNIT * N::splat(17.0));
+    low.max(-high) - rounding - length * reach.needed - (N::MIN_NORMAL * N::splat(64.0))
 }

@@ -269,7 +269,7 @@ impl Side {
         threads.fill(&mut self.boxes, |i| boxes[i].round_out());
         let same =
             |r: &Aabb<f32>, b: &Aabb<T>| (0..3).all(|k| r.min[k] as f64 == b.min[k].to_f64() && r.max[k] as f64 == b.max[k].to_f64());
-        T::UNIT == f32::UNIT || self.boxes.iter().zip(boxes).all(|(r, b)| same(r, b))
+        T::UNIT.to_f64() == f32::UNIT as f64 || self.boxes.iter().zip(boxes).all(|(r, b)| same(r, b))
     }
 }
 
@@ -282,7 +282,7 @@ fn slack(a: &[Aabb<f32>], b: &[Aabb<f32>]) -> f32 {
 
 /// As [`slack`], from the greatest absolute coordinate.
 pub(crate) fn slack_at(greatest: f32) -> f32 {
-    greatest * (8.0 * f32::UNIT as f32) + f32::MIN_POSITIVE
+    greatest * (8.0 * f32::UNIT) + f32::MIN_POSITIVE
 }
 
 fn check_boxes<T: Real>(boxes: &[Aabb<T>]) -> Result<(), Error> {

@@ -58,11 +58,11 @@ impl Neg for Lanes {
 }
 
 impl Num for Lanes {
-    const UNIT: f64 = f32::UNIT;
-    const MIN_NORMAL: f64 = f32::MIN_NORMAL;
+    const UNIT: Self = Self([f32::UNIT; WIDTH]);
+    const MIN_NORMAL: Self = Self([f32::MIN_NORMAL; WIDTH]);
     #[inline(always)]
-    fn splat(x: f64) -> Self {
-        Self([x as f32; WIDTH])
+    fn splat(x: f32) -> Self {
+        Self([x; WIDTH])
     }
     #[inline(always)]
     fn abs(self) -> Self {

@@ -89,7 +89,7 @@ impl Prepared {
         let bounds = &self.scan.bounds;
         let greatest = (0..3).fold(0f64, |m, k| m.max(bounds.min[k].abs()).max(bounds.max[k].abs()));
         // A shorter time has boxes of its own, which nobody compares with those of the input.
-        let rounded = T::UNIT < f32::UNIT && !(self.scan.exact && options.min_distance == 0.0) && x.whole();
+        let rounded = T::UNIT.to_f64() < f32::UNIT as f64 && !(self.scan.exact && options.min_distance == 0.0) && x.whole();
         Scene {
             mesh,
             bodies: options.bodies.as_ref(),
@@ -98,7 +98,7 @@ impl Prepared {
             table: &self.table,
             table_error: self.table_error,
             min_distance: options.min_distance,
-            slack: rounded.then(|| slack_at(ccd_core::aabb::round_up(greatest + options.min_distance))),
+            slack: rounded.then(|| slack_at(Real::round_up(greatest + options.min_distance))),
             margin: margin(options),
             keep_contacts,
         }
@@ -153,7 +153,7 @@ impl Prepared {
         // Rounding to f32, and before it at most six roundings in f64 of numbers no greater than the coordinates.
         let reach = (0..3).fold(0f64, |m, k| m.max(scan.bounds.max[k] - centre[k]).max(centre[k] - scan.bounds.min[k]));
         let greatest = (0..3).fold(0f64, |m, k| m.max(scan.bounds.max[k].abs()).max(scan.bounds.min[k].abs()));
-        ccd_core::aabb::round_up(reach * (1.01 * f32::UNIT) + greatest * (16.0 * f64::UNIT) + f32::MIN_NORMAL)
+        Real::round_up(reach * (1.01 * f32::UNIT as f64) + greatest * (16.0 * f64::UNIT) + f32::MIN_NORMAL as f64)
     }
 
     /// Boxes of all features.
@@ -213,6 +213,6 @@ impl Prepared {
 
 /// Half of the minimum distance, rounded up: two boxes grown by it keep the distance.
 fn margin<T: Real>(options: &Options) -> T {
-    let half = T::splat(options.min_distance * 0.5);
+    let half = T::from_f64(options.min_distance * 0.5);
     if half > T::splat(0.0) { half.next_up() } else { half }
 }

@@ -36,7 +36,7 @@ pub struct Scene<'a, T> {
 impl<T: Real> Scene<'_, T> {
     /// The gap that two features must keep along an axis to be apart: 1.0001 covers the rounding of this line and of the gap.
     fn needed_gap(&self) -> f32 {
-        (ccd_core::aabb::round_up(self.min_distance) + 2.0 * self.table_error) * 1.0001
+        (Real::round_up(self.min_distance) + 2.0 * self.table_error) * 1.0001
     }
 
     /// Whether the swept boxes of two features overlap in the precision of the input.
@@ -242,4 +242,4 @@ fn all(block: &Block) -> [[Lanes; 3]; 2] {
 }
 
 /// Whether `Num` for lanes rounds like `f32`: the bounds of the filters rest on it.
-const _: () = assert!(<Lanes as Num>::UNIT == <f32 as Num>::UNIT);
+const _: () = assert!(<Lanes as Num>::UNIT.0[0] == <f32 as Num>::UNIT);
