@@ -14,6 +14,7 @@ use crate::vec3::{dot, lerp, scale, sum_abs};
 
 /// The outcome of [`advance`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(u32)]
 pub enum Advance<R> {
     /// The distance certainly stays above the minimum in all of the interval.
     Clear,

@@ -17,6 +17,14 @@ pub struct Interval<R> {
     pub crosses: bool,
 }
 
+impl<R: Real> Interval<R> {
+    /// Whether no time is in it. (Not an `Option`: shader compilers cannot store the niche.)
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        self.lo > self.hi
+    }
+}
+
 /// A cubic `c[0] s^3 + c[1] s^2 t + c[2] s t^2 + c[3] t^3`, `s = 1 - t`, known up to `band` on `[0, 1]`.
 #[derive(Clone, Copy, Debug)]
 pub struct Cubic<R> {
@@ -91,7 +99,8 @@ impl<R: Real> Cubic<R> {
         let mut n = 0;
         let (ends, n_pieces) = self.pieces();
         for i in 0..n_pieces {
-            if let Some(interval) = self.zero_in_piece(ends[i], ends[i + 1]) {
+            let interval = self.zero_in_piece(ends[i], ends[i + 1]);
+            if !interval.is_empty() {
                 out[n] = interval;
                 n += 1;
             }
@@ -99,19 +108,19 @@ impl<R: Real> Cubic<R> {
         (out, n)
     }
 
-    /// The interval of possible zeros within one monotone piece `[from, to]`.
-    pub fn zero_in_piece(&self, from: R, to: R) -> Option<Interval<R>> {
+    /// The interval of possible zeros within one monotone piece `[from, to]`; empty if there can be none.
+    pub fn zero_in_piece(&self, from: R, to: R) -> Interval<R> {
         let (f0, f1) = (self.value(from), self.value(to));
         let starts_outside = f0.abs() > self.band;
         let ends_outside = f1.abs() > self.band;
         let zero = R::splat(0.0);
         let crosses = starts_outside && ends_outside && (f0 > zero) != (f1 > zero);
         if starts_outside && ends_outside && !crosses {
-            return None;
+            return Interval { lo: R::splat(1.0), hi: zero, crosses };
         }
         let lo = if starts_outside { self.enter_band(from, to, f0 < zero) } else { from };
         let hi = if ends_outside { self.leave_band(lo, to) } else { to };
-        Some(Interval { lo, hi, crosses })
+        Interval { lo, hi, crosses }
     }
 
     /// The last time, up to [`WIDTH`], at which `f` is still certainly on the side where it is at `from`.

@@ -10,6 +10,7 @@ use crate::vec3::{cross, lerp, max_abs, sub};
 
 /// What is certain about an interval of time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u32)]
 pub enum Inside {
     /// At no time in the interval does the projected `a` lie in the projected patch: no contact there.
     Outside,

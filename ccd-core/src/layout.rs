@@ -73,4 +73,177 @@ pub struct Branch {
     pub last: u32,
 }
 
+/// Both ends of the path of a vertex, in `f32`, possibly recentred; the last component of each is not used.
+///
+/// | field | bytes |
+/// |---|---|
+/// | `t0` | 0..16 |
+/// | `t1` | 16..32 |
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Path {
+    /// Position at the start of the step.
+    pub t0: [f32; 4],
+    /// Position at its end.
+    pub t1: [f32; 4],
+}
+
+/// Both ends of the path of a vertex, as given.
+///
+/// | field | bytes |
+/// |---|---|
+/// | `t0` | 0..24 |
+/// | `t1` | 24..48 |
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct WidePath {
+    /// Position at the start of the step.
+    pub t0: [f64; 3],
+    /// Position at its end.
+    pub t1: [f64; 3],
+}
+
+/// What a leaf of a block tree is besides its box.
+///
+/// | field | bytes |
+/// |---|---|
+/// | `vertices` | 0..12 |
+/// | `id` | 12..16 |
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Leaf {
+    /// Vertices of the feature; one that has fewer than three repeats its last.
+    pub vertices: [u32; 3],
+    /// Number of the feature among those of its kind; [`Leaf::NONE`] where there is none.
+    pub id: u32,
+}
+
+impl Leaf {
+    /// The id of a leaf that only fills up a block.
+    pub const NONE: u32 = u32::MAX;
+}
+
+/// A contact as a device writes it.
+///
+/// | field | bytes |
+/// |---|---|
+/// | `kind` | 0..4 |
+/// | `state` | 4..8 |
+/// | `a` | 8..12 |
+/// | `b` | 12..16 |
+/// | `toi` | 16..24 |
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Touch {
+    /// 0: vertex-face, 1: edge-edge.
+    pub kind: u32,
+    /// 0: certain, 1: undecided.
+    pub state: u32,
+    /// The vertex, or the lesser edge.
+    pub a: u32,
+    /// The face, or the greater edge.
+    pub b: u32,
+    /// Time of impact: the bits of an `f64`, low word first.
+    pub toi: [u32; 2],
+}
+
+/// An `f64` from its bits, low word first.
+#[inline(always)]
+pub fn join(words: [u32; 2]) -> f64 {
+    f64::from_bits((words[1] as u64) << 32 | words[0] as u64)
+}
+
+/// The bits of an `f64`, low word first.
+#[inline(always)]
+pub fn split(x: f64) -> [u32; 2] {
+    let bits = x.to_bits();
+    [bits as u32, (bits >> 32) as u32]
+}
+
+/// Words before the first entry of a list that a device writes: the number of entries wanted, which may exceed the room, and three that are not used.
+pub const LIST_HEADER: usize = 4;
+
+/// Levels of a block tree: `32^7` exceeds every number of boxes, and level 0 is the boxes.
+pub const MAX_LEVELS: usize = 8;
+
+/// What kernels are told besides their buffers. Sets are numbered 0: vertices, 1: edges, 2: faces.
+///
+/// | field | bytes | | field | bytes |
+/// |---|---|---|---|---|
+/// | `count` | 0..12 | | `shift` | 64..68 |
+/// | `flags` | 12..16 | | `n_tiles` | 68..72 |
+/// | `start` | 16..32 | | `first` | 72..76 |
+/// | `margin` | 32..36 | | `step` | 76..80 |
+/// | `path_error` | 36..40 | | `limit` | 80..84 |
+/// | `min_distance` | 40..44 | | `room_in` | 84..88 |
+/// | `slack` | 44..48 | | `room_out` | 88..92 |
+/// | `distance_bits` | 48..56 | | `n` | 92..96 |
+/// | `kind` | 56..60 | | `slots` | 96..224 |
+/// | `level` | 60..64 | | | |
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Params {
+    /// Boxes of each set.
+    pub count: [u32; 3],
+    /// The `FLAG_` constants of this type.
+    pub flags: u32,
+    /// First box of each set among all boxes, then their number.
+    pub start: [u32; 4],
+    /// By how much boxes are grown, in the unit of the coordinates.
+    pub margin: f32,
+    /// How far a coordinate of a [`Path`] may be from the true one.
+    pub path_error: f32,
+    /// Contact means at most this distance; rounded up.
+    pub min_distance: f32,
+    /// Boxes that overlap by less may overlap only because they were rounded.
+    pub slack: f32,
+    /// The minimum distance as bits of an `f64`, low word first.
+    pub distance_bits: [u32; 2],
+    /// 0: vertices against faces, 1: edges against edges.
+    pub kind: u32,
+    /// Level of the block tree that a kernel reads.
+    pub level: u32,
+    /// Lowest bit of the digit that is sorted by.
+    pub shift: u32,
+    /// Tiles of the sort.
+    pub n_tiles: u32,
+    /// First entry of a list that a dispatch looks at.
+    pub first: u32,
+    /// Every so many-th entry is looked at.
+    pub step: u32,
+    /// Entries that a dispatch looks at, at most.
+    pub limit: u32,
+    /// Entries that the list which is read has room for.
+    pub room_in: u32,
+    /// Entries that the list which is written has room for.
+    pub room_out: u32,
+    /// Items of a map.
+    pub n: u32,
+    /// First node of each set on each level, then the first of the next level.
+    pub slots: [[u32; 4]; MAX_LEVELS],
+}
+
+impl Params {
+    /// Features that share a vertex are no pair.
+    pub const FLAG_TOPOLOGY: u32 = 1;
+    /// Bodies select pairs.
+    pub const FLAG_BODIES: u32 = 2;
+    /// Features of one body are a pair, too.
+    pub const FLAG_SELF_CONTACT: u32 = 4;
+    /// Paths are exact: there are no wider ones.
+    pub const FLAG_EXACT: u32 = 8;
+    /// Contacts are kept; else only the earliest time of impact.
+    pub const FLAG_KEEP: u32 = 16;
+    /// Overlap that rounding may have made is looked at again, by the keys of the exact bounds.
+    pub const FLAG_CONFIRM: u32 = 32;
+
+    /// Whether a flag is set.
+    #[inline(always)]
+    pub fn has(&self, flag: u32) -> bool {
+        self.flags & flag != 0
+    }
+}
+
+const _: () = assert!(size_of::<Path>() == 32 && size_of::<WidePath>() == 48 && size_of::<Leaf>() == 16);
+const _: () = assert!(size_of::<Touch>() == 24 && size_of::<Params>() == 224);
 const _: () = assert!(size_of::<Pair>() == 8 && size_of::<Node>() == 32 && size_of::<Branch>() == 16);

@@ -34,6 +34,7 @@ pub mod motion;
 pub mod query;
 pub mod real;
 pub mod separate;
+pub mod slice;
 #[cfg(feature = "alloc")]
 pub mod topology;
 pub mod vec3;

@@ -14,6 +14,7 @@ use crate::vec3::{add, max_abs, scale, sub};
 
 /// The region of `(s, r)` in which the patch exists.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u32)]
 pub enum Patch {
     /// Vertex-face: `s >= 0`, `r >= 0`, `s + r <= 1`.
     Triangle,

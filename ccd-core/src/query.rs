@@ -17,6 +17,7 @@ const HALF_TOLERANCE: f32 = 5e-7;
 
 /// The answer of a query.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(u32)]
 pub enum Verdict<R> {
     /// Certainly no contact during the step.
     Miss,
@@ -104,7 +105,10 @@ fn touching<R: Real>(m: &Motion<R>, patch: Patch, plane: &Coplanarity<R>) -> Ver
     let cubic = Cubic::new(plane.c, plane.bound * R::splat(0.34));
     let (ends, n_pieces) = cubic.pieces();
     for i in 0..n_pieces {
-        let Some(at) = cubic.zero_in_piece(ends[i], ends[i + 1]) else { continue };
+        let at = cubic.zero_in_piece(ends[i], ends[i + 1]);
+        if at.is_empty() {
+            continue;
+        }
         let place = inside(m, patch, at.lo, at.hi);
         if matches!(place, Inside::Outside) {
             continue;

@@ -8,6 +8,8 @@ use ccd_core::morton::MortonGrid;
 
 /// Bits per axis of the codes.
 const BITS: u32 = 21;
+/// Boxes that a task merges.
+const CHUNK: usize = 256;
 
 /// Sorts boxes along the Morton curve; buffers are kept.
 #[derive(Debug, Default)]
@@ -25,8 +27,12 @@ impl MortonOrder {
         last: Option<&(dyn Fn(usize) -> bool + Sync)>,
         order: &mut Vec<u32>,
     ) -> MortonGrid {
-        self.chunks.resize(boxes.len().div_ceil(bounds::CHUNK), Aabb::EMPTY);
-        threads.fill(&mut self.chunks, |i| bounds::scene_bounds(i, boxes));
+        self.chunks.resize(boxes.len().div_ceil(CHUNK), Aabb::EMPTY);
+        threads.fill(&mut self.chunks, |i| {
+            (0..CHUNK / bounds::CHUNK).fold(Aabb::EMPTY, |all, k| {
+                all.union(&bounds::scene_bounds(i * CHUNK + k * bounds::CHUNK, 1, boxes, boxes.len()))
+            })
+        });
         let scene = self.chunks.iter().fold(Aabb::EMPTY, |all, b| all.union(b));
         let grid = MortonGrid::new(&scene, BITS);
         let key = |i: usize| {

@@ -1,6 +1,13 @@
-//! Entry points of shaders, to be compiled by rust-gpu: a few lines each around the kernel bodies of `ccd-core`.
+//! Entry points of shaders, compiled by rust-gpu: a few lines each around the kernel bodies of `ccd-core`, which hold all arithmetic on geometry.
 //!
-//! There are none yet. The crate is outside of the workspace because it has a toolchain of its own.
+//! What stands here is what a CPU has no word for: which thread does which item, workgroup memory, barriers, atomics. Every barrier is reached
+//! by all threads of a workgroup: loops around one are bounded by values that are the same for all of them.
 #![no_std]
 
-pub use ccd_core::kernel;
+pub mod boxes;
+pub mod decide;
+pub mod fit;
+pub mod pairs;
+pub mod probe;
+mod share;
+pub mod sort;

@@ -3,6 +3,7 @@
 mod ci;
 #[cfg(feature = "report")]
 mod report;
+mod shaders;
 mod tidy;
 
 use clap::Parser;
@@ -17,6 +18,12 @@ enum Task {
     Ci,
     /// Rules of the repository that no compiler checks
     Tidy,
+    /// Compile the shaders (needs the nightly of ccd-shaders/rust-toolchain.toml) and write them to ccd-gpu/shaders
+    Shaders {
+        /// Compare with the committed files instead; reported as skipped where the nightly is missing
+        #[arg(long)]
+        check: bool,
+    },
     /// Measure against ipctk and parry3d and write benches/RESULTS.md (needs the data, python3, and pip or an installed ipctk)
     Report {
         /// Runs of each measurement; medians are reported
@@ -30,6 +37,7 @@ fn main() -> ExitCode {
     let result = match Task::parse() {
         Task::Ci => ci::run(root),
         Task::Tidy => tidy::run(root),
+        Task::Shaders { check } => shaders_task(root, check),
         Task::Report { runs } => report_task(root, runs),
     };
     match result {
@@ -51,4 +59,17 @@ fn report_task(root: &Path, runs: usize) -> Result<(), String> {
 fn report_task(root: &Path, runs: usize) -> Result<(), String> {
     let runs = runs.to_string();
     ci::command(root, &["cargo", "run", "--release", "-p", "xtask", "--features", "report", "--", "report", "--runs", &runs])
+}
+
+#[cfg(feature = "shaders")]
+fn shaders_task(root: &Path, check: bool) -> Result<(), String> {
+    shaders::run(root, check)
+}
+
+/// Without the translator: builds itself again with it.
+#[cfg(not(feature = "shaders"))]
+fn shaders_task(root: &Path, check: bool) -> Result<(), String> {
+    let mut args = vec!["cargo", "run", "--release", "-p", "xtask", "--features", "shaders", "--", "shaders"];
+    args.extend(check.then_some("--check"));
+    ci::command(root, &args)
 }

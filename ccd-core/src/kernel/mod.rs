@@ -3,10 +3,15 @@
 //! Three shapes: *map* (thread `i` returns what it owns), *meet* (threads share words, through [`Words`]) and *emit* (an unknown number
 //! of results, into a [`Sink`]). [`TABLE`] lists them.
 
+pub mod blocks;
 pub mod bounds;
 pub mod build;
+pub mod decide;
+pub mod filter;
 pub mod narrow;
+pub mod probe;
 pub mod refit;
+pub mod sort;
 pub mod sweep;
 pub mod traverse;
 
@@ -16,6 +21,8 @@ pub trait Words {
     fn load(&self, i: usize) -> u32;
     /// Relaxed store to word `i`.
     fn store(&self, i: usize, value: u32);
+    /// Raises word `i` to `value` if it is less; relaxed.
+    fn max(&self, i: usize, value: u32);
     /// Adds and returns the old value; acquires what others released by this call on the same word, releases what this thread
     /// stored before.
     fn add_acquire_release(&self, i: usize, value: u32) -> u32;

@@ -4,13 +4,14 @@ use crate::layout::Pair;
 use crate::motion::{Motion, Patch};
 use crate::query::{Verdict, solve};
 use crate::real::Real;
+use crate::slice::at;
 
 /// Positions of four vertices at one time, in the precision `R` of the arithmetic.
 #[inline]
 pub fn gather<T: Copy + Into<R>, R: Real>(ids: [u32; 4], x: &[[T; 3]]) -> [[R; 3]; 4] {
     let mut out = [[R::splat(0.0); 3]; 4];
     for i in 0..4 {
-        let p = x[ids[i] as usize];
+        let p = at(x, ids[i] as usize);
         out[i] = [p[0].into(), p[1].into(), p[2].into()];
     }
     out

@@ -3,12 +3,21 @@
 //! Vertices move on straight lines, so the box of both ends holds the whole path; edges and faces are unions of their vertices.
 
 use crate::aabb::Aabb;
+use crate::layout::Path;
 use crate::real::Real;
+use crate::slice::at;
 
 /// Box of vertex `i` from positions at `t = 0` and `t = 1`, grown by `margin >= 0`.
 #[inline]
 pub fn vertex<R: Real>(i: usize, x0: &[[R; 3]], x1: &[[R; 3]], margin: R) -> Aabb<f32> {
     swept(x0[i], x1[i]).inflated(margin).round_out()
+}
+
+/// Box of a path, grown by `margin >= 0`.
+#[inline(always)]
+pub fn path(path: &Path, margin: f32) -> Aabb<f32> {
+    let (p, q) = (path.t0, path.t1);
+    swept([p[0], p[1], p[2]], [q[0], q[1], q[2]]).inflated(margin).round_out()
 }
 
 /// Box of the path from `p` to `q`, in the precision of the coordinates.
@@ -20,13 +29,13 @@ pub fn swept<R: Real>(p: [R; 3], q: [R; 3]) -> Aabb<R> {
 /// Box of edge `i` from the boxes of all vertices.
 #[inline]
 pub fn edge<B: Copy + Real>(i: usize, edges: &[[u32; 2]], vertices: &[Aabb<B>]) -> Aabb<B> {
-    let [a, b] = edges[i];
-    vertices[a as usize].union(&vertices[b as usize])
+    let [a, b] = at(edges, i);
+    at(vertices, a as usize).union(&at(vertices, b as usize))
 }
 
 /// Box of face `i` from the boxes of all vertices.
 #[inline]
 pub fn face<B: Copy + Real>(i: usize, faces: &[[u32; 3]], vertices: &[Aabb<B>]) -> Aabb<B> {
-    let [a, b, c] = faces[i];
-    vertices[a as usize].union(&vertices[b as usize]).union(&vertices[c as usize])
+    let [a, b, c] = at(faces, i);
+    at(vertices, a as usize).union(&at(vertices, b as usize)).union(&at(vertices, c as usize))
 }

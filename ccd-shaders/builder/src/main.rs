@@ -1,11 +1,18 @@
 //! Compiles `ccd-shaders` to one SPIR-V module per entry point. Arguments: the shader crate, the folder for the modules.
 //!
-//! Runs under the nightly of `ccd-shaders/rust-toolchain.toml`, because the code generator is a part of that compiler. What comes out
-//! is not yet what is shipped: `cargo xtask shaders` calls this program, then rewrites and validates the modules.
+//! Runs under the nightly of `ccd-shaders/rust-toolchain.toml`, because the code generator is a part of that compiler. `cargo xtask shaders`
+//! calls this program and translates what it writes.
 
+mod rewrite;
+
+use rewrite::{forbid_contraction, glsl_memory_model, plain_name, without_lines};
 use spirv_builder::{Capability, ModuleResult, ShaderPanicStrategy, SpirvBuilder, SpirvMetadata};
+use spirv_tools::opt::{Optimizer, Passes};
+use spirv_tools::val::Validator;
 use std::error::Error;
 use std::path::PathBuf;
+
+const ENVIRONMENT: spirv_tools::TargetEnv = spirv_tools::TargetEnv::Vulkan_1_1;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut args = std::env::args_os().skip(1);
@@ -13,25 +20,63 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Err("usage: ccd-shaders-builder SHADER_CRATE OUT_FOLDER".into());
     };
     let out = PathBuf::from(out);
-    let mut builder = SpirvBuilder::new(PathBuf::from(shaders), "spirv-unknown-vulkan1.2")
+    let mut builder = SpirvBuilder::new(PathBuf::from(shaders), "spirv-unknown-vulkan1.1")
         .multimodule(true)
         .capability(Capability::Int64)
         .capability(Capability::Float64)
         .spirv_metadata(SpirvMetadata::NameVariables)
-        .shader_panic_strategy(ShaderPanicStrategy::SilentExit);
+        .shader_panic_strategy(ShaderPanicStrategy::SilentExit)
+        // The optimiser runs below, once it is told which operations it must leave alone.
+        .extra_arg("--no-spirv-opt");
     builder.build_script.defaults = false;
-    // spirv-opt folds floating-point expressions: what it does to (x + C) - C undoes the error bounds.
-    builder.optimizer.preserve_bindings = true;
-    builder.extra_args.push("--no-spirv-opt".into());
-    let result = builder.build()?;
+    let ModuleResult::MultiModule(modules) = builder.build()?.module else {
+        return Err("one module instead of one per entry point".into());
+    };
     std::fs::create_dir_all(&out)?;
-    match result.module {
-        ModuleResult::MultiModule(modules) => {
-            for (entry, path) in modules {
-                std::fs::copy(path, out.join(format!("{entry}.spv")))?;
-            }
-        }
-        ModuleResult::SingleModule(path) => return Err(format!("one module instead of many: {}", path.display()).into()),
+    for (entry, path) in modules {
+        let words = read(&std::fs::read(path)?);
+        let words = forbid_contraction(&without_lines(&glsl_memory_model(&plain_name(&words))?));
+        // What the optimiser creates anew needs the decoration too.
+        let words = forbid_contraction(&optimize(&words)?);
+        spirv_tools::val::create(Some(ENVIRONMENT)).validate(&words, None).map_err(|e| format!("{entry}: {e}"))?;
+        let bytes: Vec<u8> = words.iter().flat_map(|w| w.to_le_bytes()).collect();
+        let name = entry.rsplit("::").next().unwrap_or(&entry);
+        std::fs::write(out.join(format!("{name}.spv")), bytes)?;
     }
     Ok(())
+}
+
+fn read(bytes: &[u8]) -> Vec<u32> {
+    bytes.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect()
+}
+
+/// Passes that make modules small without moving code, which translators to structured languages could not follow. They leave alone what is decorated with
+/// `NoContraction`.
+const PASSES: [Passes; 15] = [
+    Passes::EliminateDeadFunctions,
+    Passes::DeadBranchElim,
+    Passes::PrivateToLocal,
+    Passes::LocalSingleBlockLoadStoreElim,
+    Passes::LocalSingleStoreElim,
+    Passes::AggressiveDCE,
+    Passes::LocalAccessChainConvert,
+    Passes::SSARewrite,
+    Passes::ConditionalConstantPropagation,
+    Passes::AggressiveDCE,
+    Passes::VectorDCE,
+    Passes::DeadInsertElim,
+    Passes::DeadBranchElim,
+    Passes::Simplification,
+    Passes::AggressiveDCE,
+];
+
+fn optimize(words: &[u32]) -> Result<Vec<u32>, Box<dyn Error>> {
+    let mut optimizer = spirv_tools::opt::create(Some(ENVIRONMENT));
+
+    for pass in PASSES {
+        optimizer.register_pass(pass);
+    }
+    let options = spirv_tools::opt::Options { preserve_bindings: true, ..Default::default() };
+    let binary = optimizer.optimize(words, &mut |message: spirv_tools::error::Message| eprintln!("spirv-opt: {}", message.message), Some(options))?;
+    Ok(binary.as_words().to_vec())
 }

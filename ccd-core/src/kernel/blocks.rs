@@ -1,0 +1,174 @@
+//! Emit: pairs of blocks and of boxes, from a tree of blocks of 32 boxes that is descended one level a pass.
+//!
+//! Boxes sorted along the Morton curve are taken 32 at a time; so are the blocks, up to the top. A workgroup takes a pair of nodes, keeps of
+//! either side the children that reach into the other's box, and tests those against each other. No stack, no order between workgroups, and reads of
+//! whole blocks; the levels above the boxes hold a thirty-second of the nodes each (see "Blocks" in ARCHITECTURE.md).
+
+use crate::aabb::Aabb;
+use crate::layout::{Leaf, Params};
+use crate::slice::at;
+
+/// Children of a node.
+pub const WIDTH: u32 = 32;
+/// Threads of a workgroup: one per child on both sides.
+pub const THREADS: u32 = 2 * WIDTH;
+/// Nodes of a set on a level are padded to a multiple of this, so that a workgroup that fits eight blocks has one set.
+pub const PADDING: u32 = 8 * WIDTH;
+/// Hits that two nodes can give.
+pub const HITS: usize = (WIDTH * WIDTH) as usize;
+
+/// The sets that a kind of pairs is between.
+#[inline(always)]
+pub fn sets(kind: u32) -> [usize; 2] {
+    if kind == 0 { [0, 2] } else { [1, 1] }
+}
+
+/// Number of node `i` of `set` on `level` among all nodes.
+#[inline(always)]
+pub fn slot(params: &Params, level: u32, set: usize, i: u32) -> usize {
+    (params.slots[level as usize][set] + i) as usize
+}
+
+/// The set of node `i` of a level, from the first nodes of its sets.
+#[inline(always)]
+pub fn set_of(first: &[u32; 4], i: u32) -> usize {
+    if i >= first[2] {
+        2
+    } else if i >= first[1] {
+        1
+    } else {
+        0
+    }
+}
+
+/// Into how many columns `THREADS` threads are split when there are `rows` rows, as a power of two: every row has a thread in every column.
+#[inline(always)]
+pub fn row_bits(rows: u32) -> u32 {
+    if rows <= 1 { 0 } else { 32 - (rows - 1).leading_zeros() }
+}
+
+/// A hit in one word: which child of either side.
+#[inline(always)]
+pub fn pack(i: u32, j: u32) -> u32 {
+    i << 5 | j
+}
+
+/// The parts of [`pack`].
+#[inline(always)]
+pub fn unpack(hit: u32) -> [u32; 2] {
+    [hit >> 5, hit & 31]
+}
+
+/// Whether two features whose boxes overlap are a candidate: no common vertex, bodies that are wanted, and boxes that overlap by more than rounding or
+/// also in the precision of the input.
+///
+/// `bodies`: per vertex `2 body + fixed`. `keys`: per vertex the bounds of its exact box, see [`bound_key`].
+#[inline(always)]
+pub fn wanted(params: &Params, a: &Leaf, b: &Leaf, boxes: [&Aabb<f32>; 2], bodies: &[u32], keys: &[[[u32; 2]; 6]]) -> bool {
+    let (p, q) = (&a.vertices, &b.vertices);
+    if params.has(Params::FLAG_TOPOLOGY) {
+        let shared = if params.kind == 0 {
+            p[0] == q[0] || p[0] == q[1] || p[0] == q[2]
+        } else {
+            p[0] == q[0] || p[0] == q[1] || p[1] == q[0] || p[1] == q[1]
+        };
+        if shared {
+            return false;
+        }
+    }
+    if params.has(Params::FLAG_BODIES) {
+        let (m, n) = (at(bodies, p[0] as usize), at(bodies, q[0] as usize));
+        let unwanted = m / 2 == n / 2 && !params.has(Params::FLAG_SELF_CONTACT);
+        if unwanted || m & n & 1 != 0 {
+            return false;
+        }
+    }
+    if params.has(Params::FLAG_CONFIRM) && !overlap_surely(boxes[0], boxes[1], params.slack) {
+        return overlap_exactly(p, q, keys);
+    }
+    true
+}
+
+/// Whether two boxes overlap by more than `slack` on every axis.
+#[inline(always)]
+fn overlap_surely(a: &Aabb<f32>, b: &Aabb<f32>, slack: f32) -> bool {
+    (a.max[0] - b.min[0] > slack)
+        & (b.max[0] - a.min[0] > slack)
+        & (a.max[1] - b.min[1] > slack)
+        & (b.max[1] - a.min[1] > slack)
+        & (a.max[2] - b.min[2] > slack)
+        & (b.max[2] - a.min[2] > slack)
+}
+
+/// Whether the exact boxes of two features overlap.
+#[inline(always)]
+fn overlap_exactly(p: &[u32; 3], q: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> bool {
+    let mut overlap = true;
+    for k in 0..3 {
+        overlap &= !above(least(p, keys, k), greatest(q, keys, k)) & !above(least(q, keys, k), greatest(p, keys, k));
+    }
+    overlap
+}
+
+/// Whether the number of key `a` is greater than that of key `b`.
+#[inline(always)]
+fn above(a: [u32; 2], b: [u32; 2]) -> bool {
+    a[1] > b[1] || (a[1] == b[1] && a[0] > b[0])
+}
+
+#[inline(always)]
+fn least(vertices: &[u32; 3], keys: &[[[u32; 2]; 6]], axis: usize) -> [u32; 2] {
+    let mut out = at(keys, vertices[0] as usize)[axis];
+    for i in 1..3 {
+        let next = at(keys, vertices[i] as usize)[axis];
+        if above(out, next) {
+            out = next;
+        }
+    }
+    out
+}
+
+#[inline(always)]
+fn greatest(vertices: &[u32; 3], keys: &[[[u32; 2]; 6]], axis: usize) -> [u32; 2] {
+    let mut out = at(keys, vertices[0] as usize)[3 + axis];
+    for i in 1..3 {
+        let next = at(keys, vertices[i] as usize)[3 + axis];
+        if above(next, out) {
+            out = next;
+        }
+    }
+    out
+}
+
+/// A bound as two words, low first, whose order as integers is that of the numbers: exact comparisons on devices without `f64`. For hosts.
+pub fn bound_key(x: f64) -> [u32; 2] {
+    // Adding zero makes -0 to 0: they are equal as bounds.
+    let bits = (x + 0.0).to_bits();
+    let key = if bits >> 63 == 1 { !bits } else { bits | 1 << 63 };
+    [key as u32, (key >> 32) as u32]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_are_in_the_order_of_numbers() {
+        let x = [-1e300, -2.0, -1.0, -1e-300, 0.0, 1e-310, 1.0, 1.0 + f64::EPSILON, 4e9, 1e300];
+        for i in 0..x.len() {
+            for j in 0..x.len() {
+                assert_eq!(above(bound_key(x[i]), bound_key(x[j])), x[i] > x[j], "{:e} {:e}", x[i], x[j]);
+            }
+        }
+        assert_eq!(bound_key(0.0), bound_key(-0.0));
+    }
+
+    #[test]
+    fn rows_fill_the_threads() {
+        for rows in 1..=WIDTH {
+            let padded = 1 << row_bits(rows);
+            assert!(padded >= rows && padded < 2 * rows && THREADS % padded == 0);
+        }
+        assert_eq!(unpack(pack(31, 7)), [31, 7]);
+    }
+}

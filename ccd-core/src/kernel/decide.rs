@@ -1,0 +1,139 @@
+//! Map: the verdict of one pair that the filters left, from the buffers of a device.
+
+use super::filter::ends;
+use crate::layout::{Pair, Params, Path, WidePath, join, split};
+use crate::motion::{Motion, Patch};
+use crate::query::{Verdict, solve};
+use crate::slice::at;
+
+/// A verdict in words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Verdicts {
+    /// Contact, or not decided.
+    pub touches: bool,
+    /// 1 if not decided.
+    pub undecided: u32,
+    /// Time of impact: bits of an `f64`, low word first.
+    pub toi: [u32; 2],
+}
+
+/// Rounds that workgroup `own` of `groups` needs for its share of `n` items.
+#[inline(always)]
+pub fn rounds(n: u32, own: u32, groups: u32, threads: u32) -> u32 {
+    let tiles = n.div_ceil(threads);
+    if tiles > own { (tiles - own).div_ceil(groups) } else { 0 }
+}
+
+/// A time of impact in `[0, 1]` as an integer of the same order, rounded down: the upper bits of its `f64`, which start at 2^-126 like those of `f32`.
+///
+/// The bits of the `f32` next below, for `toi >= 2^-126`; 0 for lesser ones.
+#[inline(always)]
+pub fn earliest_key(toi: [u32; 2]) -> u32 {
+    // 11 bits of exponent, bias 1023, to 8 bits, bias 127; the 29 lowest bits of the fraction fall away.
+    let exponent = toi[1] >> 20;
+    if exponent <= 1023 - 127 {
+        return 0;
+    }
+    (exponent - (1023 - 127)) << 23 | (toi[1] & 0xf_ffff) << 3 | toi[0] >> 29
+}
+
+/// The bits of an `f32` in `[0, 1]` as those of an `f64`; a denormal becomes 0, which is earlier.
+#[inline(always)]
+pub fn widen(toi: f32) -> [u32; 2] {
+    let bits = toi.to_bits();
+    if bits < 0x0080_0000 || bits >> 31 == 1 {
+        return [0; 2];
+    }
+    [bits << 29, ((bits >> 23) + (1023 - 127)) << 20 | (bits & 0x7f_ffff) >> 3]
+}
+
+#[inline(always)]
+fn narrow(verdict: Verdict<f32>) -> Verdicts {
+    match verdict {
+        Verdict::Miss => Verdicts { touches: false, undecided: 0, toi: [0; 2] },
+        Verdict::Hit { toi } => Verdicts { touches: true, undecided: 0, toi: widen(toi) },
+        Verdict::Undecided { toi } => Verdicts { touches: true, undecided: 1, toi: widen(toi) },
+    }
+}
+
+#[inline(always)]
+fn wide(verdict: Verdict<f64>) -> Verdicts {
+    match verdict {
+        Verdict::Miss => Verdicts { touches: false, undecided: 0, toi: [0; 2] },
+        Verdict::Hit { toi } => Verdicts { touches: true, undecided: 0, toi: split(toi) },
+        Verdict::Undecided { toi } => Verdicts { touches: true, undecided: 1, toi: split(toi) },
+    }
+}
+
+/// Decides vertex `pair.a` against face `pair.b` in `f32`.
+#[inline(always)]
+pub fn vertex_face(pair: Pair, params: &Params, paths: &[Path], faces: &[[u32; 3]]) -> Verdicts {
+    let f = at(faces, pair.b as usize);
+    let (x0, x1) = ends([pair.a, f[0], f[1], f[2]], paths);
+    narrow(solve(&Motion::vertex_face(&x0, &x1, params.path_error), Patch::Triangle, params.min_distance))
+}
+
+/// Decides edges `pair.a` and `pair.b` in `f32`.
+#[inline(always)]
+pub fn edge_edge(pair: Pair, params: &Params, paths: &[Path], edges: &[[u32; 2]]) -> Verdicts {
+    let (a, b) = (at(edges, pair.a as usize), at(edges, pair.b as usize));
+    let (x0, x1) = ends([a[0], a[1], b[0], b[1]], paths);
+    narrow(solve(&Motion::edge_edge(&x0, &x1, params.path_error), Patch::Parallelogram, params.min_distance))
+}
+
+/// Decides vertex `pair.a` against face `pair.b` in `f64`.
+#[inline(always)]
+pub fn vertex_face_wide(pair: Pair, params: &Params, paths: &[Path], wide_paths: &[WidePath], faces: &[[u32; 3]]) -> Verdicts {
+    let f = at(faces, pair.b as usize);
+    let (x0, x1) = wide_ends([pair.a, f[0], f[1], f[2]], params, paths, wide_paths);
+    wide(solve(&Motion::vertex_face(&x0, &x1, 0.0), Patch::Triangle, join(params.distance_bits)))
+}
+
+/// Decides edges `pair.a` and `pair.b` in `f64`.
+#[inline(always)]
+pub fn edge_edge_wide(pair: Pair, params: &Params, paths: &[Path], wide_paths: &[WidePath], edges: &[[u32; 2]]) -> Verdicts {
+    let (a, b) = (at(edges, pair.a as usize), at(edges, pair.b as usize));
+    let (x0, x1) = wide_ends([a[0], a[1], b[0], b[1]], params, paths, wide_paths);
+    wide(solve(&Motion::edge_edge(&x0, &x1, 0.0), Patch::Parallelogram, join(params.distance_bits)))
+}
+
+/// Positions as given: in `f32` if those are exact.
+#[inline(always)]
+fn wide_ends(ids: [u32; 4], params: &Params, paths: &[Path], wide_paths: &[WidePath]) -> ([[f64; 3]; 4], [[f64; 3]; 4]) {
+    let mut x0 = [[0.0; 3]; 4];
+    let mut x1 = [[0.0; 3]; 4];
+    if params.has(Params::FLAG_EXACT) {
+        let (p, q) = ends(ids, paths);
+        for i in 0..4 {
+            for k in 0..3 {
+                x0[i][k] = p[i][k] as f64;
+                x1[i][k] = q[i][k] as f64;
+            }
+        }
+    } else {
+        for i in 0..4 {
+            let path = at(wide_paths, ids[i] as usize);
+            x0[i] = path.t0;
+            x1[i] = path.t1;
+        }
+    }
+    (x0, x1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::real::Real;
+
+    #[test]
+    fn keys_are_the_bits_of_f32_rounded_down() {
+        for toi in [0.0, 1e-300, 1.2e-38, 7.49207e-6, 0.1, 1.0 / 3.0, 0.5, 1.0 - f64::EPSILON, 1.0] {
+            let want = if toi < f32::MIN_POSITIVE as f64 { 0.0 } else { Real::round_down(toi) };
+            assert_eq!(f32::from_bits(earliest_key(split(toi))), want, "{toi:e}");
+        }
+        for toi in [0.0f32, 1e-40, 1.2e-38, 7.49207e-6, 0.1, 1.0] {
+            let want = if toi < f32::MIN_POSITIVE { 0.0 } else { toi as f64 };
+            assert_eq!(join(widen(toi)), want, "{toi:e}");
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! For tests alone: what a device reads from records, and what it makes of the scalar operations that kernels use.
+
+use super::bounds::{from_order_key, order_key};
+use crate::layout::{Leaf, MAX_LEVELS, Pair, Params, Path, Touch, join, split};
+use crate::real::{Num, Real};
+use crate::slice::put;
+
+/// Words that [`params`] writes.
+pub const PARAMS_WORDS: usize = 24 + 4 * MAX_LEVELS;
+/// Words that [`params`] and [`records`] write.
+pub const WORDS: usize = PARAMS_WORDS + 8 + 4 + 6 + 2;
+
+/// Writes the fields in their order.
+#[inline(always)]
+pub fn params(p: &Params, out: &mut [u32]) {
+    for k in 0..3 {
+        put(out, k, p.count[k]);
+    }
+    put(out, 3, p.flags);
+    for k in 0..4 {
+        put(out, 4 + k, p.start[k]);
+    }
+    put(out, 8, p.margin.to_bits());
+    put(out, 9, p.path_error.to_bits());
+    put(out, 10, p.min_distance.to_bits());
+    put(out, 11, p.slack.to_bits());
+    put(out, 12, p.distance_bits[0]);
+    put(out, 13, p.distance_bits[1]);
+    put(out, 14, p.kind);
+    put(out, 15, p.level);
+    put(out, 16, p.shift);
+    put(out, 17, p.n_tiles);
+    put(out, 18, p.first);
+    put(out, 19, p.step);
+    put(out, 20, p.limit);
+    put(out, 21, p.room_in);
+    put(out, 22, p.room_out);
+    put(out, 23, p.n);
+    for level in 0..MAX_LEVELS {
+        for k in 0..4 {
+            put(out, 24 + 4 * level + k, p.slots[level][k]);
+        }
+    }
+}
+
+/// Writes the fields of one record of each type, behind those of [`params`].
+#[inline(always)]
+pub fn records(path: &Path, leaf: &Leaf, touch: &Touch, pair: &Pair, out: &mut [u32]) {
+    let mut n = PARAMS_WORDS;
+    for k in 0..4 {
+        put(out, n + k, path.t0[k].to_bits());
+        put(out, n + 4 + k, path.t1[k].to_bits());
+    }
+    n += 8;
+    for k in 0..3 {
+        put(out, n + k, leaf.vertices[k]);
+    }
+    put(out, n + 3, leaf.id);
+    n += 4;
+    put(out, n, touch.kind);
+    put(out, n + 1, touch.state);
+    put(out, n + 2, touch.a);
+    put(out, n + 3, touch.b);
+    put(out, n + 4, touch.toi[0]);
+    put(out, n + 5, touch.toi[1]);
+    put(out, n + 6, pair.a);
+    put(out, n + 7, pair.b);
+}
+
+/// Names of what [`scalars`] computes, in order.
+pub const SCALARS: [&str; 24] = [
+    "a + b", "a - b", "a * b", "a / b", "-a", "abs", "min", "max", "a < b", "a <= b", "a == b", "sqrt_up", "next_up", "next_down",
+    "is_finite_number", "f32 to u32", "u32 to f32", "order_key", "from_order_key", "leading_zeros", "trailing_zeros", "count_ones",
+    "wrapping_mul", "shifts",
+];
+
+/// Every operation in `f32` and `u32` that kernels use, of two words as numbers or as integers.
+#[inline(always)]
+pub fn scalars(input: [u32; 2]) -> [u32; 24] {
+    let (i, j) = (input[0], input[1]);
+    let (a, b) = (f32::from_bits(i), f32::from_bits(j));
+    [
+        (a + b).to_bits(),
+        (a - b).to_bits(),
+        (a * b).to_bits(),
+        (a / b).to_bits(),
+        (-a).to_bits(),
+        Num::abs(a).to_bits(),
+        Num::min(a, b).to_bits(),
+        Num::max(a, b).to_bits(),
+        (a < b) as u32,
+        (a <= b) as u32,
+        (a == b) as u32,
+        a.sqrt_up().to_bits(),
+        Real::next_up(a).to_bits(),
+        Real::next_down(a).to_bits(),
+        a.is_finite_number() as u32,
+        // In range, as kernels see to.
+        if a > 0.0 && a < 4.0e9 { a as u32 } else { 0 },
+        (i as f32).to_bits(),
+        order_key(a),
+        from_order_key(i).to_bits(),
+        i.leading_zeros(),
+        i.trailing_zeros(),
+        i.count_ones(),
+        i.wrapping_mul(j),
+        (i << (j & 31)) ^ (i >> (j & 31)),
+    ]
+}
+
+/// Names of what [`wide`] computes, in order; each is two words.
+pub const WIDE: [&str; 12] =
+    ["a + b", "a - b", "a * b", "a / b", "abs", "min", "max", "a < b", "sqrt_up", "next_up", "next_down", "round_down, is_finite_number"];
+
+/// Every operation in `f64` that kernels use, of two numbers of two words each.
+#[inline(always)]
+pub fn wide(input: [u32; 4]) -> [u32; 24] {
+    let (a, b) = (join([input[0], input[1]]), join([input[2], input[3]]));
+    let results = [
+        split(a + b),
+        split(a - b),
+        split(a * b),
+        split(a / b),
+        split(Num::abs(a)),
+        split(Num::min(a, b)),
+        split(Num::max(a, b)),
+        [(a < b) as u32, (a <= b) as u32],
+        split(a.sqrt_up()),
+        split(Real::next_up(a)),
+        split(Real::next_down(a)),
+        [a.round_down().to_bits(), a.is_finite_number() as u32],
+    ];
+    let mut out = [0; 24];
+    for k in 0..12 {
+        out[2 * k] = results[k][0];
+        out[2 * k + 1] = results[k][1];
+    }
+    out
+}

@@ -1,0 +1,113 @@
+//! Swept boxes, bounds of the scene, sort keys.
+
+use crate::share::{barrier, get, group, raise, set};
+use ccd_core::Aabb;
+use ccd_core::kernel::{bounds, sweep};
+use ccd_core::layout::{Params, Path};
+use ccd_core::morton::MortonGrid;
+use ccd_core::slice::{at, put};
+use spirv_std::glam::UVec3;
+use spirv_std::spirv;
+
+const THREADS: u32 = 256;
+
+/// Thread `i` sweeps vertex `i`.
+#[spirv(compute(threads(256)))]
+pub fn sweep_vertices(
+    #[spirv(workgroup_id)] id: UVec3,
+    #[spirv(num_workgroups)] n: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] paths: &[Path],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] boxes: &mut [Aabb],
+) {
+    let i = group(id, n) * THREADS + lane;
+    if i < params.count[0] {
+        put(boxes, i as usize, sweep::path(&at(paths, i as usize), params.margin));
+    }
+}
+
+/// Thread `i` unites the boxes of the vertices of edge `i`.
+#[spirv(compute(threads(256)))]
+pub fn sweep_edges(
+    #[spirv(workgroup_id)] id: UVec3,
+    #[spirv(num_workgroups)] n: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] edges: &[[u32; 2]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] boxes: &mut [Aabb],
+) {
+    let i = group(id, n) * THREADS + lane;
+    if i < params.count[1] {
+        let swept = sweep::edge(i as usize, edges, boxes);
+        put(boxes, (params.start[1] + i) as usize, swept);
+    }
+}
+
+/// Thread `i` unites the boxes of the vertices of face `i`.
+#[spirv(compute(threads(256)))]
+pub fn sweep_faces(
+    #[spirv(workgroup_id)] id: UVec3,
+    #[spirv(num_workgroups)] n: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] faces: &[[u32; 3]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] boxes: &mut [Aabb],
+) {
+    let i = group(id, n) * THREADS + lane;
+    if i < params.count[2] {
+        let swept = sweep::face(i as usize, faces, boxes);
+        put(boxes, (params.start[2] + i) as usize, swept);
+    }
+}
+
+/// A workgroup merges `THREADS * CHUNK` of the first `params.n` boxes, and its first thread merges that into the six words of `words`, zero before.
+#[spirv(compute(threads(256)))]
+pub fn scene_bounds(
+    #[spirv(workgroup_id)] id: UVec3,
+    #[spirv(num_workgroups)] n: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(workgroup)] shared: &mut [Aabb; 256],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] boxes: &[Aabb],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] words: &mut [u32],
+) {
+    let first = (group(id, n) * THREADS * bounds::CHUNK as u32 + lane) as usize;
+    let mut merged = bounds::scene_bounds(first, THREADS as usize, boxes, params.n as usize);
+    set(shared, lane, merged);
+    let mut half = THREADS / 2;
+    for _ in 0..8 {
+        barrier();
+        if lane < half {
+            merged = merged.union(&get(shared, lane + half));
+            set(shared, lane, merged);
+        }
+        half /= 2;
+    }
+    if lane == 0 {
+        for k in 0..6 {
+            raise(words, k, bounds::shared_word(&merged, k));
+        }
+    }
+}
+
+/// Thread `i` writes the sort key of box `i`, and `i`.
+#[spirv(compute(threads(256)))]
+pub fn morton(
+    #[spirv(workgroup_id)] id: UVec3,
+    #[spirv(num_workgroups)] n: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] boxes: &[Aabb],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] words: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] keys: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] order: &mut [u32],
+) {
+    let i = group(id, n) * THREADS + lane;
+    if i < params.start[3] {
+        let set = ccd_core::kernel::blocks::set_of(&params.start, i);
+        let grid = MortonGrid::new(&bounds::merged(words), 10);
+        put(keys, i as usize, bounds::sort_key(i as usize, set, boxes, &grid));
+        put(order, i as usize, i);
+    }
+}

@@ -1,0 +1,161 @@
+//! One pass of the radix sort; see `ccd_core::kernel::sort`.
+
+use crate::share::{add_shared, barrier, get, group, or_shared, set};
+use ccd_core::kernel::sort::{DIGITS, KEYS, THREADS, TILE, before, digit, place};
+use ccd_core::layout::Params;
+use ccd_core::slice::{at, put};
+use spirv_std::glam::UVec3;
+use spirv_std::spirv;
+
+/// A workgroup counts the digits of its tile into `table[digit n_tiles + tile]`.
+#[spirv(compute(threads(128)))]
+pub fn sort_count(
+    #[spirv(workgroup_id)] id: UVec3,
+    #[spirv(num_workgroups)] n: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(workgroup)] counts: &mut [u32; 256],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] keys: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] table: &mut [u32],
+) {
+    let tile = group(id, n);
+    set(counts, lane, 0);
+    set(counts, lane + THREADS, 0);
+    barrier();
+    for k in 0..KEYS {
+        let i = tile * TILE + k * THREADS + lane;
+        if i < params.n {
+            add_shared(counts, digit(at(keys, i as usize), params.shift), 1);
+        }
+    }
+    barrier();
+    if tile < params.n_tiles {
+        for half in 0..2 {
+            let d = lane + half * THREADS;
+            put(table, (d * params.n_tiles + tile) as usize, get(counts, d));
+        }
+    }
+}
+
+/// Workgroup `d` turns the counts of digit `d` into the number of keys with that digit in earlier tiles, and writes their total behind the table.
+#[spirv(compute(threads(256)))]
+pub fn sort_scan(
+    #[spirv(workgroup_id)] id: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(workgroup)] sums: &mut [u32; 512],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] table: &mut [u32],
+) {
+    let row = id.x * params.n_tiles;
+    let mut carry = 0;
+    for round in 0..params.n_tiles.div_ceil(256) {
+        let i = round * 256 + lane;
+        let count = if i < params.n_tiles { at(table, (row + i) as usize) } else { 0 };
+        let sum = scan(lane, 256, 8, count, sums);
+        if i < params.n_tiles {
+            put(table, (row + i) as usize, carry + sum - count);
+        }
+        carry += get(sums, 255);
+        barrier();
+    }
+    if lane == 0 {
+        put(table, (DIGITS * params.n_tiles + id.x) as usize, carry);
+    }
+}
+
+/// Sum of the values of threads up to this one, among `threads = 2^steps`; the sum of all is in `sums[threads - 1]` until the next barrier.
+#[inline(always)]
+fn scan(lane: u32, threads: u32, steps: u32, value: u32, sums: &mut [u32; 512]) -> u32 {
+    let mut sum = value;
+    let mut reach = 1;
+    // Two halves in turn, so that one barrier a step is enough; an even number of steps ends in the first.
+    let (mut from, mut to) = (0, 256);
+    set(sums, lane, sum);
+    for _ in 0..steps {
+        barrier();
+        if lane >= reach {
+            sum += get(sums, from + lane - reach);
+        }
+        set(sums, to + lane, sum);
+        let swap = from;
+        from = to;
+        to = swap;
+        reach *= 2;
+    }
+    barrier();
+    let _ = threads;
+    sum
+}
+
+/// A workgroup moves the keys and values of its tile to where they belong after this pass.
+#[spirv(compute(threads(128)))]
+pub fn sort_scatter(
+    #[spirv(workgroup_id)] id: UVec3,
+    #[spirv(num_workgroups)] n: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(workgroup)] masks: &mut [u32; 1024],
+    #[spirv(workgroup)] counts: &mut [u32; 1024],
+    #[spirv(workgroup)] sums: &mut [u32; 512],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] table: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] keys: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] values: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] keys_out: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] values_out: &mut [u32],
+) {
+    let tile = group(id, n);
+    for k in 0..8 {
+        set(masks, k * THREADS + lane, 0);
+        set(counts, k * THREADS + lane, 0);
+    }
+    barrier();
+    // Rank of every key among those of the same digit that come before it in its run.
+    let run = lane / 32 * DIGITS;
+    let mut ranks = [0u32; KEYS as usize];
+    for k in 0..KEYS {
+        let i = tile * TILE + place(lane, k);
+        let mut word = 0;
+        if i < params.n {
+            word = run + digit(at(keys, i as usize), params.shift);
+            or_shared(masks, word, 1 << (lane % 32));
+        }
+        barrier();
+        let mask = get(masks, word);
+        let earlier = before(mask, lane);
+        let rank = get(counts, word) + earlier;
+        ranks[k as usize] = rank;
+        barrier();
+        if i < params.n && earlier == 0 {
+            set(counts, word, rank + mask.count_ones());
+            set(masks, word, 0);
+        }
+        barrier();
+    }
+    // Where each digit starts: keys of lesser digits, of earlier tiles, of earlier runs. A thread has two digits.
+    let totals = DIGITS * params.n_tiles;
+    let low = at(table, (totals + 2 * lane) as usize);
+    let both = low + at(table, (totals + 2 * lane + 1) as usize);
+    let mut start = scan(lane, 128, 7, both, sums) - both;
+    for half in 0..2 {
+        let d = 2 * lane + half;
+        let in_tiles = if tile < params.n_tiles { at(table, (d * params.n_tiles + tile) as usize) } else { 0 };
+        let mut next = start + in_tiles;
+        for r in 0..4 {
+            let word = r * DIGITS + d;
+            let count = get(counts, word);
+            set(counts, word, next);
+            next += count;
+        }
+        start += low;
+    }
+    barrier();
+    for k in 0..KEYS {
+        let i = tile * TILE + place(lane, k);
+        if i < params.n {
+            let key = at(keys, i as usize);
+            let to = get(counts, run + digit(key, params.shift)) + ranks[k as usize];
+            put(keys_out, to as usize, key);
+            put(values_out, to as usize, at(values, i as usize));
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! `cargo xtask shaders`: from the entry points of ccd-shaders to the files that ccd-gpu embeds.
+//!
+//! The nightly builds SPIR-V (ccd-shaders/builder); naga validates it and translates it to WGSL; a manifest says what there is and what it was made from.
+//! The products are committed. A test here, on stable, compares the hash of the sources with that of the manifest.
+
+use sha2::{Digest, Sha256};
+use std::path::{Path, PathBuf};
+
+/// Where the products are.
+pub const PRODUCTS: &str = "ccd-gpu/shaders";
+const MANIFEST: &str = "ccd-gpu/shaders/manifest.json";
+
+/// What decides the products: folders (all files below) and files.
+const INPUTS: [&str; 8] = [
+    "ccd-core/src",
+    "ccd-shaders/Cargo.lock",
+    "ccd-shaders/Cargo.toml",
+    "ccd-shaders/builder/Cargo.lock",
+    "ccd-shaders/builder/Cargo.toml",
+    "ccd-shaders/builder/src",
+    "ccd-shaders/rust-toolchain.toml",
+    "ccd-shaders/src",
+];
+
+/// SHA-256 of the names and contents of all inputs.
+pub fn hash_of_inputs(root: &Path) -> Result<String, String> {
+    let mut files = Vec::new();
+    for input in INPUTS {
+        collect(&root.join(input), &mut files)?;
+    }
+    files.sort();
+    let mut hash = Sha256::new();
+    for file in files {
+        let name = file.strip_prefix(root).map_err(|e| e.to_string())?.to_string_lossy().replace('\\', "/");
+        let text = std::fs::read(&file).map_err(|e| format!("{}: {e}", file.display()))?;
+        hash.update(name.as_bytes());
+        hash.update([0]);
+        hash.update((text.len() as u64).to_le_bytes());
+        hash.update(text);
+    }
+    Ok(hash.finalize().iter().map(|b| format!("{b:02x}")).collect())
+}
+
+fn collect(path: &Path, files: &mut Vec<PathBuf>) -> Result<(), String> {
+    if path.is_dir() {
+        for entry in std::fs::read_dir(path).map_err(|e| format!("{}: {e}", path.display()))? {
+            collect(&entry.map_err(|e| e.to_string())?.path(), files)?;
+        }
+    } else {
+        files.push(path.to_path_buf());
+    }
+    Ok(())
+}
+
+#[cfg(feature = "shaders")]
+pub use build::run;
+
+#[cfg(feature = "shaders")]
+mod build {
+    use super::{MANIFEST, PRODUCTS, hash_of_inputs};
+    use naga::valid::{Capabilities, ValidationFlags, Validator};
+    use serde_json::{Value, json};
+    use std::collections::BTreeMap;
+    use std::path::Path;
+    use std::process::Command;
+
+    /// Builds all products. `check`: compares them with the committed ones instead of writing them.
+    pub fn run(root: &Path, check: bool) -> Result<(), String> {
+        let toolchain = toolchain(root)?;
+        if !installed(&toolchain) {
+            let how = "rustup toolchain install with the components of ccd-shaders/rust-toolchain.toml";
+            if check {
+                println!("skipped: shaders were not rebuilt, {toolchain} is not installed ({how})");
+                return Ok(());
+            }
+            return Err(format!("{toolchain} is not installed: {how}"));
+        }
+        let modules = root.join("target/shaders/modules");
+        let _ = std::fs::remove_dir_all(&modules);
+        build_modules(root, &toolchain, &modules)?;
+        let products = translate(root, &modules, &toolchain)?;
+        if check { compare(root, &products) } else { write(root, &products) }
+    }
+
+    fn toolchain(root: &Path) -> Result<String, String> {
+        let path = root.join("ccd-shaders/rust-toolchain.toml");
+        let text = std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
+        let line = text.lines().find_map(|l| l.strip_prefix("channel = \"")).ok_or("rust-toolchain.toml names no channel")?;
+        Ok(line.trim_end_matches('"').to_string())
+    }
+
+    fn installed(toolchain: &str) -> bool {
+        // Asked of rustup, because running rustc would install the toolchain.
+        let list = Command::new("rustup").args(["toolchain", "list"]).output();
+        list.is_ok_and(|o| String::from_utf8_lossy(&o.stdout).lines().any(|l| l.starts_with(toolchain)))
+    }
+
+    /// Runs the builder under the nightly. Its first build takes minutes (it compiles the code generator and SPIRV-Tools); the target folder keeps it.
+    fn build_modules(root: &Path, toolchain: &str, out: &Path) -> Result<(), String> {
+        let status = Command::new("cargo")
+            .args(["run", "--release", "--locked", "--manifest-path", "builder/Cargo.toml", "--"])
+            .arg(root.join("ccd-shaders"))
+            .arg(out)
+            .current_dir(root.join("ccd-shaders"))
+            .env("RUSTUP_TOOLCHAIN", toolchain)
+            .env("RUST_MIN_STACK", "33554432")
+            .env("CARGO_TARGET_DIR", root.join("target/shaders/builder"))
+            // Set by the outer cargo for its own toolchain.
+            .env_remove("CARGO")
+            .env_remove("RUSTC")
+            .env_remove("LD_LIBRARY_PATH")
+            .status()
+            .map_err(|e| format!("cannot run cargo: {e}"))?;
+        if status.success() { Ok(()) } else { Err("the shader builder failed".into()) }
+    }
+
+    /// All products by file name.
+    fn translate(root: &Path, modules: &Path, toolchain: &str) -> Result<BTreeMap<String, Vec<u8>>, String> {
+        let mut products = BTreeMap::new();
+        let mut kernels = Vec::new();
+        let mut names: Vec<_> = std::fs::read_dir(modules).map_err(|e| e.to_string())?.flatten().map(|e| e.path()).collect();
+        names.sort();
+        for path in names {
+            let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            let spirv = std::fs::read(&path).map_err(|e| e.to_string())?;
+            let module = naga::front::spv::parse_u8_slice(&spirv, &Default::default()).map_err(|e| format!("{name}: naga: {e}"))?;
+            let capabilities = Capabilities::FLOAT64 | Capabilities::SHADER_INT64;
+            let info = Validator::new(ValidationFlags::all(), capabilities)
+                .validate(&module)
+                .map_err(|e| format!("{name}: naga: {}", e.emit_to_string("")))?;
+            let wgsl = naga::back::wgsl::write_string(&module, &info, naga::back::wgsl::WriterFlags::empty())
+                .map_err(|e| format!("{name}: WGSL: {e}"))?;
+            kernels.push(describe(&name, &module));
+            products.insert(format!("{name}.spv"), spirv);
+            products.insert(format!("{name}.wgsl"), wgsl.into_bytes());
+        }
+        let manifest = json!({ "inputs": hash_of_inputs(root)?, "toolchain": toolchain, "kernels": kernels });
+        let text = serde_json::to_string_pretty(&manifest).map_err(|e| e.to_string())? + "\n";
+        products.insert("manifest.json".into(), text.into_bytes());
+        Ok(products)
+    }
+
+    /// Workgroup size, bindings, bytes of workgroup memory, and whether `f64` is needed.
+    fn describe(name: &str, module: &naga::Module) -> Value {
+        let entry = &module.entry_points[0];
+        let mut bindings = BTreeMap::new();
+        let mut shared = 0;
+        for (_, variable) in module.global_variables.iter() {
+            match (variable.space, &variable.binding) {
+                (naga::AddressSpace::Storage { access }, Some(at)) => {
+                    let access = if access.contains(naga::StorageAccess::STORE) { "write" } else { "read" };
+                    bindings.insert(at.binding, access);
+                }
+                (naga::AddressSpace::WorkGroup, _) => shared += module.types[variable.ty].inner.size(module.to_ctx()),
+                _ => {}
+            }
+        }
+        let wide = module.types.iter().any(|(_, ty)| ty.inner.scalar().is_some_and(|s| s.width == 8));
+        json!({ "name": name, "entry": entry.name, "workgroup": entry.workgroup_size[0], "bindings": bindings.into_values().collect::<Vec<_>>(),
+            "shared_bytes": shared, "wide": wide })
+    }
+
+    fn write(root: &Path, products: &BTreeMap<String, Vec<u8>>) -> Result<(), String> {
+        let folder = root.join(PRODUCTS);
+        let _ = std::fs::remove_dir_all(&folder);
+        std::fs::create_dir_all(&folder).map_err(|e| e.to_string())?;
+        for (name, bytes) in products {
+            std::fs::write(folder.join(name), bytes).map_err(|e| format!("{name}: {e}"))?;
+        }
+        println!("{} files in {PRODUCTS}", products.len());
+        Ok(())
+    }
+
+    fn compare(root: &Path, products: &BTreeMap<String, Vec<u8>>) -> Result<(), String> {
+        let folder = root.join(PRODUCTS);
+        let mut different: Vec<_> =
+            products.iter().filter(|(name, bytes)| std::fs::read(folder.join(name)).ok().as_ref() != Some(*bytes)).map(|(n, _)| n.clone()).collect();
+        for entry in std::fs::read_dir(&folder).map_err(|e| format!("{PRODUCTS}: {e}"))?.flatten() {
+            let name = entry.file_name().to_string_lossy().into_owned();
+            if !products.contains_key(&name) {
+                different.push(name);
+            }
+        }
+        if different.is_empty() {
+            println!("{} files in {PRODUCTS} are what the sources give, byte for byte", products.len());
+            return Ok(());
+        }
+        Err(format!("{} of {PRODUCTS} differ from what the sources give ({MANIFEST}): run `cargo xtask shaders`", different.join(", ")))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn root() -> &'static Path {
+        Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap()
+    }
+
+    #[test]
+    fn products_are_of_these_sources() {
+        let manifest = std::fs::read_to_string(root().join(MANIFEST)).expect(MANIFEST);
+        let manifest: serde_json::Value = serde_json::from_str(&manifest).expect(MANIFEST);
+        let want = hash_of_inputs(root()).unwrap();
+        assert_eq!(manifest["inputs"], want.as_str(), "a shader source changed: run `cargo xtask shaders`");
+    }
+
+    #[test]
+    fn another_source_has_another_hash() {
+        let copy = tempfile::tempdir().unwrap();
+        for input in INPUTS {
+            let (from, to) = (root().join(input), copy.path().join(input));
+            let mut files = Vec::new();
+            collect(&from, &mut files).unwrap();
+            for file in files {
+                let to = to.join(file.strip_prefix(&from).unwrap());
+                let to = if file == from { copy.path().join(input) } else { to };
+                std::fs::create_dir_all(to.parent().unwrap()).unwrap();
+                std::fs::copy(&file, &to).unwrap();
+            }
+        }
+        let same = hash_of_inputs(copy.path()).unwrap();
+        assert_eq!(same, hash_of_inputs(root()).unwrap());
+        let changed = copy.path().join("ccd-core/src/cubic.rs");
+        let text = std::fs::read_to_string(&changed).unwrap();
+        std::fs::write(&changed, text + " ").unwrap();
+        assert_ne!(same, hash_of_inputs(copy.path()).unwrap());
+    }
+}
