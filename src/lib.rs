@@ -46,6 +46,10 @@
 #[cfg(feature = "io")]
 pub mod io;
 
+/// The GPU backend: [`gpu::Device`], [`gpu::Session`].
+#[cfg(feature = "gpu")]
+pub use ccd_gpu as gpu;
+
 /// The README's example is compiled and run with the documentation tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
@@ -55,7 +59,5 @@ pub use ccd_core::digest::Digest;
 pub use ccd_core::layout::Pair;
 pub use ccd_core::topology::{Bodies, Mesh};
 pub use ccd_core::{Aabb, EdgeEdge, Error, Real, TOI_TOLERANCE, Verdict, VertexFace, edge_edge, vertex_face};
-pub use ccd_cpu::{
-    BroadPhase, Candidates, Contact, Kind, MAX_LOOSENESS, Method, Options, Pairs, PerKind, Report, Session, State, Times, earliest_toi,
-    step,
-};
+pub use ccd_core::report::{Contact, Kind, Options, PerKind, Report, State, Times};
+pub use ccd_cpu::{BroadPhase, Candidates, MAX_LOOSENESS, Method, Pairs, Session, earliest_toi, step};

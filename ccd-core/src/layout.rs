@@ -147,17 +147,20 @@ pub struct Touch {
     pub toi: [u32; 2],
 }
 
+/// 2^32. Products and quotients, because a shader language counts the bits of a shift in 32 bits and translators forget that.
+const TWO_32: u64 = 1 << 32;
+
 /// An `f64` from its bits, low word first.
 #[inline(always)]
 pub fn join(words: [u32; 2]) -> f64 {
-    f64::from_bits((words[1] as u64) << 32 | words[0] as u64)
+    f64::from_bits(words[1] as u64 * TWO_32 + words[0] as u64)
 }
 
 /// The bits of an `f64`, low word first.
 #[inline(always)]
 pub fn split(x: f64) -> [u32; 2] {
     let bits = x.to_bits();
-    [bits as u32, (bits >> 32) as u32]
+    [bits as u32, (bits / TWO_32) as u32]
 }
 
 /// Words before the first entry of a list that a device writes: the number of entries wanted, which may exceed the room, and three that are not used.

@@ -26,6 +26,7 @@ pub mod closest;
 pub mod cubic;
 pub mod digest;
 pub mod error;
+pub mod input;
 pub mod inside;
 pub mod kernel;
 pub mod layout;
@@ -35,6 +36,8 @@ pub mod query;
 pub mod real;
 pub mod separate;
 pub mod slice;
+#[cfg(feature = "alloc")]
+pub mod report;
 #[cfg(feature = "alloc")]
 pub mod topology;
 pub mod vec3;

@@ -277,12 +277,7 @@ impl Side {
 fn slack(a: &[Aabb<f32>], b: &[Aabb<f32>]) -> f32 {
     let greatest =
         |boxes: &[Aabb<f32>]| boxes.iter().fold(0f32, |m, b| m.max(ccd_core::vec3::max_abs(b.min)).max(ccd_core::vec3::max_abs(b.max)));
-    slack_at(greatest(a).max(greatest(b)))
-}
-
-/// As [`slack`], from the greatest absolute coordinate.
-pub(crate) fn slack_at(greatest: f32) -> f32 {
-    greatest * (8.0 * f32::UNIT) + f32::MIN_POSITIVE
+    ccd_core::input::slack_at(greatest(a).max(greatest(b)))
 }
 
 fn check_boxes<T: Real>(boxes: &[Aabb<T>]) -> Result<(), Error> {

@@ -1,6 +1,5 @@
 //! Continuous collision detection on the CPU, over rayon.
 mod broad;
-mod contact;
 mod lanes;
 mod narrow;
 mod order;
@@ -15,5 +14,4 @@ mod traverse;
 mod tree;
 
 pub use broad::{BroadPhase, Method, Pairs};
-pub use contact::{Contact, Kind, PerKind, Report, State, Times};
-pub use session::{Candidates, MAX_LOOSENESS, Options, Session, earliest_toi, step};
+pub use session::{Candidates, MAX_LOOSENESS, Session, earliest_toi, step};

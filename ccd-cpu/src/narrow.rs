@@ -2,7 +2,6 @@
 //!
 //! Pairs enter the arithmetic with the lesser edge first, so no result depends on the order of leaves.
 
-use crate::contact::{Contact, Kind, State};
 use crate::lanes::{Lanes, WIDTH};
 use crate::rows::{Scene, Take};
 use crate::simd::{Simd, Work};
@@ -10,6 +9,7 @@ use ccd_core::bernstein::Coplanarity;
 use ccd_core::kernel::narrow;
 use ccd_core::layout::Pair;
 use ccd_core::motion::{Motion, Patch};
+use ccd_core::report::{Contact, Kind, State};
 use ccd_core::separate::beside;
 use ccd_core::{Real, Verdict};
 use std::time::{Duration, Instant};

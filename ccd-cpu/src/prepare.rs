@@ -1,12 +1,13 @@
 //! What a step prepares before anything is compared: checked coordinates, boxes, trees, the table that filters read.
 
-use crate::broad::slack_at;
 use crate::lanes::WIDTH;
 use crate::pyramid::Pyramid;
 use crate::rows::{Leaves, Scene};
-use crate::session::{MAX_LOOSENESS, Options};
+use crate::session::MAX_LOOSENESS;
 use crate::threads::Threads;
+use ccd_core::input::Scan;
 use ccd_core::kernel::sweep;
+use ccd_core::report::Options;
 use ccd_core::topology::{Bodies, Mesh};
 use ccd_core::{Aabb, Error, Num, Real};
 
@@ -51,24 +52,6 @@ pub struct Feature<const N: usize> {
     pub leaves: Leaves<N>,
 }
 
-/// What one pass over a part of the positions finds.
-#[derive(Clone, Copy, Debug)]
-struct Scan {
-    bounds: Aabb<f64>,
-    exact: bool,
-    finite: bool,
-}
-
-impl Scan {
-    const NONE: Self = Self { bounds: Aabb { min: [f64::INFINITY; 3], max: [f64::NEG_INFINITY; 3] }, exact: true, finite: true };
-}
-
-impl Default for Scan {
-    fn default() -> Self {
-        Self::NONE
-    }
-}
-
 impl Prepared {
     /// Checks coordinates, fills the table and sweeps all boxes.
     pub fn boxes<T: Real + Send + Sync>(
@@ -80,14 +63,12 @@ impl Prepared {
     ) -> Result<(), Error> {
         self.scan = self.scan(threads, x)?;
         self.table_error = self.fill_table(threads, x);
-        self.sweep(threads, mesh, x, margin(options));
+        self.sweep(threads, mesh, x, ccd_core::input::margin(options.min_distance));
         Ok(())
     }
 
     /// What workers read of a step whose boxes and trees are there.
     pub fn scene<'a, T: Real>(&'a self, mesh: &'a Mesh, options: &'a Options, x: &Positions<'a, T>, keep_contacts: bool) -> Scene<'a, T> {
-        let bounds = &self.scan.bounds;
-        let greatest = (0..3).fold(0f64, |m, k| m.max(bounds.min[k].abs()).max(bounds.max[k].abs()));
         // A shorter time has boxes of its own, which nobody compares with those of the input.
         let rounded = T::UNIT.to_f64() < f32::UNIT as f64 && !(self.scan.exact && options.min_distance == 0.0) && x.whole();
         Scene {
@@ -98,8 +79,8 @@ impl Prepared {
             table: &self.table,
             table_error: self.table_error,
             min_distance: options.min_distance,
-            slack: rounded.then(|| slack_at(Real::round_up(greatest + options.min_distance))),
-            margin: margin(options),
+            slack: rounded.then(|| ccd_core::input::slack_at(Real::round_up(self.scan.greatest() + options.min_distance))),
+            margin: ccd_core::input::margin(options.min_distance),
             keep_contacts,
         }
     }
@@ -111,23 +92,12 @@ impl Prepared {
         threads.fill(&mut self.scans, |i| {
             let mut scan = Scan::NONE;
             for v in i * CHUNK..((i + 1) * CHUNK).min(x.x0.len()) {
-                for p in [x.x0[v], x.x1[v]] {
-                    for k in 0..3 {
-                        let c = p[k].to_f64();
-                        scan.bounds.min[k] = scan.bounds.min[k].min(c);
-                        scan.bounds.max[k] = scan.bounds.max[k].max(c);
-                        scan.exact &= c as f32 as f64 == c;
-                        scan.finite &= c.abs() <= Error::MAX_COORDINATE;
-                    }
-                }
+                scan.take(x.x0[v]);
+                scan.take(x.x1[v]);
             }
             scan
         });
-        let all = self.scans.iter().fold(Scan::NONE, |all, s| Scan {
-            bounds: all.bounds.union(&s.bounds),
-            exact: all.exact & s.exact,
-            finite: all.finite & s.finite,
-        });
+        let all = self.scans.iter().fold(Scan::NONE, |all, s| all.merged(s));
         if !all.finite {
             ccd_core::error::check_coordinates(0, x.x0)?;
             ccd_core::error::check_coordinates(1, x.x1)?;
@@ -137,23 +107,14 @@ impl Prepared {
 
     /// Fills the table that filters read; returns how far its numbers may be from the true ones (minus a common origin).
     fn fill_table<T: Real + Send + Sync>(&mut self, threads: &Threads, x: &Positions<T>) -> f32 {
-        let scan = self.scan;
-        let exact = scan.exact && x.whole();
-        let centre: [f64; 3] =
-            std::array::from_fn(|k| if exact || x.x0.is_empty() { 0.0 } else { 0.5 * scan.bounds.min[k] + 0.5 * scan.bounds.max[k] });
+        let table = self.scan.table(x.whole());
         self.table.resize(x.x0.len(), [0.0; WIDTH]);
         threads.fill(&mut self.table, |i| {
             let (p, q) = (x.x0[i].map(T::to_f64), x.end(i));
-            let f = |x: [f64; 3], k: usize| (x[k] - centre[k]) as f32;
-            [f(p, 0), f(p, 1), f(p, 2), 0.0, f(q, 0), f(q, 1), f(q, 2), 0.0]
+            let (p, q) = (table.place(p), table.place(q));
+            [p[0], p[1], p[2], 0.0, q[0], q[1], q[2], 0.0]
         });
-        if exact {
-            return 0.0;
-        }
-        // Rounding to f32, and before it at most six roundings in f64 of numbers no greater than the coordinates.
-        let reach = (0..3).fold(0f64, |m, k| m.max(scan.bounds.max[k] - centre[k]).max(centre[k] - scan.bounds.min[k]));
-        let greatest = (0..3).fold(0f64, |m, k| m.max(scan.bounds.max[k].abs()).max(scan.bounds.min[k].abs()));
-        Real::round_up(reach * (1.01 * f32::UNIT as f64) + greatest * (16.0 * f64::UNIT) + f32::MIN_NORMAL as f64)
+        table.error
     }
 
     /// Boxes of all features.
@@ -209,10 +170,4 @@ impl Prepared {
         faces.leaves.place(threads, table);
         loose
     }
-}
-
-/// Half of the minimum distance, rounded up: two boxes grown by it keep the distance.
-fn margin<T: Real>(options: &Options) -> T {
-    let half = T::from_f64(options.min_distance * 0.5);
-    if half > T::splat(0.0) { half.next_up() } else { half }
 }

@@ -2,13 +2,13 @@
 //! overlap only because boxes were rounded. What is left are candidates; whoever takes them does the rest.
 
 use crate::broad::lane_ids;
-use crate::contact::Kind;
 use crate::lanes::{Lanes, WIDTH};
 use crate::pyramid::Pyramid;
 use crate::simd::{Block, Simd, Work};
 use crate::threads::Threads;
 use crate::traverse::Rows;
 use ccd_core::kernel::sweep;
+use ccd_core::report::Kind;
 use ccd_core::separate::axis_gap;
 use ccd_core::topology::{Bodies, Mesh};
 use ccd_core::{Num, Real};

@@ -1,7 +1,6 @@
 //! A mesh stepped frame by frame: buffers and the order of trees are kept, trees are refitted or rebuilt by a stated rule.
 
 use crate::broad::{Lister, Pairs, Run, order_runs};
-use crate::contact::{Contact, Kind, Report, State};
 use crate::lanes::WIDTH;
 use crate::narrow::Worker;
 use crate::prepare::{Positions, Prepared};
@@ -10,21 +9,11 @@ use crate::simd::Simd;
 use crate::threads::Threads;
 use crate::traverse::Traversal;
 use ccd_core::error::check_min_distance;
-use ccd_core::topology::{Bodies, Mesh};
+use ccd_core::report::{Contact, Kind, Options, Report, State};
+use ccd_core::topology::Mesh;
 use ccd_core::{Error, Real};
 use std::marker::PhantomData;
 use std::time::{Duration, Instant};
-
-/// What a step looks for and how.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Options {
-    /// Contact means a distance of at most this, in the unit of the coordinates; 0 (touching) or more.
-    pub min_distance: f64,
-    /// Threads: 0 for those of rayon's current pool, 1 for the calling one alone, more for a pool of the session's own.
-    pub threads: usize,
-    /// Which pairs of bodies are looked at; `None`: all pairs of features that share no vertex.
-    pub bodies: Option<Bodies>,
-}
 
 /// Blocks may become this much looser than after the last build before trees are built anew: building costs about a tenth of a step, and
 /// traversal grows with looseness.

@@ -2,7 +2,7 @@
 
 use crate::share::{barrier, get, group, raise, set};
 use ccd_core::Aabb;
-use ccd_core::kernel::{bounds, sweep};
+use ccd_core::kernel::{bounds, decide, sweep};
 use ccd_core::layout::{Params, Path};
 use ccd_core::morton::MortonGrid;
 use ccd_core::slice::{at, put};
@@ -58,6 +58,23 @@ pub fn sweep_faces(
     if i < params.count[2] {
         let swept = sweep::face(i as usize, faces, boxes);
         put(boxes, (params.start[2] + i) as usize, swept);
+    }
+}
+
+/// Thread `i` cuts path `i` at the earliest time of impact so far; `time` holds its bits, or a greater number if there is none.
+#[spirv(compute(threads(256)))]
+pub fn shorten(
+    #[spirv(workgroup_id)] id: UVec3,
+    #[spirv(num_workgroups)] n: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] paths: &[Path],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] time: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] out: &mut [Path],
+) {
+    let i = group(id, n) * THREADS + lane;
+    if i < params.count[0] {
+        put(out, i as usize, sweep::shorten(&at(paths, i as usize), decide::until(at(time, 0))));
     }
 }
 

@@ -3,14 +3,19 @@
 //! The nightly builds SPIR-V (ccd-shaders/builder); naga validates it and translates it to WGSL; a manifest says what there is and what it was made from.
 //! The products are committed. A test here, on stable, compares the hash of the sources with that of the manifest.
 
+#[cfg(any(feature = "shaders", test))]
 use sha2::{Digest, Sha256};
+#[cfg(any(feature = "shaders", test))]
 use std::path::{Path, PathBuf};
 
 /// Where the products are.
-pub const PRODUCTS: &str = "ccd-gpu/shaders";
+#[cfg(feature = "shaders")]
+const PRODUCTS: &str = "ccd-gpu/shaders";
+#[cfg(any(feature = "shaders", test))]
 const MANIFEST: &str = "ccd-gpu/shaders/manifest.json";
 
 /// What decides the products: folders (all files below) and files.
+#[cfg(any(feature = "shaders", test))]
 const INPUTS: [&str; 8] = [
     "ccd-core/src",
     "ccd-shaders/Cargo.lock",
@@ -23,7 +28,8 @@ const INPUTS: [&str; 8] = [
 ];
 
 /// SHA-256 of the names and contents of all inputs.
-pub fn hash_of_inputs(root: &Path) -> Result<String, String> {
+#[cfg(any(feature = "shaders", test))]
+fn hash_of_inputs(root: &Path) -> Result<String, String> {
     let mut files = Vec::new();
     for input in INPUTS {
         collect(&root.join(input), &mut files)?;
@@ -41,6 +47,8 @@ pub fn hash_of_inputs(root: &Path) -> Result<String, String> {
     Ok(hash.finalize().iter().map(|b| format!("{b:02x}")).collect())
 }
 
+/// All files below a folder.
+#[cfg(any(feature = "shaders", test))]
 fn collect(path: &Path, files: &mut Vec<PathBuf>) -> Result<(), String> {
     if path.is_dir() {
         for entry in std::fs::read_dir(path).map_err(|e| format!("{}: {e}", path.display()))? {

@@ -37,6 +37,15 @@ pub fn earliest_key(toi: [u32; 2]) -> u32 {
     (exponent - (1023 - 127)) << 23 | (toi[1] & 0xf_ffff) << 3 | toi[0] >> 29
 }
 
+/// The key while there is no time of impact.
+pub const NEVER: u32 = u32::MAX;
+
+/// The time of a key; 1 if there is none.
+#[inline(always)]
+pub fn until(key: u32) -> f32 {
+    if key < 0x3f80_0000 { f32::from_bits(key) } else { 1.0 }
+}
+
 /// The bits of an `f32` in `[0, 1]` as those of an `f64`; a denormal becomes 0, which is earlier.
 #[inline(always)]
 pub fn widen(toi: f32) -> [u32; 2] {

@@ -47,26 +47,97 @@ pub enum Parity {
     NotLater,
 }
 
+/// What a kernel does with a buffer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Access {
+    /// Reads one [`crate::layout::Params`].
+    Params,
+    /// Reads.
+    Read,
+    /// Reads and writes, or adds to it atomically.
+    Write,
+}
+
 /// A row of the kernel table.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
-    /// Name of the body and of every entry point made from it.
+    /// Name of the entry point.
     pub name: &'static str,
     /// Threads of a workgroup on a GPU.
     pub workgroup: u32,
+    /// Buffers in the order of their bindings, from 0.
+    pub bindings: &'static [Access],
     /// How backends compare.
     pub parity: Parity,
+    /// Whether it needs `f64` and 64-bit integers.
+    pub wide: bool,
 }
 
-/// Every kernel, in the order in which a step runs them.
-pub const TABLE: [Kernel; 9] = [
-    Kernel { name: "sweep_vertices", workgroup: 64, parity: Parity::Exact },
-    Kernel { name: "sweep_edges", workgroup: 64, parity: Parity::Exact },
-    Kernel { name: "sweep_faces", workgroup: 64, parity: Parity::Exact },
-    Kernel { name: "scene_bounds", workgroup: 64, parity: Parity::Exact },
-    Kernel { name: "morton", workgroup: 64, parity: Parity::Exact },
-    Kernel { name: "build", workgroup: 64, parity: Parity::Exact },
-    Kernel { name: "refit", workgroup: 64, parity: Parity::Exact },
-    Kernel { name: "traverse", workgroup: 64, parity: Parity::ExactSet },
-    Kernel { name: "narrow", workgroup: 64, parity: Parity::NotLater },
-];
+macro_rules! table {
+    ($($(#[$doc:meta])* $id:ident $name:literal $workgroup:literal [$($access:ident)*] $parity:ident $wide:literal;)*) => {
+        /// A kernel of the table.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum Id {
+            $($(#[$doc])* $id,)*
+        }
+
+        /// Every kernel with an entry point, in the order of [`Id`]: pipelines, bind groups and parity tests are made from it.
+        pub const TABLE: &[Kernel] = &[
+            $(Kernel { name: $name, workgroup: $workgroup, bindings: &[$(Access::$access),*], parity: Parity::$parity, wide: $wide },)*
+        ];
+    };
+}
+
+table! {
+    /// Boxes of vertices: params, paths; boxes.
+    SweepVertices "sweep_vertices" 256 [Params Read Write] Exact false;
+    /// Boxes of edges: params, edges; boxes.
+    SweepEdges "sweep_edges" 256 [Params Read Write] Exact false;
+    /// Boxes of faces: params, faces; boxes.
+    SweepFaces "sweep_faces" 256 [Params Read Write] Exact false;
+    /// Paths up to the earliest time of impact so far: params, paths, time; paths.
+    Shorten "shorten" 256 [Params Read Read Write] NotLater false;
+    /// Bounds of all boxes: params, boxes; six words.
+    SceneBounds "scene_bounds" 256 [Params Read Write] Exact false;
+    /// Sort keys: params, boxes, bounds; keys, values.
+    Morton "morton" 256 [Params Read Read Write Write] Exact false;
+    /// Digits of each tile: params, keys; table.
+    SortCount "sort_count" 128 [Params Read Write] Exact false;
+    /// Sums of the table: params; table.
+    SortScan "sort_scan" 256 [Params Write] Exact false;
+    /// One pass of the sort: params, table, keys, values; keys, values.
+    SortScatter "sort_scatter" 128 [Params Read Read Read Write Write] Exact false;
+    /// Leaves in order and the nodes above: params, boxes, order, edges, faces; nodes, leaves.
+    FitLeaves "fit_leaves" 256 [Params Read Read Read Read Write Write] Exact false;
+    /// Nodes of the next level: params; nodes.
+    FitLevel "fit_level" 256 [Params Write] Exact false;
+    /// Pairs of nodes to pairs of their children: params, nodes, pairs; pairs.
+    NodePairs "node_pairs" 64 [Params Read Read Write] ExactSet false;
+    /// Pairs of blocks to candidates: params, nodes, leaves, bodies, keys, pairs; pairs.
+    ListCandidates "list_candidates" 64 [Params Read Read Read Read Read Write] ExactSet false;
+    /// Pairs of blocks to filtered vertex-face candidates: params, nodes, leaves, bodies, keys, paths, pairs; pairs.
+    FilterVertexFace "filter_vertex_face" 64 [Params Read Read Read Read Read Read Write] NotLater false;
+    /// Pairs of blocks to filtered edge-edge candidates: as for vertices and faces.
+    FilterEdgeEdge "filter_edge_edge" 64 [Params Read Read Read Read Read Read Write] NotLater false;
+    /// Verdicts in `f32`: params, paths, faces, pairs; contacts, undecided pairs, time.
+    DecideVertexFace "decide_vertex_face" 64 [Params Read Read Read Write Write Write] NotLater false;
+    /// Verdicts in `f32`: params, paths, edges, pairs; contacts, undecided pairs, time.
+    DecideEdgeEdge "decide_edge_edge" 64 [Params Read Read Read Write Write Write] NotLater false;
+    /// Verdicts in `f64`: params, paths, wide paths, faces, pairs; contacts, time.
+    DecideVertexFaceWide "decide_vertex_face_wide" 64 [Params Read Read Read Read Write Write] NotLater true;
+    /// Verdicts in `f64`: params, paths, wide paths, edges, pairs; contacts, time.
+    DecideEdgeEdgeWide "decide_edge_edge_wide" 64 [Params Read Read Read Read Write Write] NotLater true;
+    /// For tests: fields of records: params, paths, leaves, contacts, pairs; words.
+    ProbeLayout "probe_layout" 64 [Params Read Read Read Read Write] Exact false;
+    /// For tests: scalar operations: inputs; results.
+    ProbeScalars "probe_scalars" 64 [Read Write] Exact false;
+    /// For tests: scalar operations in `f64`: inputs; results.
+    ProbeWide "probe_wide" 64 [Read Write] Exact true;
+}
+
+impl Id {
+    /// The kernel's row.
+    pub fn row(self) -> &'static Kernel {
+        &TABLE[self as usize]
+    }
+}

@@ -6,6 +6,7 @@ use crate::aabb::Aabb;
 use crate::layout::Path;
 use crate::real::Real;
 use crate::slice::at;
+use crate::vec3::lerp;
 
 /// Box of vertex `i` from positions at `t = 0` and `t = 1`, grown by `margin >= 0`.
 #[inline]
@@ -18,6 +19,14 @@ pub fn vertex<R: Real>(i: usize, x0: &[[R; 3]], x1: &[[R; 3]], margin: R) -> Aab
 pub fn path(path: &Path, margin: f32) -> Aabb<f32> {
     let (p, q) = (path.t0, path.t1);
     swept([p[0], p[1], p[2]], [q[0], q[1], q[2]]).inflated(margin).round_out()
+}
+
+/// A path up to time `until` in `[0, 1]`; its end is off by at most four roundings of numbers no greater than twice the coordinates.
+#[inline(always)]
+pub fn shorten(path: &Path, until: f32) -> Path {
+    let (p, q) = (path.t0, path.t1);
+    let end = lerp([p[0], p[1], p[2]], [q[0], q[1], q[2]], until);
+    Path { t0: p, t1: [end[0], end[1], end[2], 0.0] }
 }
 
 /// Box of the path from `p` to `q`, in the precision of the coordinates.

@@ -1,4 +1,18 @@
-//! What a step returns: contacts, counts, times.
+//! What a step is asked and what it returns: options, contacts, counts, times.
+
+use crate::topology::Bodies;
+use alloc::vec::Vec;
+
+/// What a step looks for and how.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Options {
+    /// Contact means a distance of at most this, in the unit of the coordinates; 0 (touching) or more.
+    pub min_distance: f64,
+    /// Threads of work on a CPU: 0 for those of rayon's current pool, 1 for the calling one alone, more for a pool of the session's own.
+    pub threads: usize,
+    /// Which pairs of bodies are looked at; `None`: all pairs of features that share no vertex.
+    pub bodies: Option<Bodies>,
+}
 
 /// Which features touch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -12,7 +26,7 @@ pub enum Kind {
 /// How certain a contact is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum State {
-    /// Certainly a contact; the time of impact is at most [`ccd_core::TOI_TOLERANCE`] early.
+    /// Certainly a contact; the time of impact is at most [`crate::TOI_TOLERANCE`] early.
     Hit,
     /// Not decided: to be treated as a contact, may be none; certainly none before its time of impact.
     Undecided,

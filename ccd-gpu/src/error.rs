@@ -1,0 +1,48 @@
+//! What can go wrong with a device, with the sizes and names that a reader needs.
+
+use thiserror::Error;
+
+/// Why the GPU did not do what was asked. A session stays usable after every error but [`Error::Lost`], and can be given another device after that.
+#[derive(Clone, Debug, Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// The input was refused; nothing was computed from it.
+    #[error(transparent)]
+    Input(#[from] ccd_core::Error),
+    /// There is no adapter that fits.
+    #[error("no GPU: {why}")]
+    Unavailable {
+        /// What was looked for and what was found.
+        why: String,
+    },
+    /// A buffer would be larger than the device allows.
+    #[error("{what} need {bytes} bytes, but this device binds at most {limit} bytes at once")]
+    TooLarge {
+        /// What the buffer holds.
+        what: &'static str,
+        /// Bytes needed.
+        bytes: u64,
+        /// The limit of the device.
+        limit: u64,
+    },
+    /// The device has too little memory.
+    #[error("the device has no memory for {bytes} bytes of {what}")]
+    OutOfMemory {
+        /// What the buffer holds.
+        what: &'static str,
+        /// Bytes asked for.
+        bytes: u64,
+    },
+    /// The device was lost: unplugged, reset by its driver, or destroyed.
+    #[error("the device was lost: {why}")]
+    Lost {
+        /// What the driver says.
+        why: String,
+    },
+    /// The device refused a command: a defect of this library or of the driver.
+    #[error("the device refused a command: {why}")]
+    Refused {
+        /// What the device says.
+        why: String,
+    },
+}

@@ -1,0 +1,67 @@
+//! Lists that kernels append to: a header that counts what was wanted, then the entries for which there was room.
+
+use crate::device::Device;
+use crate::error::Error;
+use ccd_core::layout::LIST_HEADER;
+use wgpu::BufferUsages as U;
+
+/// Bytes of a header.
+pub const HEADER_BYTES: u64 = 4 * LIST_HEADER as u64;
+
+/// A list on the device.
+#[derive(Clone, Debug)]
+pub struct List {
+    what: &'static str,
+    buffer: wgpu::Buffer,
+    /// Entries that fit.
+    room: u32,
+    /// 32-bit words of an entry.
+    words: u32,
+}
+
+impl List {
+    /// A list of entries of `words` words with room for `room`.
+    pub fn new(device: &Device, what: &'static str, words: u32, room: u32) -> Result<Self, Error> {
+        let bytes = HEADER_BYTES + room as u64 * words as u64 * 4;
+        let buffer = device.buffer(what, bytes, U::STORAGE | U::COPY_SRC | U::COPY_DST)?;
+        Ok(Self { what, buffer, room, words })
+    }
+
+    /// A list that holds these pairs from the start.
+    pub fn of_pairs(device: &Device, what: &'static str, pairs: &[[u32; 2]]) -> Result<Self, Error> {
+        let list = Self::new(device, what, 2, pairs.len() as u32)?;
+        let mut words = vec![pairs.len() as u32, 0, 0, 0];
+        words.extend(pairs.iter().flatten());
+        device.queue().write_buffer(&list.buffer, 0, bytemuck::cast_slice(&words));
+        Ok(list)
+    }
+
+    /// The buffer: a header of four words, of which the first is the number of entries wanted, then the entries.
+    pub fn buffer(&self) -> &wgpu::Buffer {
+        &self.buffer
+    }
+
+    /// Entries that fit.
+    pub fn room(&self) -> u32 {
+        self.room
+    }
+
+    /// Bytes of the header and `n` entries, at most of all.
+    pub fn bytes(&self, n: u32) -> u64 {
+        HEADER_BYTES + n.min(self.room) as u64 * self.words as u64 * 4
+    }
+
+    /// If more than there is room for was `wanted`, replaces the list by a larger one. Returns whether it did.
+    pub fn grow(&mut self, device: &Device, wanted: u32) -> Result<bool, Error> {
+        if wanted <= self.room {
+            return Ok(false);
+        }
+        // Some more, as the next frame may want more; without it where the device has too little for that.
+        let larger = wanted.saturating_add(wanted / 4);
+        *self = match Self::new(device, self.what, self.words, larger) {
+            Err(Error::TooLarge { .. } | Error::OutOfMemory { .. }) => Self::new(device, self.what, self.words, wanted)?,
+            other => other?,
+        };
+        Ok(true)
+    }
+}

@@ -1,0 +1,74 @@
+//! From the device: parts of buffers are copied into one that the host can map.
+
+use crate::device::Device;
+use crate::error::Error;
+
+/// A buffer that is mapped for reading; grows, is kept.
+pub struct Readback {
+    buffer: Option<wgpu::Buffer>,
+    used: u64,
+}
+
+/// A part of what was read.
+#[derive(Clone, Copy, Debug)]
+pub struct Part {
+    at: u64,
+    bytes: u64,
+}
+
+impl Readback {
+    pub fn new() -> Self {
+        Self { buffer: None, used: 0 }
+    }
+
+    /// Plans parts of these sizes and makes room for them.
+    pub fn plan(&mut self, device: &Device, sizes: &[u64]) -> Result<Vec<Part>, Error> {
+        self.used = 0;
+        let parts = sizes
+            .iter()
+            .map(|&bytes| {
+                let part = Part { at: self.used, bytes };
+                self.used += bytes.next_multiple_of(8);
+                part
+            })
+            .collect();
+        if self.buffer.as_ref().is_none_or(|b| b.size() < self.used) {
+            let bytes = self.used + self.used / 4 + 4096;
+            let limit = device.info().limits.max_buffer_size;
+            let size = bytes.min(limit).next_multiple_of(8);
+            if self.used > limit {
+                return Err(Error::TooLarge { what: "results", bytes: self.used, limit });
+            }
+            let usage = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST;
+            let descriptor = wgpu::BufferDescriptor { label: Some("results"), size, usage, mapped_at_creation: false };
+            self.buffer = Some(device.guarded("results", size, || device.wgpu().create_buffer(&descriptor))?);
+        }
+        Ok(parts)
+    }
+
+    /// Records the copy of a part from the front of `from`.
+    pub fn copy(&self, recorder: &mut crate::recorder::Recorder, part: Part, from: &wgpu::Buffer) {
+        if let Some(buffer) = &self.buffer {
+            recorder.copy(from, 0, buffer, part.at, part.bytes);
+        }
+    }
+
+    /// Waits and reads all parts.
+    pub fn read(&self, device: &Device, parts: &[Part]) -> Result<Vec<Vec<u8>>, Error> {
+        let Some(buffer) = &self.buffer else { return Ok(Vec::new()) };
+        let bytes = map(device, buffer, self.used)?;
+        Ok(parts.iter().map(|p| bytes[p.at as usize..(p.at + p.bytes) as usize].to_vec()).collect())
+    }
+}
+
+/// Waits for the device and returns the first bytes of a mappable buffer.
+pub fn map(device: &Device, buffer: &wgpu::Buffer, bytes: u64) -> Result<Vec<u8>, Error> {
+    let slice = buffer.slice(..bytes);
+    device.guarded("results", bytes, || slice.map_async(wgpu::MapMode::Read, |_| {}))?;
+    device.wait()?;
+    let view = slice.get_mapped_range().map_err(|e| Error::Lost { why: e.to_string() })?;
+    let out = view.to_vec();
+    drop(view);
+    buffer.unmap();
+    Ok(out)
+}

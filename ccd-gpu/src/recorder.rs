@@ -1,0 +1,163 @@
+//! Recording: dispatches by the kernel table, their parameters, bind groups that are kept, stages that are timed.
+
+use crate::device::Device;
+use crate::error::Error;
+use ccd_core::kernel::{Access, Id};
+use ccd_core::layout::Params;
+use std::collections::HashMap;
+
+/// Bytes between the parameters of two dispatches: the greatest alignment that WebGPU allows a device to ask for.
+const PARAMS_STRIDE: u64 = 256;
+/// Dispatches of one recording, at most.
+const MAX_DISPATCHES: u64 = 1024;
+/// Stages of one recording, at most.
+const MAX_STAGES: u32 = 32;
+
+/// Buffers for parameters and timestamps, bind groups; kept between recordings.
+pub struct Bench {
+    device: Device,
+    params: wgpu::Buffer,
+    groups: HashMap<(Id, Vec<wgpu::Buffer>), wgpu::BindGroup>,
+    timer: Option<Timer>,
+}
+
+struct Timer {
+    queries: wgpu::QuerySet,
+    resolved: wgpu::Buffer,
+    read: wgpu::Buffer,
+}
+
+impl Bench {
+    pub fn new(device: &Device) -> Result<Self, Error> {
+        use wgpu::BufferUsages as U;
+        let params = device.buffer("parameters", PARAMS_STRIDE * MAX_DISPATCHES, U::STORAGE | U::COPY_DST)?;
+        Ok(Self { device: device.clone(), params, groups: HashMap::new(), timer: None })
+    }
+
+    /// Starts or stops timing stages; where there are no timestamps, nothing is timed.
+    pub fn time_stages(&mut self, on: bool) -> Result<(), Error> {
+        if !on || !self.device.info().timestamps {
+            self.timer = None;
+            return Ok(());
+        }
+        use wgpu::BufferUsages as U;
+        let bytes = MAX_STAGES as u64 * 16;
+        let queries = wgpu::QuerySetDescriptor { label: Some("stages"), ty: wgpu::QueryType::Timestamp, count: 2 * MAX_STAGES };
+        self.timer = Some(Timer {
+            queries: self.device.guarded("timestamps", bytes, || self.device.wgpu().create_query_set(&queries))?,
+            resolved: self.device.buffer("timestamps", bytes, U::QUERY_RESOLVE | U::COPY_SRC)?,
+            read: self.device.buffer("timestamps", bytes, U::MAP_READ | U::COPY_DST)?,
+        });
+        Ok(())
+    }
+
+    /// Forgets bind groups: call when a buffer was replaced.
+    pub fn forget(&mut self) {
+        self.groups.clear();
+    }
+
+    /// Starts recording into `encoder`.
+    pub fn record<'a>(&'a mut self, encoder: &'a mut wgpu::CommandEncoder) -> Recorder<'a> {
+        Recorder { bench: self, encoder, pass: None, params: Vec::new(), stages: Vec::new() }
+    }
+
+    /// Milliseconds between the first and the last timestamp of each stage that was recorded last; the work must be done.
+    pub fn times(&self, stages: &[&'static str]) -> Result<Vec<(&'static str, f64)>, Error> {
+        let Some(timer) = &self.timer else { return Ok(Vec::new()) };
+        let bytes = crate::readback::map(&self.device, &timer.read, stages.len() as u64 * 16)?;
+        let ticks: Vec<u64> = bytes.chunks_exact(8).map(|b| u64::from_le_bytes(b.try_into().unwrap_or_default())).collect();
+        let period = self.device.queue().get_timestamp_period() as f64 * 1e-6;
+        Ok(stages.iter().zip(ticks.chunks_exact(2)).map(|(name, t)| (*name, t[1].saturating_sub(t[0]) as f64 * period)).collect())
+    }
+}
+
+/// One recording.
+pub struct Recorder<'a> {
+    bench: &'a mut Bench,
+    encoder: &'a mut wgpu::CommandEncoder,
+    pass: Option<wgpu::ComputePass<'static>>,
+    params: Vec<u8>,
+    stages: Vec<&'static str>,
+}
+
+impl Recorder<'_> {
+    /// A new stage begins.
+    pub fn stage(&mut self, name: &'static str) {
+        if self.bench.timer.is_some() && self.stages.len() < MAX_STAGES as usize {
+            self.pass = None;
+            self.stages.push(name);
+        }
+    }
+
+    /// Sets the first `bytes` of a buffer to zero.
+    pub fn clear(&mut self, buffer: &wgpu::Buffer, bytes: u64) {
+        self.pass = None;
+        self.encoder.clear_buffer(buffer, 0, Some(bytes));
+    }
+
+    /// Copies between buffers.
+    pub fn copy(&mut self, from: &wgpu::Buffer, from_byte: u64, to: &wgpu::Buffer, to_byte: u64, bytes: u64) {
+        self.pass = None;
+        self.encoder.copy_buffer_to_buffer(from, from_byte, to, to_byte, bytes);
+    }
+
+    /// Runs a kernel with `groups` workgroups. `buffers`: those after the parameters, in the order of the table.
+    pub fn dispatch(&mut self, id: Id, params: &Params, buffers: &[&wgpu::Buffer], groups: u32) {
+        if groups == 0 {
+            return;
+        }
+        let bench = &mut *self.bench;
+        let pipeline = bench.device.pipeline(id);
+        let takes_params = id.row().bindings.first() == Some(&Access::Params);
+        let key = (id, buffers.iter().map(|&b| b.clone()).collect::<Vec<_>>());
+        let group = bench.groups.entry(key).or_insert_with(|| {
+            let params = wgpu::BufferBinding { buffer: &bench.params, offset: 0, size: wgpu::BufferSize::new(size_of::<Params>() as u64) };
+            let first = takes_params.then_some(wgpu::BindingResource::Buffer(params));
+            let resources = first.into_iter().chain(buffers.iter().map(|b| b.as_entire_binding()));
+            let entries: Vec<_> =
+                resources.enumerate().map(|(i, resource)| wgpu::BindGroupEntry { binding: i as u32, resource }).collect();
+            let descriptor = wgpu::BindGroupDescriptor { label: Some(id.row().name), layout: &pipeline.layout, entries: &entries };
+            bench.device.wgpu().create_bind_group(&descriptor)
+        });
+        let pass = self.pass.get_or_insert_with(|| {
+            let at = 2 * (self.stages.len() as u32).saturating_sub(1);
+            let timestamp_writes = bench.timer.as_ref().filter(|_| !self.stages.is_empty()).map(|timer| wgpu::ComputePassTimestampWrites {
+                query_set: &timer.queries,
+                beginning_of_pass_write_index: Some(at),
+                end_of_pass_write_index: Some(at + 1),
+            });
+            self.encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some("ccd"), timestamp_writes }).forget_lifetime()
+        });
+        pass.set_pipeline(&pipeline.pipeline);
+        if takes_params {
+            let offset = self.params.len() as u32;
+            self.params.extend_from_slice(bytemuck::bytes_of(params));
+            self.params.resize(offset as usize + PARAMS_STRIDE as usize, 0);
+            pass.set_bind_group(0, &*group, &[offset]);
+        } else {
+            pass.set_bind_group(0, &*group, &[]);
+        }
+        // Folded: the kernels take the number of a workgroup from both dimensions.
+        let limit = bench.device.info().limits.max_compute_workgroups_per_dimension.min(65_535);
+        let x = groups.min(limit);
+        pass.dispatch_workgroups(x, groups.div_ceil(x), 1);
+    }
+
+    /// Ends the recording: uploads the parameters. Returns the stages.
+    pub fn finish(mut self) -> Result<Vec<&'static str>, Error> {
+        self.pass = None;
+        let bytes = self.params.len() as u64;
+        if bytes > PARAMS_STRIDE * MAX_DISPATCHES {
+            return Err(Error::TooLarge { what: "parameters of dispatches", bytes, limit: PARAMS_STRIDE * MAX_DISPATCHES });
+        }
+        self.bench.device.queue().write_buffer(&self.bench.params, 0, &self.params);
+        if let Some(timer) = &self.bench.timer
+            && !self.stages.is_empty()
+        {
+            let n = self.stages.len() as u32;
+            self.encoder.resolve_query_set(&timer.queries, 0..2 * n, &timer.resolved, 0);
+            self.encoder.copy_buffer_to_buffer(&timer.resolved, 0, &timer.read, 0, n as u64 * 16);
+        }
+        Ok(self.stages)
+    }
+}

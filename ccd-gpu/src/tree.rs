@@ -1,0 +1,155 @@
+//! Block trees over boxes on the device: sort, fit, descent to pairs of blocks.
+
+use crate::device::Device;
+use crate::error::Error;
+use crate::levels::Levels;
+use crate::list::List;
+use crate::recorder::Recorder;
+use ccd_core::Aabb;
+use ccd_core::kernel::{Id, bounds, sort};
+use ccd_core::layout::{Leaf, Params};
+use wgpu::BufferUsages as U;
+
+/// Workgroups of kernels that take one pair of nodes after another: enough for the largest devices, few enough that each gets many pairs.
+pub const GROUPS: u32 = 8192;
+/// Pairs of nodes that one dispatch takes at most: some milliseconds of a small device, so that no driver thinks that it hangs.
+pub const DISPATCH_LIMIT: u32 = 1 << 20;
+
+/// Trees over up to three sets of boxes, which one sort orders.
+pub struct Tree {
+    pub levels: Levels,
+    count: [u32; 3],
+    pub boxes: wgpu::Buffer,
+    pub nodes: wgpu::Buffer,
+    pub leaves: wgpu::Buffer,
+    bounds: wgpu::Buffer,
+    keys: [wgpu::Buffer; 2],
+    orders: [wgpu::Buffer; 2],
+    table: wgpu::Buffer,
+    n_tiles: u32,
+    /// By kind: all pairs of nodes where the descent starts.
+    start: [List; 2],
+    /// By kind and level below the start: pairs of nodes.
+    pub pairs: [Vec<List>; 2],
+}
+
+impl Tree {
+    /// Makes room for these numbers of boxes.
+    pub fn new(device: &Device, count: [u32; 3]) -> Result<Self, Error> {
+        let n: u64 = count.iter().map(|&c| c as u64).sum();
+        let limit = device.info().limits.max_storage_buffer_binding_size;
+        let too_large = Error::TooLarge { what: "nodes of the tree", bytes: n * size_of::<Aabb>() as u64, limit };
+        let levels = Levels::new(count).ok_or(too_large)?;
+        let n_tiles = n.div_ceil(sort::TILE as u64) as u32;
+        let words = |what, n: u64| device.buffer(what, 4 * n, U::STORAGE | U::COPY_SRC | U::COPY_DST);
+        let nodes = device.buffer("nodes of the tree", levels.total() as u64 * size_of::<Aabb>() as u64, U::STORAGE | U::COPY_DST | U::COPY_SRC)?;
+        // Nodes that only fill up a block stay as they are now.
+        let empty = vec![Aabb::EMPTY; 1 << 16];
+        let all = nodes.size() / size_of::<Aabb>() as u64;
+        for first in (0..all).step_by(empty.len()) {
+            let n = (all - first).min(empty.len() as u64) as usize;
+            device.queue().write_buffer(&nodes, first * size_of::<Aabb>() as u64, bytemuck::cast_slice(&empty[..n]));
+        }
+        let start = |kind: u32| List::of_pairs(device, "first pairs of nodes", &levels.start_pairs(kind));
+        let pairs = |kind: u32| -> Result<Vec<List>, Error> {
+            // A node overlaps some tens of others on real scenes; what does not fit makes the list grow.
+            (1..levels.start(kind))
+                .map(|level| List::new(device, "pairs of nodes", 2, levels.nodes(level, if kind == 0 { 2 } else { 1 }).saturating_mul(40).max(4096)))
+                .collect()
+        };
+        Ok(Self {
+            boxes: device.buffer("boxes", n * size_of::<Aabb>() as u64, U::STORAGE | U::COPY_DST | U::COPY_SRC)?,
+            leaves: device.buffer("leaves", levels.padded(0) as u64 * size_of::<Leaf>() as u64, U::STORAGE)?,
+            bounds: words("bounds", 8)?,
+            keys: [words("sort keys", n)?, words("sort keys", n)?],
+            orders: [words("sort values", n)?, words("sort values", n)?],
+            table: words("sort table", (n_tiles as u64 + 1) * sort::DIGITS as u64)?,
+            start: [start(0)?, start(1)?],
+            pairs: [pairs(0)?, pairs(1)?],
+            n_tiles,
+            levels,
+            count,
+            nodes,
+        })
+    }
+
+    /// Parameters that say where things are; the caller sets the rest.
+    pub fn params(&self) -> Params {
+        let [v, e, f] = self.count;
+        Params { count: self.count, start: [0, v, v + e, v + e + f], slots: self.levels.slots, step: 1, limit: DISPATCH_LIMIT, ..Params::default() }
+    }
+
+    /// Lists whose headers must be zero before [`Tree::descend`].
+    pub fn lists(&self) -> impl Iterator<Item = &List> {
+        self.pairs.iter().flatten()
+    }
+
+    /// What must be zero before [`Tree::sort`].
+    pub fn clear_bounds(&self, recorder: &mut Recorder) {
+        recorder.clear(&self.bounds, 32);
+    }
+
+    /// Sorts all boxes by set and along the Morton curve. Of the bounds of all boxes, those of the first `n_bounding` are enough.
+    pub fn sort(&self, recorder: &mut Recorder, params: &Params, n_bounding: u32) {
+        let n = params.start[3];
+        let p = Params { n: n_bounding, ..*params };
+        recorder.dispatch(Id::SceneBounds, &p, &[&self.boxes, &self.bounds], n_bounding.div_ceil(256 * bounds::CHUNK as u32));
+        recorder.dispatch(Id::Morton, params, &[&self.boxes, &self.bounds, &self.keys[0], &self.orders[0]], n.div_ceil(256));
+        recorder.stage("sort");
+        self.sort_keys(recorder, n);
+    }
+
+    /// Sorts `n` keys with their values; four passes, so the result is where it began.
+    pub fn sort_keys(&self, recorder: &mut Recorder, n: u32) {
+        let (mut from, mut to) = (0, 1);
+        for pass in 0..4 {
+            let p = Params { n, n_tiles: self.n_tiles, shift: 8 * pass, ..Params::default() };
+            recorder.dispatch(Id::SortCount, &p, &[&self.keys[from], &self.table], self.n_tiles);
+            recorder.dispatch(Id::SortScan, &p, &[&self.table], sort::DIGITS);
+            let buffers = [&self.table, &self.keys[from], &self.orders[from], &self.keys[to], &self.orders[to]];
+            recorder.dispatch(Id::SortScatter, &p, &buffers, self.n_tiles);
+            std::mem::swap(&mut from, &mut to);
+        }
+    }
+
+    /// Keys and values that [`Tree::sort_keys`] sorts.
+    pub fn sorted(&self) -> (&wgpu::Buffer, &wgpu::Buffer) {
+        (&self.keys[0], &self.orders[0])
+    }
+
+    /// Boxes of all nodes, in the order of the last sort.
+    pub fn fit(&self, recorder: &mut Recorder, params: &Params, edges: &wgpu::Buffer, faces: &wgpu::Buffer) {
+        let buffers = [&self.boxes, &self.orders[0], edges, faces, &self.nodes, &self.leaves];
+        recorder.dispatch(Id::FitLeaves, params, &buffers, self.levels.padded(0).div_ceil(256));
+        for level in 1..self.levels.top() {
+            let p = Params { level, ..*params };
+            recorder.dispatch(Id::FitLevel, &p, &[&self.nodes], self.levels.padded(level).div_ceil(256));
+        }
+    }
+
+    /// Pairs of blocks of one kind that overlap; the result is in [`Tree::block_pairs`].
+    pub fn descend(&self, recorder: &mut Recorder, params: &Params) {
+        let kind = params.kind as usize;
+        let mut input = &self.start[kind];
+        for level in (2..=self.levels.start(params.kind)).rev() {
+            let output = &self.pairs[kind][level as usize - 2];
+            self.each_part(params, level, input, output.room(), 1, |p| {
+                recorder.dispatch(Id::NodePairs, p, &[&self.nodes, input.buffer(), output.buffer()], GROUPS.min(input.room()));
+            });
+            input = output;
+        }
+    }
+
+    /// Pairs of nodes of level 1.
+    pub fn block_pairs(&self, kind: usize) -> &List {
+        self.pairs[kind].first().unwrap_or(&self.start[kind])
+    }
+
+    /// Calls `run` with the parameters of each dispatch over the pairs of `input`.
+    pub fn each_part(&self, params: &Params, level: u32, input: &List, room_out: u32, step: u32, mut run: impl FnMut(&Params)) {
+        let room_in = input.room();
+        for part in 0..room_in.div_ceil(step).div_ceil(DISPATCH_LIMIT) {
+            run(&Params { level, first: part * DISPATCH_LIMIT * step, step, limit: DISPATCH_LIMIT, room_in, room_out, ..*params });
+        }
+    }
+}
