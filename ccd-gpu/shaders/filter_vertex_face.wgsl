@@ -161,518 +161,516 @@ fn function_() {
     var phi_676_: type_36;
     var phi_647_: type_35;
     var phi_690_: type_36;
-    var phi_862_: bool;
     var phi_863_: bool;
     var phi_864_: bool;
     var phi_865_: bool;
     var phi_866_: bool;
+    var phi_867_: bool;
+    var phi_871_: bool;
     var phi_827_: bool;
     var phi_828_: bool;
     var phi_829_: bool;
-    var phi_870_: bool;
-    var phi_871_: bool;
-    var phi_875_: bool;
-    var phi_882_: bool;
-    var phi_886_: bool;
-    var phi_887_: bool;
-    var phi_936_: bool;
-    var phi_937_: bool;
-    var phi_947_: bool;
-    var phi_948_: bool;
-    var phi_952_: bool;
-    var phi_953_: bool;
-    var phi_1002_: type_37;
-    var phi_1005_: bool;
-    var phi_1003_: type_37;
-    var phi_1028_: type_37;
-    var phi_1085_: type_37;
-    var phi_1088_: array<u32, 2>;
-    var phi_1086_: type_37;
-    var phi_1111_: type_37;
-    var phi_1186_: bool;
-    var phi_1187_: bool;
-    var phi_1191_: array<u32, 2>;
-    var phi_1089_: array<u32, 2>;
-    var phi_1242_: type_37;
-    var phi_1245_: array<u32, 2>;
-    var phi_1243_: type_37;
-    var phi_1268_: type_37;
-    var phi_1344_: bool;
-    var phi_1345_: bool;
-    var phi_1349_: array<u32, 2>;
-    var phi_1246_: array<u32, 2>;
+    var phi_833_: bool;
+    var phi_872_: bool;
+    var phi_876_: bool;
+    var phi_877_: bool;
+    var phi_923_: bool;
+    var phi_933_: bool;
+    var phi_934_: bool;
+    var phi_938_: bool;
+    var phi_939_: bool;
+    var phi_988_: type_37;
+    var phi_991_: bool;
+    var phi_989_: type_37;
+    var phi_1014_: type_37;
+    var phi_1071_: type_37;
+    var phi_1074_: array<u32, 2>;
+    var phi_1072_: type_37;
+    var phi_1097_: type_37;
+    var phi_1172_: bool;
+    var phi_1173_: bool;
+    var phi_1177_: array<u32, 2>;
+    var phi_1075_: array<u32, 2>;
+    var phi_1228_: type_37;
+    var phi_1231_: array<u32, 2>;
+    var phi_1229_: type_37;
+    var phi_1254_: type_37;
+    var phi_1330_: bool;
+    var phi_1331_: bool;
+    var phi_1335_: array<u32, 2>;
+    var phi_1232_: array<u32, 2>;
     var local_18: array<u32, 2>;
     var local_19: array<u32, 2>;
     var local_20: array<u32, 2>;
     var local_21: array<u32, 2>;
     var local_22: array<u32, 2>;
     var local_23: array<u32, 2>;
-    var phi_1365_: bool;
-    var phi_1366_: bool;
-    var phi_1417_: type_37;
-    var phi_1420_: array<u32, 2>;
-    var phi_1418_: type_37;
-    var phi_1443_: type_37;
-    var phi_1518_: bool;
-    var phi_1519_: bool;
-    var phi_1523_: array<u32, 2>;
-    var phi_1421_: array<u32, 2>;
-    var phi_1574_: type_37;
-    var phi_1577_: array<u32, 2>;
-    var phi_1575_: type_37;
-    var phi_1600_: type_37;
-    var phi_1676_: bool;
-    var phi_1677_: bool;
-    var phi_1681_: array<u32, 2>;
-    var phi_1578_: array<u32, 2>;
+    var phi_1351_: bool;
+    var phi_1352_: bool;
+    var phi_1403_: type_37;
+    var phi_1406_: array<u32, 2>;
+    var phi_1404_: type_37;
+    var phi_1429_: type_37;
+    var phi_1504_: bool;
+    var phi_1505_: bool;
+    var phi_1509_: array<u32, 2>;
+    var phi_1407_: array<u32, 2>;
+    var phi_1560_: type_37;
+    var phi_1563_: array<u32, 2>;
+    var phi_1561_: type_37;
+    var phi_1586_: type_37;
+    var phi_1662_: bool;
+    var phi_1663_: bool;
+    var phi_1667_: array<u32, 2>;
+    var phi_1564_: array<u32, 2>;
     var local_24: array<u32, 2>;
     var local_25: array<u32, 2>;
     var local_26: array<u32, 2>;
     var local_27: array<u32, 2>;
     var local_28: array<u32, 2>;
     var local_29: array<u32, 2>;
+    var phi_1683_: bool;
+    var phi_1684_: bool;
+    var phi_992_: bool;
+    var phi_1688_: bool;
+    var phi_1689_: bool;
+    var phi_1690_: bool;
+    var phi_1694_: bool;
+    var phi_1695_: bool;
+    var phi_1696_: bool;
     var phi_1697_: bool;
     var phi_1698_: bool;
-    var phi_1006_: bool;
     var phi_1702_: bool;
-    var phi_1703_: bool;
-    var phi_1704_: bool;
-    var phi_1708_: bool;
-    var phi_1709_: bool;
-    var phi_1710_: bool;
-    var phi_1711_: bool;
-    var phi_1712_: bool;
-    var phi_1716_: bool;
-    var phi_2114_: f32;
-    var phi_2121_: f32;
-    var phi_2126_: f32;
-    var phi_2133_: f32;
-    var phi_2138_: f32;
-    var phi_2151_: f32;
-    var phi_2158_: f32;
-    var phi_2163_: f32;
-    var phi_2170_: f32;
-    var phi_2175_: f32;
-    var phi_2180_: f32;
-    var phi_2197_: f32;
-    var phi_2204_: f32;
-    var phi_2209_: f32;
-    var phi_2216_: f32;
+    var phi_2100_: f32;
+    var phi_2107_: f32;
+    var phi_2112_: f32;
+    var phi_2119_: f32;
+    var phi_2124_: f32;
+    var phi_2137_: f32;
+    var phi_2144_: f32;
+    var phi_2149_: f32;
+    var phi_2156_: f32;
+    var phi_2161_: f32;
+    var phi_2166_: f32;
+    var phi_2183_: f32;
+    var phi_2190_: f32;
+    var phi_2195_: f32;
+    var phi_2202_: f32;
+    var phi_2207_: f32;
     var phi_2221_: f32;
-    var phi_2235_: f32;
-    var phi_2242_: f32;
-    var phi_2247_: f32;
-    var phi_2254_: f32;
-    var phi_2259_: f32;
-    var phi_2264_: f32;
-    var phi_2281_: f32;
-    var phi_2288_: f32;
-    var phi_2293_: f32;
-    var phi_2300_: f32;
+    var phi_2228_: f32;
+    var phi_2233_: f32;
+    var phi_2240_: f32;
+    var phi_2245_: f32;
+    var phi_2250_: f32;
+    var phi_2267_: f32;
+    var phi_2274_: f32;
+    var phi_2279_: f32;
+    var phi_2286_: f32;
+    var phi_2291_: f32;
     var phi_2305_: f32;
-    var phi_2319_: f32;
-    var phi_2326_: f32;
-    var phi_2331_: f32;
-    var phi_2338_: f32;
-    var phi_2343_: f32;
-    var phi_2348_: f32;
-    var phi_2379_: f32;
+    var phi_2312_: f32;
+    var phi_2317_: f32;
+    var phi_2324_: f32;
+    var phi_2329_: f32;
+    var phi_2334_: f32;
+    var phi_2365_: f32;
+    var phi_2371_: f32;
+    var phi_2378_: f32;
     var phi_2385_: f32;
-    var phi_2392_: f32;
-    var phi_2399_: f32;
-    var phi_2405_: f32;
-    var phi_2412_: f32;
-    var phi_2418_: f32;
-    var phi_2424_: f32;
+    var phi_2391_: f32;
+    var phi_2398_: f32;
+    var phi_2404_: f32;
+    var phi_2410_: f32;
+    var phi_2416_: f32;
+    var phi_2423_: f32;
     var phi_2430_: f32;
-    var phi_2437_: f32;
-    var phi_2444_: f32;
-    var phi_2468_: f32;
-    var phi_2473_: f32;
-    var phi_2478_: f32;
-    var phi_2483_: f32;
-    var phi_2488_: f32;
-    var phi_2493_: f32;
-    var phi_2503_: f32;
-    var phi_2754_: f32;
-    var phi_2761_: f32;
-    var phi_2766_: f32;
-    var phi_2773_: f32;
-    var phi_2778_: f32;
-    var phi_2791_: f32;
-    var phi_2798_: f32;
-    var phi_2803_: f32;
-    var phi_2810_: f32;
-    var phi_2815_: f32;
-    var phi_2820_: f32;
-    var phi_2837_: f32;
-    var phi_2844_: f32;
-    var phi_2849_: f32;
-    var phi_2856_: f32;
+    var phi_2454_: f32;
+    var phi_2459_: f32;
+    var phi_2464_: f32;
+    var phi_2469_: f32;
+    var phi_2474_: f32;
+    var phi_2479_: f32;
+    var phi_2489_: f32;
+    var phi_2740_: f32;
+    var phi_2747_: f32;
+    var phi_2752_: f32;
+    var phi_2759_: f32;
+    var phi_2764_: f32;
+    var phi_2777_: f32;
+    var phi_2784_: f32;
+    var phi_2789_: f32;
+    var phi_2796_: f32;
+    var phi_2801_: f32;
+    var phi_2806_: f32;
+    var phi_2823_: f32;
+    var phi_2830_: f32;
+    var phi_2835_: f32;
+    var phi_2842_: f32;
+    var phi_2847_: f32;
     var phi_2861_: f32;
-    var phi_2875_: f32;
-    var phi_2882_: f32;
-    var phi_2887_: f32;
-    var phi_2894_: f32;
-    var phi_2899_: f32;
-    var phi_2904_: f32;
-    var phi_2921_: f32;
-    var phi_2928_: f32;
-    var phi_2933_: f32;
-    var phi_2940_: f32;
+    var phi_2868_: f32;
+    var phi_2873_: f32;
+    var phi_2880_: f32;
+    var phi_2885_: f32;
+    var phi_2890_: f32;
+    var phi_2907_: f32;
+    var phi_2914_: f32;
+    var phi_2919_: f32;
+    var phi_2926_: f32;
+    var phi_2931_: f32;
     var phi_2945_: f32;
-    var phi_2959_: f32;
-    var phi_2966_: f32;
-    var phi_2971_: f32;
-    var phi_2978_: f32;
-    var phi_2983_: f32;
-    var phi_2988_: f32;
-    var phi_3026_: type_37;
-    var phi_3029_: f32;
-    var phi_3031_: f32;
-    var phi_3027_: type_37;
-    var phi_3054_: type_37;
-    var phi_3104_: f32;
-    var phi_3109_: f32;
-    var phi_3114_: f32;
-    var phi_3119_: f32;
-    var phi_3030_: f32;
-    var phi_3032_: f32;
-    var phi_3125_: f32;
-    var phi_3131_: f32;
-    var phi_3138_: f32;
+    var phi_2952_: f32;
+    var phi_2957_: f32;
+    var phi_2964_: f32;
+    var phi_2969_: f32;
+    var phi_2974_: f32;
+    var phi_3012_: type_37;
+    var phi_3015_: f32;
+    var phi_3017_: f32;
+    var phi_3013_: type_37;
+    var phi_3040_: type_37;
+    var phi_3090_: f32;
+    var phi_3095_: f32;
+    var phi_3100_: f32;
+    var phi_3105_: f32;
+    var phi_3016_: f32;
+    var phi_3018_: f32;
+    var phi_3111_: f32;
+    var phi_3117_: f32;
+    var phi_3124_: f32;
     var local_30: f32;
     var local_31: f32;
-    var phi_3148_: f32;
-    var phi_3179_: type_37;
-    var phi_3182_: f32;
-    var phi_3184_: f32;
-    var phi_3180_: type_37;
-    var phi_3207_: type_37;
-    var phi_3257_: f32;
-    var phi_3262_: f32;
-    var phi_3267_: f32;
-    var phi_3272_: f32;
-    var phi_3183_: f32;
-    var phi_3185_: f32;
-    var phi_3278_: f32;
-    var phi_3284_: f32;
-    var phi_3291_: f32;
+    var phi_3134_: f32;
+    var phi_3165_: type_37;
+    var phi_3168_: f32;
+    var phi_3170_: f32;
+    var phi_3166_: type_37;
+    var phi_3193_: type_37;
+    var phi_3243_: f32;
+    var phi_3248_: f32;
+    var phi_3253_: f32;
+    var phi_3258_: f32;
+    var phi_3169_: f32;
+    var phi_3171_: f32;
+    var phi_3264_: f32;
+    var phi_3270_: f32;
+    var phi_3277_: f32;
     var local_32: f32;
     var local_33: f32;
-    var phi_3301_: f32;
-    var phi_3311_: f32;
-    var phi_3344_: type_37;
-    var phi_3347_: f32;
-    var phi_3349_: f32;
-    var phi_3345_: type_37;
-    var phi_3372_: type_37;
-    var phi_3422_: f32;
-    var phi_3427_: f32;
-    var phi_3432_: f32;
-    var phi_3437_: f32;
-    var phi_3348_: f32;
-    var phi_3350_: f32;
-    var phi_3443_: f32;
-    var phi_3449_: f32;
-    var phi_3456_: f32;
+    var phi_3287_: f32;
+    var phi_3297_: f32;
+    var phi_3330_: type_37;
+    var phi_3333_: f32;
+    var phi_3335_: f32;
+    var phi_3331_: type_37;
+    var phi_3358_: type_37;
+    var phi_3408_: f32;
+    var phi_3413_: f32;
+    var phi_3418_: f32;
+    var phi_3423_: f32;
+    var phi_3334_: f32;
+    var phi_3336_: f32;
+    var phi_3429_: f32;
+    var phi_3435_: f32;
+    var phi_3442_: f32;
     var local_34: f32;
     var local_35: f32;
-    var phi_3466_: f32;
-    var phi_3476_: f32;
-    var phi_3479_: bool;
-    var phi_3936_: f32;
-    var phi_3943_: f32;
-    var phi_3948_: f32;
-    var phi_3955_: f32;
-    var phi_3960_: f32;
-    var phi_3973_: f32;
-    var phi_3980_: f32;
-    var phi_3985_: f32;
-    var phi_3992_: f32;
-    var phi_3997_: f32;
-    var phi_4002_: f32;
-    var phi_4019_: f32;
-    var phi_4026_: f32;
-    var phi_4031_: f32;
-    var phi_4038_: f32;
+    var phi_3452_: f32;
+    var phi_3462_: f32;
+    var phi_3465_: bool;
+    var phi_3922_: f32;
+    var phi_3929_: f32;
+    var phi_3934_: f32;
+    var phi_3941_: f32;
+    var phi_3946_: f32;
+    var phi_3959_: f32;
+    var phi_3966_: f32;
+    var phi_3971_: f32;
+    var phi_3978_: f32;
+    var phi_3983_: f32;
+    var phi_3988_: f32;
+    var phi_4005_: f32;
+    var phi_4012_: f32;
+    var phi_4017_: f32;
+    var phi_4024_: f32;
+    var phi_4029_: f32;
     var phi_4043_: f32;
-    var phi_4057_: f32;
-    var phi_4064_: f32;
-    var phi_4069_: f32;
-    var phi_4076_: f32;
-    var phi_4081_: f32;
-    var phi_4086_: f32;
-    var phi_4103_: f32;
-    var phi_4110_: f32;
-    var phi_4115_: f32;
-    var phi_4122_: f32;
+    var phi_4050_: f32;
+    var phi_4055_: f32;
+    var phi_4062_: f32;
+    var phi_4067_: f32;
+    var phi_4072_: f32;
+    var phi_4089_: f32;
+    var phi_4096_: f32;
+    var phi_4101_: f32;
+    var phi_4108_: f32;
+    var phi_4113_: f32;
     var phi_4127_: f32;
-    var phi_4141_: f32;
-    var phi_4148_: f32;
-    var phi_4153_: f32;
-    var phi_4160_: f32;
-    var phi_4165_: f32;
-    var phi_4170_: f32;
-    var phi_4201_: f32;
+    var phi_4134_: f32;
+    var phi_4139_: f32;
+    var phi_4146_: f32;
+    var phi_4151_: f32;
+    var phi_4156_: f32;
+    var phi_4187_: f32;
+    var phi_4193_: f32;
+    var phi_4200_: f32;
     var phi_4207_: f32;
-    var phi_4214_: f32;
-    var phi_4221_: f32;
-    var phi_4227_: f32;
-    var phi_4234_: f32;
-    var phi_4240_: f32;
-    var phi_4246_: f32;
+    var phi_4213_: f32;
+    var phi_4220_: f32;
+    var phi_4226_: f32;
+    var phi_4232_: f32;
+    var phi_4238_: f32;
+    var phi_4245_: f32;
     var phi_4252_: f32;
-    var phi_4259_: f32;
-    var phi_4266_: f32;
-    var phi_4290_: f32;
-    var phi_4295_: f32;
-    var phi_4300_: f32;
-    var phi_4305_: f32;
-    var phi_4310_: f32;
-    var phi_4315_: f32;
-    var phi_4325_: f32;
-    var phi_4576_: f32;
-    var phi_4583_: f32;
-    var phi_4588_: f32;
-    var phi_4595_: f32;
-    var phi_4600_: f32;
-    var phi_4613_: f32;
-    var phi_4620_: f32;
-    var phi_4625_: f32;
-    var phi_4632_: f32;
-    var phi_4637_: f32;
-    var phi_4642_: f32;
-    var phi_4659_: f32;
-    var phi_4666_: f32;
-    var phi_4671_: f32;
-    var phi_4678_: f32;
+    var phi_4276_: f32;
+    var phi_4281_: f32;
+    var phi_4286_: f32;
+    var phi_4291_: f32;
+    var phi_4296_: f32;
+    var phi_4301_: f32;
+    var phi_4311_: f32;
+    var phi_4562_: f32;
+    var phi_4569_: f32;
+    var phi_4574_: f32;
+    var phi_4581_: f32;
+    var phi_4586_: f32;
+    var phi_4599_: f32;
+    var phi_4606_: f32;
+    var phi_4611_: f32;
+    var phi_4618_: f32;
+    var phi_4623_: f32;
+    var phi_4628_: f32;
+    var phi_4645_: f32;
+    var phi_4652_: f32;
+    var phi_4657_: f32;
+    var phi_4664_: f32;
+    var phi_4669_: f32;
     var phi_4683_: f32;
-    var phi_4697_: f32;
-    var phi_4704_: f32;
-    var phi_4709_: f32;
-    var phi_4716_: f32;
-    var phi_4721_: f32;
-    var phi_4726_: f32;
-    var phi_4743_: f32;
-    var phi_4750_: f32;
-    var phi_4755_: f32;
-    var phi_4762_: f32;
+    var phi_4690_: f32;
+    var phi_4695_: f32;
+    var phi_4702_: f32;
+    var phi_4707_: f32;
+    var phi_4712_: f32;
+    var phi_4729_: f32;
+    var phi_4736_: f32;
+    var phi_4741_: f32;
+    var phi_4748_: f32;
+    var phi_4753_: f32;
     var phi_4767_: f32;
-    var phi_4781_: f32;
-    var phi_4788_: f32;
-    var phi_4793_: f32;
-    var phi_4800_: f32;
-    var phi_4805_: f32;
-    var phi_4810_: f32;
-    var phi_4848_: type_37;
-    var phi_4851_: f32;
-    var phi_4853_: f32;
-    var phi_4849_: type_37;
-    var phi_4876_: type_37;
-    var phi_4926_: f32;
-    var phi_4931_: f32;
-    var phi_4936_: f32;
-    var phi_4941_: f32;
-    var phi_4852_: f32;
-    var phi_4854_: f32;
-    var phi_4947_: f32;
-    var phi_4953_: f32;
-    var phi_4960_: f32;
+    var phi_4774_: f32;
+    var phi_4779_: f32;
+    var phi_4786_: f32;
+    var phi_4791_: f32;
+    var phi_4796_: f32;
+    var phi_4834_: type_37;
+    var phi_4837_: f32;
+    var phi_4839_: f32;
+    var phi_4835_: type_37;
+    var phi_4862_: type_37;
+    var phi_4912_: f32;
+    var phi_4917_: f32;
+    var phi_4922_: f32;
+    var phi_4927_: f32;
+    var phi_4838_: f32;
+    var phi_4840_: f32;
+    var phi_4933_: f32;
+    var phi_4939_: f32;
+    var phi_4946_: f32;
     var local_36: f32;
     var local_37: f32;
-    var phi_4970_: f32;
-    var phi_5001_: type_37;
-    var phi_5004_: f32;
-    var phi_5006_: f32;
-    var phi_5002_: type_37;
-    var phi_5029_: type_37;
-    var phi_5079_: f32;
-    var phi_5084_: f32;
-    var phi_5089_: f32;
-    var phi_5094_: f32;
-    var phi_5005_: f32;
-    var phi_5007_: f32;
-    var phi_5100_: f32;
-    var phi_5106_: f32;
-    var phi_5113_: f32;
+    var phi_4956_: f32;
+    var phi_4987_: type_37;
+    var phi_4990_: f32;
+    var phi_4992_: f32;
+    var phi_4988_: type_37;
+    var phi_5015_: type_37;
+    var phi_5065_: f32;
+    var phi_5070_: f32;
+    var phi_5075_: f32;
+    var phi_5080_: f32;
+    var phi_4991_: f32;
+    var phi_4993_: f32;
+    var phi_5086_: f32;
+    var phi_5092_: f32;
+    var phi_5099_: f32;
     var local_38: f32;
     var local_39: f32;
-    var phi_5123_: f32;
-    var phi_5133_: f32;
-    var phi_5166_: type_37;
-    var phi_5169_: f32;
-    var phi_5171_: f32;
-    var phi_5167_: type_37;
-    var phi_5194_: type_37;
-    var phi_5244_: f32;
-    var phi_5249_: f32;
-    var phi_5254_: f32;
-    var phi_5259_: f32;
-    var phi_5170_: f32;
-    var phi_5172_: f32;
-    var phi_5265_: f32;
-    var phi_5271_: f32;
-    var phi_5278_: f32;
+    var phi_5109_: f32;
+    var phi_5119_: f32;
+    var phi_5152_: type_37;
+    var phi_5155_: f32;
+    var phi_5157_: f32;
+    var phi_5153_: type_37;
+    var phi_5180_: type_37;
+    var phi_5230_: f32;
+    var phi_5235_: f32;
+    var phi_5240_: f32;
+    var phi_5245_: f32;
+    var phi_5156_: f32;
+    var phi_5158_: f32;
+    var phi_5251_: f32;
+    var phi_5257_: f32;
+    var phi_5264_: f32;
     var local_40: f32;
     var local_41: f32;
-    var phi_5288_: f32;
-    var phi_5298_: f32;
-    var phi_5301_: bool;
-    var phi_5547_: f32;
-    var phi_5554_: f32;
-    var phi_5559_: f32;
-    var phi_5566_: f32;
-    var phi_5571_: f32;
-    var phi_5584_: f32;
-    var phi_5591_: f32;
-    var phi_5596_: f32;
-    var phi_5603_: f32;
-    var phi_5608_: f32;
-    var phi_5613_: f32;
-    var phi_5630_: f32;
-    var phi_5637_: f32;
-    var phi_5642_: f32;
-    var phi_5649_: f32;
+    var phi_5274_: f32;
+    var phi_5284_: f32;
+    var phi_5287_: bool;
+    var phi_5533_: f32;
+    var phi_5540_: f32;
+    var phi_5545_: f32;
+    var phi_5552_: f32;
+    var phi_5557_: f32;
+    var phi_5570_: f32;
+    var phi_5577_: f32;
+    var phi_5582_: f32;
+    var phi_5589_: f32;
+    var phi_5594_: f32;
+    var phi_5599_: f32;
+    var phi_5616_: f32;
+    var phi_5623_: f32;
+    var phi_5628_: f32;
+    var phi_5635_: f32;
+    var phi_5640_: f32;
     var phi_5654_: f32;
-    var phi_5668_: f32;
-    var phi_5675_: f32;
-    var phi_5680_: f32;
-    var phi_5687_: f32;
-    var phi_5692_: f32;
-    var phi_5697_: f32;
-    var phi_5714_: f32;
-    var phi_5721_: f32;
-    var phi_5726_: f32;
-    var phi_5733_: f32;
+    var phi_5661_: f32;
+    var phi_5666_: f32;
+    var phi_5673_: f32;
+    var phi_5678_: f32;
+    var phi_5683_: f32;
+    var phi_5700_: f32;
+    var phi_5707_: f32;
+    var phi_5712_: f32;
+    var phi_5719_: f32;
+    var phi_5724_: f32;
     var phi_5738_: f32;
-    var phi_5752_: f32;
-    var phi_5759_: f32;
-    var phi_5764_: f32;
-    var phi_5771_: f32;
-    var phi_5776_: f32;
-    var phi_5781_: f32;
-    var phi_5812_: f32;
+    var phi_5745_: f32;
+    var phi_5750_: f32;
+    var phi_5757_: f32;
+    var phi_5762_: f32;
+    var phi_5767_: f32;
+    var phi_5798_: f32;
+    var phi_5804_: f32;
+    var phi_5811_: f32;
     var phi_5818_: f32;
-    var phi_5825_: f32;
-    var phi_5832_: f32;
-    var phi_5838_: f32;
-    var phi_5845_: f32;
-    var phi_5851_: f32;
-    var phi_5857_: f32;
+    var phi_5824_: f32;
+    var phi_5831_: f32;
+    var phi_5837_: f32;
+    var phi_5843_: f32;
+    var phi_5849_: f32;
+    var phi_5856_: f32;
     var phi_5863_: f32;
-    var phi_5870_: f32;
-    var phi_5877_: f32;
-    var phi_5901_: f32;
-    var phi_5906_: f32;
-    var phi_5911_: f32;
-    var phi_5916_: f32;
-    var phi_5921_: f32;
-    var phi_5926_: f32;
-    var phi_5936_: f32;
-    var phi_6187_: f32;
-    var phi_6194_: f32;
-    var phi_6199_: f32;
-    var phi_6206_: f32;
-    var phi_6211_: f32;
-    var phi_6224_: f32;
-    var phi_6231_: f32;
-    var phi_6236_: f32;
-    var phi_6243_: f32;
-    var phi_6248_: f32;
-    var phi_6253_: f32;
-    var phi_6270_: f32;
-    var phi_6277_: f32;
-    var phi_6282_: f32;
-    var phi_6289_: f32;
+    var phi_5887_: f32;
+    var phi_5892_: f32;
+    var phi_5897_: f32;
+    var phi_5902_: f32;
+    var phi_5907_: f32;
+    var phi_5912_: f32;
+    var phi_5922_: f32;
+    var phi_6173_: f32;
+    var phi_6180_: f32;
+    var phi_6185_: f32;
+    var phi_6192_: f32;
+    var phi_6197_: f32;
+    var phi_6210_: f32;
+    var phi_6217_: f32;
+    var phi_6222_: f32;
+    var phi_6229_: f32;
+    var phi_6234_: f32;
+    var phi_6239_: f32;
+    var phi_6256_: f32;
+    var phi_6263_: f32;
+    var phi_6268_: f32;
+    var phi_6275_: f32;
+    var phi_6280_: f32;
     var phi_6294_: f32;
-    var phi_6308_: f32;
-    var phi_6315_: f32;
-    var phi_6320_: f32;
-    var phi_6327_: f32;
-    var phi_6332_: f32;
-    var phi_6337_: f32;
-    var phi_6354_: f32;
-    var phi_6361_: f32;
-    var phi_6366_: f32;
-    var phi_6373_: f32;
+    var phi_6301_: f32;
+    var phi_6306_: f32;
+    var phi_6313_: f32;
+    var phi_6318_: f32;
+    var phi_6323_: f32;
+    var phi_6340_: f32;
+    var phi_6347_: f32;
+    var phi_6352_: f32;
+    var phi_6359_: f32;
+    var phi_6364_: f32;
     var phi_6378_: f32;
-    var phi_6392_: f32;
-    var phi_6399_: f32;
-    var phi_6404_: f32;
-    var phi_6411_: f32;
-    var phi_6416_: f32;
-    var phi_6421_: f32;
-    var phi_6459_: type_37;
-    var phi_6462_: f32;
-    var phi_6464_: f32;
-    var phi_6460_: type_37;
-    var phi_6487_: type_37;
-    var phi_6537_: f32;
-    var phi_6542_: f32;
-    var phi_6547_: f32;
-    var phi_6552_: f32;
-    var phi_6463_: f32;
-    var phi_6465_: f32;
-    var phi_6558_: f32;
-    var phi_6564_: f32;
-    var phi_6571_: f32;
+    var phi_6385_: f32;
+    var phi_6390_: f32;
+    var phi_6397_: f32;
+    var phi_6402_: f32;
+    var phi_6407_: f32;
+    var phi_6445_: type_37;
+    var phi_6448_: f32;
+    var phi_6450_: f32;
+    var phi_6446_: type_37;
+    var phi_6473_: type_37;
+    var phi_6523_: f32;
+    var phi_6528_: f32;
+    var phi_6533_: f32;
+    var phi_6538_: f32;
+    var phi_6449_: f32;
+    var phi_6451_: f32;
+    var phi_6544_: f32;
+    var phi_6550_: f32;
+    var phi_6557_: f32;
     var local_42: f32;
     var local_43: f32;
-    var phi_6581_: f32;
-    var phi_6612_: type_37;
-    var phi_6615_: f32;
-    var phi_6617_: f32;
-    var phi_6613_: type_37;
-    var phi_6640_: type_37;
-    var phi_6690_: f32;
-    var phi_6695_: f32;
-    var phi_6700_: f32;
-    var phi_6705_: f32;
-    var phi_6616_: f32;
-    var phi_6618_: f32;
-    var phi_6711_: f32;
-    var phi_6717_: f32;
-    var phi_6724_: f32;
+    var phi_6567_: f32;
+    var phi_6598_: type_37;
+    var phi_6601_: f32;
+    var phi_6603_: f32;
+    var phi_6599_: type_37;
+    var phi_6626_: type_37;
+    var phi_6676_: f32;
+    var phi_6681_: f32;
+    var phi_6686_: f32;
+    var phi_6691_: f32;
+    var phi_6602_: f32;
+    var phi_6604_: f32;
+    var phi_6697_: f32;
+    var phi_6703_: f32;
+    var phi_6710_: f32;
     var local_44: f32;
     var local_45: f32;
-    var phi_6734_: f32;
-    var phi_6744_: f32;
-    var phi_6777_: type_37;
-    var phi_6780_: f32;
-    var phi_6782_: f32;
-    var phi_6778_: type_37;
-    var phi_6805_: type_37;
-    var phi_6855_: f32;
-    var phi_6860_: f32;
-    var phi_6865_: f32;
-    var phi_6870_: f32;
-    var phi_6781_: f32;
-    var phi_6783_: f32;
-    var phi_6876_: f32;
-    var phi_6882_: f32;
-    var phi_6889_: f32;
+    var phi_6720_: f32;
+    var phi_6730_: f32;
+    var phi_6763_: type_37;
+    var phi_6766_: f32;
+    var phi_6768_: f32;
+    var phi_6764_: type_37;
+    var phi_6791_: type_37;
+    var phi_6841_: f32;
+    var phi_6846_: f32;
+    var phi_6851_: f32;
+    var phi_6856_: f32;
+    var phi_6767_: f32;
+    var phi_6769_: f32;
+    var phi_6862_: f32;
+    var phi_6868_: f32;
+    var phi_6875_: f32;
     var local_46: f32;
     var local_47: f32;
-    var phi_6899_: f32;
-    var phi_6909_: f32;
-    var phi_6912_: bool;
-    var phi_6913_: bool;
-    var phi_6915_: bool;
-    var phi_6923_: u32;
-    var phi_6924_: bool;
+    var phi_6885_: f32;
+    var phi_6895_: f32;
+    var phi_6898_: bool;
+    var phi_6899_: bool;
+    var phi_6901_: bool;
+    var phi_6909_: u32;
+    var phi_6910_: bool;
     var phi_650_: u32;
-    var phi_6925_: bool;
-    var phi_6955_: type_35;
-    var phi_6958_: u32;
-    var phi_6979_: bool;
+    var phi_6911_: bool;
+    var phi_6941_: type_35;
+    var phi_6944_: u32;
+    var phi_6965_: bool;
+    var phi_6971_: type_36;
+    var phi_6942_: type_35;
     var phi_6985_: type_36;
-    var phi_6956_: type_35;
-    var phi_6999_: type_36;
-    var phi_7105_: u32;
-    var phi_7106_: bool;
-    var phi_6959_: u32;
-    var phi_7107_: bool;
+    var phi_7091_: u32;
+    var phi_7092_: bool;
+    var phi_6945_: u32;
+    var phi_7093_: bool;
     var local_48: bool;
     var local_49: f32;
     var local_50: f32;
@@ -941,8 +939,8 @@ fn function_() {
                 let _e439 = phi_690_;
                 if (bitcast<i32>(_e439.member) != 0i) {
                     if (_e408 >= _e404) {
-                        phi_6923_ = u32();
-                        phi_6924_ = false;
+                        phi_6909_ = u32();
+                        phi_6910_ = false;
                     } else {
                         let _e445 = hits[_e408];
                         let _e454 = params.member.member_18[0u][0u];
@@ -959,3466 +957,3457 @@ fn function_() {
                         if ((_e486 & 1u) != 0u) {
                             let _e490 = params.member.member_8;
                             if (_e490 == 0u) {
-                                let _e532 = local_16.member[0u];
-                                let _e535 = local_17.member[0u];
-                                if (_e532 == _e535) {
+                                let _e534 = local_16.member[0u];
+                                let _e537 = local_17.member[0u];
+                                if (_e534 == _e537) {
                                     phi_828_ = bool();
                                     phi_829_ = true;
                                 } else {
-                                    let _e539 = local_16.member[0u];
-                                    let _e542 = local_17.member[1u];
-                                    let _e543 = (_e539 == _e542);
-                                    if _e543 {
+                                    let _e541 = local_16.member[0u];
+                                    let _e544 = local_17.member[1u];
+                                    let _e545 = (_e541 == _e544);
+                                    if _e545 {
                                         phi_827_ = bool();
                                     } else {
-                                        let _e546 = local_16.member[0u];
-                                        let _e549 = local_17.member[2u];
-                                        phi_827_ = (_e546 == _e549);
+                                        let _e548 = local_16.member[0u];
+                                        let _e551 = local_17.member[2u];
+                                        phi_827_ = (_e548 == _e551);
                                     }
-                                    let _e552 = phi_827_;
-                                    phi_828_ = _e552;
-                                    phi_829_ = _e543;
+                                    let _e554 = phi_827_;
+                                    phi_828_ = _e554;
+                                    phi_829_ = _e545;
                                 }
-                                let _e554 = phi_828_;
-                                let _e556 = phi_829_;
-                                phi_870_ = _e554;
-                                phi_871_ = _e556;
+                                let _e556 = phi_828_;
+                                let _e558 = phi_829_;
+                                if _e558 {
+                                    phi_833_ = true;
+                                } else {
+                                    phi_833_ = _e556;
+                                }
+                                let _e560 = phi_833_;
+                                phi_872_ = _e560;
                             } else {
                                 let _e494 = local_16.member[0u];
                                 let _e497 = local_17.member[0u];
                                 if (_e494 == _e497) {
-                                    phi_865_ = bool();
-                                    phi_866_ = true;
+                                    phi_866_ = bool();
+                                    phi_867_ = true;
                                 } else {
                                     let _e501 = local_16.member[0u];
                                     let _e504 = local_17.member[1u];
                                     if (_e501 == _e504) {
-                                        phi_863_ = bool();
-                                        phi_864_ = true;
+                                        phi_864_ = bool();
+                                        phi_865_ = true;
                                     } else {
                                         let _e508 = local_16.member[1u];
                                         let _e511 = local_17.member[0u];
                                         let _e512 = (_e508 == _e511);
                                         if _e512 {
-                                            phi_862_ = bool();
+                                            phi_863_ = bool();
                                         } else {
                                             let _e515 = local_16.member[1u];
                                             let _e518 = local_17.member[1u];
-                                            phi_862_ = (_e515 == _e518);
+                                            phi_863_ = (_e515 == _e518);
                                         }
-                                        let _e521 = phi_862_;
-                                        phi_863_ = _e521;
-                                        phi_864_ = _e512;
+                                        let _e521 = phi_863_;
+                                        phi_864_ = _e521;
+                                        phi_865_ = _e512;
                                     }
-                                    let _e523 = phi_863_;
-                                    let _e525 = phi_864_;
-                                    phi_865_ = _e523;
-                                    phi_866_ = _e525;
+                                    let _e523 = phi_864_;
+                                    let _e525 = phi_865_;
+                                    phi_866_ = _e523;
+                                    phi_867_ = _e525;
                                 }
-                                let _e527 = phi_865_;
-                                let _e529 = phi_866_;
-                                phi_870_ = _e527;
-                                phi_871_ = _e529;
+                                let _e527 = phi_866_;
+                                let _e529 = phi_867_;
+                                if _e529 {
+                                    phi_871_ = true;
+                                } else {
+                                    phi_871_ = _e527;
+                                }
+                                let _e531 = phi_871_;
+                                phi_872_ = _e531;
                             }
-                            let _e558 = phi_870_;
-                            let _e560 = phi_871_;
-                            if _e560 {
-                                phi_875_ = false;
-                            } else {
-                                phi_875_ = true;
-                            }
-                            let _e562 = phi_875_;
+                            let _e562 = phi_872_;
                             if _e562 {
-                                phi_882_ = _e558;
+                                phi_876_ = false;
                             } else {
-                                phi_882_ = true;
+                                phi_876_ = true;
                             }
-                            let _e564 = phi_882_;
-                            if _e564 {
-                                phi_886_ = false;
-                            } else {
-                                phi_886_ = true;
-                            }
-                            let _e566 = phi_886_;
-                            phi_887_ = _e566;
+                            let _e564 = phi_876_;
+                            phi_877_ = _e564;
                         } else {
-                            phi_887_ = true;
+                            phi_877_ = true;
                         }
-                        let _e568 = phi_887_;
-                        if _e568 {
-                            let _e570 = params.member.member_1;
-                            if ((_e570 & 2u) != 0u) {
-                                let _e575 = local_16.member[0u];
-                                let _e577 = bodies.member[_e575];
-                                let _e580 = local_17.member[0u];
-                                let _e582 = bodies.member[_e580];
-                                if ((_e577 / 2u) == (_e582 / 2u)) {
-                                    let _e587 = params.member.member_1;
-                                    if !(((_e587 & 4u) != 0u)) {
-                                        phi_936_ = false;
+                        let _e566 = phi_877_;
+                        if _e566 {
+                            let _e568 = params.member.member_1;
+                            if ((_e568 & 2u) != 0u) {
+                                let _e573 = local_16.member[0u];
+                                let _e575 = bodies.member[_e573];
+                                let _e578 = local_17.member[0u];
+                                let _e580 = bodies.member[_e578];
+                                if ((_e575 / 2u) == (_e580 / 2u)) {
+                                    let _e585 = params.member.member_1;
+                                    phi_923_ = !(((_e585 & 4u) != 0u));
+                                } else {
+                                    phi_923_ = false;
+                                }
+                                let _e590 = phi_923_;
+                                if _e590 {
+                                    phi_934_ = true;
+                                } else {
+                                    if (((_e575 & _e580) & 1u) == 0u) {
+                                        phi_933_ = false;
                                     } else {
-                                        phi_936_ = true;
+                                        phi_933_ = true;
                                     }
-                                    let _e592 = phi_936_;
-                                    phi_937_ = _e592;
-                                } else {
-                                    phi_937_ = true;
+                                    let _e595 = phi_933_;
+                                    phi_934_ = _e595;
                                 }
-                                let _e594 = phi_937_;
-                                if _e594 {
-                                    if (((_e577 & _e582) & 1u) == 0u) {
-                                        phi_947_ = false;
-                                    } else {
-                                        phi_947_ = true;
-                                    }
-                                    let _e599 = phi_947_;
-                                    phi_948_ = _e599;
+                                let _e597 = phi_934_;
+                                if _e597 {
+                                    phi_938_ = false;
                                 } else {
-                                    phi_948_ = true;
+                                    phi_938_ = true;
                                 }
-                                let _e601 = phi_948_;
-                                if _e601 {
-                                    phi_952_ = false;
-                                } else {
-                                    phi_952_ = true;
-                                }
-                                let _e603 = phi_952_;
-                                phi_953_ = _e603;
+                                let _e599 = phi_938_;
+                                phi_939_ = _e599;
                             } else {
-                                phi_953_ = true;
+                                phi_939_ = true;
                             }
-                            let _e605 = phi_953_;
-                            if _e605 {
-                                let _e607 = params.member.member_1;
-                                if ((_e607 & 32u) != 0u) {
-                                    let _e611 = params.member.member_6;
-                                    let _e652 = (((((((_e482.member_1[0] - _e484.member[0]) > _e611) && ((_e484.member_1[0] - _e482.member[0]) > _e611)) && ((_e482.member_1[1] - _e484.member[1]) > _e611)) && ((_e484.member_1[1] - _e482.member[1]) > _e611)) && ((_e482.member_1[2] - _e484.member[2]) > _e611)) && ((_e484.member_1[2] - _e482.member[2]) > _e611));
-                                    if _e652 {
-                                        phi_1702_ = bool();
+                            let _e601 = phi_939_;
+                            if _e601 {
+                                let _e603 = params.member.member_1;
+                                if ((_e603 & 32u) != 0u) {
+                                    let _e607 = params.member.member_6;
+                                    let _e648 = (((((((_e482.member_1[0] - _e484.member[0]) > _e607) && ((_e484.member_1[0] - _e482.member[0]) > _e607)) && ((_e482.member_1[1] - _e484.member[1]) > _e607)) && ((_e484.member_1[1] - _e482.member[1]) > _e607)) && ((_e482.member_1[2] - _e484.member[2]) > _e607)) && ((_e484.member_1[2] - _e482.member[2]) > _e607));
+                                    if _e648 {
+                                        phi_1688_ = bool();
                                     } else {
-                                        phi_1002_ = type_37(0u, 3u);
-                                        phi_1005_ = true;
+                                        phi_988_ = type_37(0u, 3u);
+                                        phi_991_ = true;
                                         loop {
-                                            let _e656 = phi_1002_;
-                                            let _e658 = phi_1005_;
-                                            local_48 = _e658;
-                                            if (_e656.member < _e656.member_1) {
-                                                phi_1003_ = type_37((_e656.member + 1u), _e656.member_1);
-                                                phi_1028_ = type_37(1u, _e656.member);
+                                            let _e652 = phi_988_;
+                                            let _e654 = phi_991_;
+                                            local_48 = _e654;
+                                            if (_e652.member < _e652.member_1) {
+                                                phi_989_ = type_37((_e652.member + 1u), _e652.member_1);
+                                                phi_1014_ = type_37(1u, _e652.member);
                                             } else {
-                                                phi_1003_ = _e656;
-                                                phi_1028_ = type_37(0u, type_37().member_1);
+                                                phi_989_ = _e652;
+                                                phi_1014_ = type_37(0u, type_37().member_1);
                                             }
-                                            let _e672 = phi_1003_;
-                                            let _e674 = phi_1028_;
-                                            let _e678 = (bitcast<i32>(_e674.member) != 0i);
-                                            if _e678 {
-                                                let _e680 = local_16.member[0u];
-                                                let _e682 = keys.member[_e680];
-                                                local_14 = array<array<u32, 2>, 6>(array<u32, 2>(_e682[0][0], _e682[0][1]), array<u32, 2>(_e682[1][0], _e682[1][1]), array<u32, 2>(_e682[2][0], _e682[2][1]), array<u32, 2>(_e682[3][0], _e682[3][1]), array<u32, 2>(_e682[4][0], _e682[4][1]), array<u32, 2>(_e682[5][0], _e682[5][1]));
-                                                if (_e674.member_1 < 6u) {
+                                            let _e668 = phi_989_;
+                                            let _e670 = phi_1014_;
+                                            let _e674 = (bitcast<i32>(_e670.member) != 0i);
+                                            if _e674 {
+                                                let _e676 = local_16.member[0u];
+                                                let _e678 = keys.member[_e676];
+                                                local_14 = array<array<u32, 2>, 6>(array<u32, 2>(_e678[0][0], _e678[0][1]), array<u32, 2>(_e678[1][0], _e678[1][1]), array<u32, 2>(_e678[2][0], _e678[2][1]), array<u32, 2>(_e678[3][0], _e678[3][1]), array<u32, 2>(_e678[4][0], _e678[4][1]), array<u32, 2>(_e678[5][0], _e678[5][1]));
+                                                if (_e670.member_1 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e710 = local_14[_e674.member_1];
-                                                phi_1085_ = type_37(1u, 3u);
-                                                phi_1088_ = array<u32, 2>(_e710[0], _e710[1]);
+                                                let _e706 = local_14[_e670.member_1];
+                                                phi_1071_ = type_37(1u, 3u);
+                                                phi_1074_ = array<u32, 2>(_e706[0], _e706[1]);
                                                 loop {
-                                                    let _e715 = phi_1085_;
-                                                    let _e717 = phi_1088_;
-                                                    local_18 = _e717;
-                                                    local_20 = _e717;
-                                                    local_22 = _e717;
-                                                    if (_e715.member < _e715.member_1) {
-                                                        phi_1086_ = type_37((_e715.member + 1u), _e715.member_1);
-                                                        phi_1111_ = type_37(1u, _e715.member);
+                                                    let _e711 = phi_1071_;
+                                                    let _e713 = phi_1074_;
+                                                    local_18 = _e713;
+                                                    local_20 = _e713;
+                                                    local_22 = _e713;
+                                                    if (_e711.member < _e711.member_1) {
+                                                        phi_1072_ = type_37((_e711.member + 1u), _e711.member_1);
+                                                        phi_1097_ = type_37(1u, _e711.member);
                                                     } else {
-                                                        phi_1086_ = _e715;
-                                                        phi_1111_ = type_37(0u, type_37().member_1);
+                                                        phi_1072_ = _e711;
+                                                        phi_1097_ = type_37(0u, type_37().member_1);
                                                     }
-                                                    let _e731 = phi_1086_;
-                                                    let _e733 = phi_1111_;
-                                                    let _e737 = (bitcast<i32>(_e733.member) != 0i);
-                                                    if _e737 {
-                                                        if (_e733.member_1 < 3u) {
+                                                    let _e727 = phi_1072_;
+                                                    let _e729 = phi_1097_;
+                                                    let _e733 = (bitcast<i32>(_e729.member) != 0i);
+                                                    if _e733 {
+                                                        if (_e729.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e740 = local_16.member[_e733.member_1];
-                                                        let _e742 = keys.member[_e740];
-                                                        local_15 = array<array<u32, 2>, 6>(array<u32, 2>(_e742[0][0], _e742[0][1]), array<u32, 2>(_e742[1][0], _e742[1][1]), array<u32, 2>(_e742[2][0], _e742[2][1]), array<u32, 2>(_e742[3][0], _e742[3][1]), array<u32, 2>(_e742[4][0], _e742[4][1]), array<u32, 2>(_e742[5][0], _e742[5][1]));
-                                                        if (_e674.member_1 < 6u) {
+                                                        let _e736 = local_16.member[_e729.member_1];
+                                                        let _e738 = keys.member[_e736];
+                                                        local_15 = array<array<u32, 2>, 6>(array<u32, 2>(_e738[0][0], _e738[0][1]), array<u32, 2>(_e738[1][0], _e738[1][1]), array<u32, 2>(_e738[2][0], _e738[2][1]), array<u32, 2>(_e738[3][0], _e738[3][1]), array<u32, 2>(_e738[4][0], _e738[4][1]), array<u32, 2>(_e738[5][0], _e738[5][1]));
+                                                        if (_e670.member_1 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e770 = local_15[_e674.member_1];
-                                                        if (_e717[1] > _e770[1]) {
-                                                            phi_1187_ = true;
+                                                        let _e766 = local_15[_e670.member_1];
+                                                        if (_e713[1] > _e766[1]) {
+                                                            phi_1173_ = true;
                                                         } else {
-                                                            if (_e717[1] == _e770[1]) {
-                                                                phi_1186_ = (_e717[0] > _e770[0]);
+                                                            if (_e713[1] == _e766[1]) {
+                                                                phi_1172_ = (_e713[0] > _e766[0]);
                                                             } else {
-                                                                phi_1186_ = false;
+                                                                phi_1172_ = false;
                                                             }
-                                                            let _e781 = phi_1186_;
-                                                            phi_1187_ = _e781;
+                                                            let _e777 = phi_1172_;
+                                                            phi_1173_ = _e777;
                                                         }
-                                                        let _e783 = phi_1187_;
-                                                        if _e783 {
-                                                            phi_1191_ = array<u32, 2>(_e770[0], _e770[1]);
+                                                        let _e779 = phi_1173_;
+                                                        if _e779 {
+                                                            phi_1177_ = array<u32, 2>(_e766[0], _e766[1]);
                                                         } else {
-                                                            phi_1191_ = _e717;
+                                                            phi_1177_ = _e713;
                                                         }
-                                                        let _e785 = phi_1191_;
-                                                        phi_1089_ = _e785;
+                                                        let _e781 = phi_1177_;
+                                                        phi_1075_ = _e781;
                                                     } else {
-                                                        phi_1089_ = array<u32, 2>();
+                                                        phi_1075_ = array<u32, 2>();
                                                     }
-                                                    let _e787 = phi_1089_;
+                                                    let _e783 = phi_1075_;
                                                     continue;
                                                     continuing {
-                                                        phi_1085_ = _e731;
-                                                        phi_1088_ = _e787;
-                                                        break if !(_e737);
+                                                        phi_1071_ = _e727;
+                                                        phi_1074_ = _e783;
+                                                        break if !(_e733);
                                                     }
                                                 }
-                                                let _e790 = local_17.member[0u];
-                                                let _e792 = keys.member[_e790];
-                                                local_12 = array<array<u32, 2>, 6>(array<u32, 2>(_e792[0][0], _e792[0][1]), array<u32, 2>(_e792[1][0], _e792[1][1]), array<u32, 2>(_e792[2][0], _e792[2][1]), array<u32, 2>(_e792[3][0], _e792[3][1]), array<u32, 2>(_e792[4][0], _e792[4][1]), array<u32, 2>(_e792[5][0], _e792[5][1]));
-                                                let _e818 = (3u + _e674.member_1);
-                                                if (_e818 < 6u) {
+                                                let _e786 = local_17.member[0u];
+                                                let _e788 = keys.member[_e786];
+                                                local_12 = array<array<u32, 2>, 6>(array<u32, 2>(_e788[0][0], _e788[0][1]), array<u32, 2>(_e788[1][0], _e788[1][1]), array<u32, 2>(_e788[2][0], _e788[2][1]), array<u32, 2>(_e788[3][0], _e788[3][1]), array<u32, 2>(_e788[4][0], _e788[4][1]), array<u32, 2>(_e788[5][0], _e788[5][1]));
+                                                let _e814 = (3u + _e670.member_1);
+                                                if (_e814 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e821 = local_12[_e818];
-                                                phi_1242_ = type_37(1u, 3u);
-                                                phi_1245_ = array<u32, 2>(_e821[0], _e821[1]);
+                                                let _e817 = local_12[_e814];
+                                                phi_1228_ = type_37(1u, 3u);
+                                                phi_1231_ = array<u32, 2>(_e817[0], _e817[1]);
                                                 loop {
-                                                    let _e826 = phi_1242_;
-                                                    let _e828 = phi_1245_;
-                                                    local_19 = _e828;
-                                                    local_21 = _e828;
-                                                    local_23 = _e828;
-                                                    if (_e826.member < _e826.member_1) {
-                                                        phi_1243_ = type_37((_e826.member + 1u), _e826.member_1);
-                                                        phi_1268_ = type_37(1u, _e826.member);
+                                                    let _e822 = phi_1228_;
+                                                    let _e824 = phi_1231_;
+                                                    local_19 = _e824;
+                                                    local_21 = _e824;
+                                                    local_23 = _e824;
+                                                    if (_e822.member < _e822.member_1) {
+                                                        phi_1229_ = type_37((_e822.member + 1u), _e822.member_1);
+                                                        phi_1254_ = type_37(1u, _e822.member);
                                                     } else {
-                                                        phi_1243_ = _e826;
-                                                        phi_1268_ = type_37(0u, type_37().member_1);
+                                                        phi_1229_ = _e822;
+                                                        phi_1254_ = type_37(0u, type_37().member_1);
                                                     }
-                                                    let _e842 = phi_1243_;
-                                                    let _e844 = phi_1268_;
-                                                    let _e848 = (bitcast<i32>(_e844.member) != 0i);
-                                                    if _e848 {
-                                                        if (_e844.member_1 < 3u) {
+                                                    let _e838 = phi_1229_;
+                                                    let _e840 = phi_1254_;
+                                                    let _e844 = (bitcast<i32>(_e840.member) != 0i);
+                                                    if _e844 {
+                                                        if (_e840.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e851 = local_17.member[_e844.member_1];
-                                                        let _e853 = keys.member[_e851];
-                                                        local_13 = array<array<u32, 2>, 6>(array<u32, 2>(_e853[0][0], _e853[0][1]), array<u32, 2>(_e853[1][0], _e853[1][1]), array<u32, 2>(_e853[2][0], _e853[2][1]), array<u32, 2>(_e853[3][0], _e853[3][1]), array<u32, 2>(_e853[4][0], _e853[4][1]), array<u32, 2>(_e853[5][0], _e853[5][1]));
-                                                        let _e879 = (3u + _e674.member_1);
-                                                        if (_e879 < 6u) {
+                                                        let _e847 = local_17.member[_e840.member_1];
+                                                        let _e849 = keys.member[_e847];
+                                                        local_13 = array<array<u32, 2>, 6>(array<u32, 2>(_e849[0][0], _e849[0][1]), array<u32, 2>(_e849[1][0], _e849[1][1]), array<u32, 2>(_e849[2][0], _e849[2][1]), array<u32, 2>(_e849[3][0], _e849[3][1]), array<u32, 2>(_e849[4][0], _e849[4][1]), array<u32, 2>(_e849[5][0], _e849[5][1]));
+                                                        let _e875 = (3u + _e670.member_1);
+                                                        if (_e875 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e882 = local_13[_e879];
-                                                        if (_e882[1] > _e828[1]) {
-                                                            phi_1345_ = true;
+                                                        let _e878 = local_13[_e875];
+                                                        if (_e878[1] > _e824[1]) {
+                                                            phi_1331_ = true;
                                                         } else {
-                                                            if (_e882[1] == _e828[1]) {
-                                                                phi_1344_ = (_e882[0] > _e828[0]);
+                                                            if (_e878[1] == _e824[1]) {
+                                                                phi_1330_ = (_e878[0] > _e824[0]);
                                                             } else {
-                                                                phi_1344_ = false;
+                                                                phi_1330_ = false;
                                                             }
-                                                            let _e893 = phi_1344_;
-                                                            phi_1345_ = _e893;
+                                                            let _e889 = phi_1330_;
+                                                            phi_1331_ = _e889;
                                                         }
-                                                        let _e895 = phi_1345_;
-                                                        if _e895 {
-                                                            phi_1349_ = array<u32, 2>(_e882[0], _e882[1]);
+                                                        let _e891 = phi_1331_;
+                                                        if _e891 {
+                                                            phi_1335_ = array<u32, 2>(_e878[0], _e878[1]);
                                                         } else {
-                                                            phi_1349_ = _e828;
+                                                            phi_1335_ = _e824;
                                                         }
-                                                        let _e897 = phi_1349_;
-                                                        phi_1246_ = _e897;
+                                                        let _e893 = phi_1335_;
+                                                        phi_1232_ = _e893;
                                                     } else {
-                                                        phi_1246_ = array<u32, 2>();
+                                                        phi_1232_ = array<u32, 2>();
                                                     }
-                                                    let _e899 = phi_1246_;
+                                                    let _e895 = phi_1232_;
                                                     continue;
                                                     continuing {
-                                                        phi_1242_ = _e842;
-                                                        phi_1245_ = _e899;
-                                                        break if !(_e848);
+                                                        phi_1228_ = _e838;
+                                                        phi_1231_ = _e895;
+                                                        break if !(_e844);
                                                     }
                                                 }
-                                                let _e902 = local_18;
-                                                let _e905 = local_19;
-                                                if (_e902[1] > _e905[1]) {
-                                                    phi_1366_ = true;
+                                                let _e898 = local_18;
+                                                let _e901 = local_19;
+                                                if (_e898[1] > _e901[1]) {
+                                                    phi_1352_ = true;
                                                 } else {
-                                                    let _e909 = local_20;
-                                                    let _e912 = local_21;
-                                                    if (_e909[1] == _e912[1]) {
-                                                        let _e916 = local_22;
-                                                        let _e919 = local_23;
-                                                        phi_1365_ = (_e916[0] > _e919[0]);
+                                                    let _e905 = local_20;
+                                                    let _e908 = local_21;
+                                                    if (_e905[1] == _e908[1]) {
+                                                        let _e912 = local_22;
+                                                        let _e915 = local_23;
+                                                        phi_1351_ = (_e912[0] > _e915[0]);
                                                     } else {
-                                                        phi_1365_ = false;
+                                                        phi_1351_ = false;
                                                     }
-                                                    let _e923 = phi_1365_;
-                                                    phi_1366_ = _e923;
+                                                    let _e919 = phi_1351_;
+                                                    phi_1352_ = _e919;
                                                 }
-                                                let _e925 = phi_1366_;
-                                                let _e928 = local_17.member[0u];
-                                                let _e930 = keys.member[_e928];
-                                                local_10 = array<array<u32, 2>, 6>(array<u32, 2>(_e930[0][0], _e930[0][1]), array<u32, 2>(_e930[1][0], _e930[1][1]), array<u32, 2>(_e930[2][0], _e930[2][1]), array<u32, 2>(_e930[3][0], _e930[3][1]), array<u32, 2>(_e930[4][0], _e930[4][1]), array<u32, 2>(_e930[5][0], _e930[5][1]));
-                                                if (_e674.member_1 < 6u) {
+                                                let _e921 = phi_1352_;
+                                                let _e924 = local_17.member[0u];
+                                                let _e926 = keys.member[_e924];
+                                                local_10 = array<array<u32, 2>, 6>(array<u32, 2>(_e926[0][0], _e926[0][1]), array<u32, 2>(_e926[1][0], _e926[1][1]), array<u32, 2>(_e926[2][0], _e926[2][1]), array<u32, 2>(_e926[3][0], _e926[3][1]), array<u32, 2>(_e926[4][0], _e926[4][1]), array<u32, 2>(_e926[5][0], _e926[5][1]));
+                                                if (_e670.member_1 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e958 = local_10[_e674.member_1];
-                                                phi_1417_ = type_37(1u, 3u);
-                                                phi_1420_ = array<u32, 2>(_e958[0], _e958[1]);
+                                                let _e954 = local_10[_e670.member_1];
+                                                phi_1403_ = type_37(1u, 3u);
+                                                phi_1406_ = array<u32, 2>(_e954[0], _e954[1]);
                                                 loop {
-                                                    let _e963 = phi_1417_;
-                                                    let _e965 = phi_1420_;
-                                                    local_24 = _e965;
-                                                    local_26 = _e965;
-                                                    local_28 = _e965;
-                                                    if (_e963.member < _e963.member_1) {
-                                                        phi_1418_ = type_37((_e963.member + 1u), _e963.member_1);
-                                                        phi_1443_ = type_37(1u, _e963.member);
+                                                    let _e959 = phi_1403_;
+                                                    let _e961 = phi_1406_;
+                                                    local_24 = _e961;
+                                                    local_26 = _e961;
+                                                    local_28 = _e961;
+                                                    if (_e959.member < _e959.member_1) {
+                                                        phi_1404_ = type_37((_e959.member + 1u), _e959.member_1);
+                                                        phi_1429_ = type_37(1u, _e959.member);
                                                     } else {
-                                                        phi_1418_ = _e963;
-                                                        phi_1443_ = type_37(0u, type_37().member_1);
+                                                        phi_1404_ = _e959;
+                                                        phi_1429_ = type_37(0u, type_37().member_1);
                                                     }
-                                                    let _e979 = phi_1418_;
-                                                    let _e981 = phi_1443_;
-                                                    let _e985 = (bitcast<i32>(_e981.member) != 0i);
-                                                    if _e985 {
-                                                        if (_e981.member_1 < 3u) {
+                                                    let _e975 = phi_1404_;
+                                                    let _e977 = phi_1429_;
+                                                    let _e981 = (bitcast<i32>(_e977.member) != 0i);
+                                                    if _e981 {
+                                                        if (_e977.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e988 = local_17.member[_e981.member_1];
-                                                        let _e990 = keys.member[_e988];
-                                                        local_11 = array<array<u32, 2>, 6>(array<u32, 2>(_e990[0][0], _e990[0][1]), array<u32, 2>(_e990[1][0], _e990[1][1]), array<u32, 2>(_e990[2][0], _e990[2][1]), array<u32, 2>(_e990[3][0], _e990[3][1]), array<u32, 2>(_e990[4][0], _e990[4][1]), array<u32, 2>(_e990[5][0], _e990[5][1]));
-                                                        if (_e674.member_1 < 6u) {
+                                                        let _e984 = local_17.member[_e977.member_1];
+                                                        let _e986 = keys.member[_e984];
+                                                        local_11 = array<array<u32, 2>, 6>(array<u32, 2>(_e986[0][0], _e986[0][1]), array<u32, 2>(_e986[1][0], _e986[1][1]), array<u32, 2>(_e986[2][0], _e986[2][1]), array<u32, 2>(_e986[3][0], _e986[3][1]), array<u32, 2>(_e986[4][0], _e986[4][1]), array<u32, 2>(_e986[5][0], _e986[5][1]));
+                                                        if (_e670.member_1 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1018 = local_11[_e674.member_1];
-                                                        if (_e965[1] > _e1018[1]) {
-                                                            phi_1519_ = true;
+                                                        let _e1014 = local_11[_e670.member_1];
+                                                        if (_e961[1] > _e1014[1]) {
+                                                            phi_1505_ = true;
                                                         } else {
-                                                            if (_e965[1] == _e1018[1]) {
-                                                                phi_1518_ = (_e965[0] > _e1018[0]);
+                                                            if (_e961[1] == _e1014[1]) {
+                                                                phi_1504_ = (_e961[0] > _e1014[0]);
                                                             } else {
-                                                                phi_1518_ = false;
+                                                                phi_1504_ = false;
                                                             }
-                                                            let _e1029 = phi_1518_;
-                                                            phi_1519_ = _e1029;
+                                                            let _e1025 = phi_1504_;
+                                                            phi_1505_ = _e1025;
                                                         }
-                                                        let _e1031 = phi_1519_;
-                                                        if _e1031 {
-                                                            phi_1523_ = array<u32, 2>(_e1018[0], _e1018[1]);
+                                                        let _e1027 = phi_1505_;
+                                                        if _e1027 {
+                                                            phi_1509_ = array<u32, 2>(_e1014[0], _e1014[1]);
                                                         } else {
-                                                            phi_1523_ = _e965;
+                                                            phi_1509_ = _e961;
                                                         }
-                                                        let _e1033 = phi_1523_;
-                                                        phi_1421_ = _e1033;
+                                                        let _e1029 = phi_1509_;
+                                                        phi_1407_ = _e1029;
                                                     } else {
-                                                        phi_1421_ = array<u32, 2>();
+                                                        phi_1407_ = array<u32, 2>();
                                                     }
-                                                    let _e1035 = phi_1421_;
+                                                    let _e1031 = phi_1407_;
                                                     continue;
                                                     continuing {
-                                                        phi_1417_ = _e979;
-                                                        phi_1420_ = _e1035;
-                                                        break if !(_e985);
+                                                        phi_1403_ = _e975;
+                                                        phi_1406_ = _e1031;
+                                                        break if !(_e981);
                                                     }
                                                 }
-                                                let _e1038 = local_16.member[0u];
-                                                let _e1040 = keys.member[_e1038];
-                                                local_8 = array<array<u32, 2>, 6>(array<u32, 2>(_e1040[0][0], _e1040[0][1]), array<u32, 2>(_e1040[1][0], _e1040[1][1]), array<u32, 2>(_e1040[2][0], _e1040[2][1]), array<u32, 2>(_e1040[3][0], _e1040[3][1]), array<u32, 2>(_e1040[4][0], _e1040[4][1]), array<u32, 2>(_e1040[5][0], _e1040[5][1]));
-                                                let _e1066 = (3u + _e674.member_1);
-                                                if (_e1066 < 6u) {
+                                                let _e1034 = local_16.member[0u];
+                                                let _e1036 = keys.member[_e1034];
+                                                local_8 = array<array<u32, 2>, 6>(array<u32, 2>(_e1036[0][0], _e1036[0][1]), array<u32, 2>(_e1036[1][0], _e1036[1][1]), array<u32, 2>(_e1036[2][0], _e1036[2][1]), array<u32, 2>(_e1036[3][0], _e1036[3][1]), array<u32, 2>(_e1036[4][0], _e1036[4][1]), array<u32, 2>(_e1036[5][0], _e1036[5][1]));
+                                                let _e1062 = (3u + _e670.member_1);
+                                                if (_e1062 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1069 = local_8[_e1066];
-                                                phi_1574_ = type_37(1u, 3u);
-                                                phi_1577_ = array<u32, 2>(_e1069[0], _e1069[1]);
+                                                let _e1065 = local_8[_e1062];
+                                                phi_1560_ = type_37(1u, 3u);
+                                                phi_1563_ = array<u32, 2>(_e1065[0], _e1065[1]);
                                                 loop {
-                                                    let _e1074 = phi_1574_;
-                                                    let _e1076 = phi_1577_;
-                                                    local_25 = _e1076;
-                                                    local_27 = _e1076;
-                                                    local_29 = _e1076;
-                                                    if (_e1074.member < _e1074.member_1) {
-                                                        phi_1575_ = type_37((_e1074.member + 1u), _e1074.member_1);
-                                                        phi_1600_ = type_37(1u, _e1074.member);
+                                                    let _e1070 = phi_1560_;
+                                                    let _e1072 = phi_1563_;
+                                                    local_25 = _e1072;
+                                                    local_27 = _e1072;
+                                                    local_29 = _e1072;
+                                                    if (_e1070.member < _e1070.member_1) {
+                                                        phi_1561_ = type_37((_e1070.member + 1u), _e1070.member_1);
+                                                        phi_1586_ = type_37(1u, _e1070.member);
                                                     } else {
-                                                        phi_1575_ = _e1074;
-                                                        phi_1600_ = type_37(0u, type_37().member_1);
+                                                        phi_1561_ = _e1070;
+                                                        phi_1586_ = type_37(0u, type_37().member_1);
                                                     }
-                                                    let _e1090 = phi_1575_;
-                                                    let _e1092 = phi_1600_;
-                                                    let _e1096 = (bitcast<i32>(_e1092.member) != 0i);
-                                                    if _e1096 {
-                                                        if (_e1092.member_1 < 3u) {
+                                                    let _e1086 = phi_1561_;
+                                                    let _e1088 = phi_1586_;
+                                                    let _e1092 = (bitcast<i32>(_e1088.member) != 0i);
+                                                    if _e1092 {
+                                                        if (_e1088.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1099 = local_16.member[_e1092.member_1];
-                                                        let _e1101 = keys.member[_e1099];
-                                                        local_9 = array<array<u32, 2>, 6>(array<u32, 2>(_e1101[0][0], _e1101[0][1]), array<u32, 2>(_e1101[1][0], _e1101[1][1]), array<u32, 2>(_e1101[2][0], _e1101[2][1]), array<u32, 2>(_e1101[3][0], _e1101[3][1]), array<u32, 2>(_e1101[4][0], _e1101[4][1]), array<u32, 2>(_e1101[5][0], _e1101[5][1]));
-                                                        let _e1127 = (3u + _e674.member_1);
-                                                        if (_e1127 < 6u) {
+                                                        let _e1095 = local_16.member[_e1088.member_1];
+                                                        let _e1097 = keys.member[_e1095];
+                                                        local_9 = array<array<u32, 2>, 6>(array<u32, 2>(_e1097[0][0], _e1097[0][1]), array<u32, 2>(_e1097[1][0], _e1097[1][1]), array<u32, 2>(_e1097[2][0], _e1097[2][1]), array<u32, 2>(_e1097[3][0], _e1097[3][1]), array<u32, 2>(_e1097[4][0], _e1097[4][1]), array<u32, 2>(_e1097[5][0], _e1097[5][1]));
+                                                        let _e1123 = (3u + _e670.member_1);
+                                                        if (_e1123 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1130 = local_9[_e1127];
-                                                        if (_e1130[1] > _e1076[1]) {
-                                                            phi_1677_ = true;
+                                                        let _e1126 = local_9[_e1123];
+                                                        if (_e1126[1] > _e1072[1]) {
+                                                            phi_1663_ = true;
                                                         } else {
-                                                            if (_e1130[1] == _e1076[1]) {
-                                                                phi_1676_ = (_e1130[0] > _e1076[0]);
+                                                            if (_e1126[1] == _e1072[1]) {
+                                                                phi_1662_ = (_e1126[0] > _e1072[0]);
                                                             } else {
-                                                                phi_1676_ = false;
+                                                                phi_1662_ = false;
                                                             }
-                                                            let _e1141 = phi_1676_;
-                                                            phi_1677_ = _e1141;
+                                                            let _e1137 = phi_1662_;
+                                                            phi_1663_ = _e1137;
                                                         }
-                                                        let _e1143 = phi_1677_;
-                                                        if _e1143 {
-                                                            phi_1681_ = array<u32, 2>(_e1130[0], _e1130[1]);
+                                                        let _e1139 = phi_1663_;
+                                                        if _e1139 {
+                                                            phi_1667_ = array<u32, 2>(_e1126[0], _e1126[1]);
                                                         } else {
-                                                            phi_1681_ = _e1076;
+                                                            phi_1667_ = _e1072;
                                                         }
-                                                        let _e1145 = phi_1681_;
-                                                        phi_1578_ = _e1145;
+                                                        let _e1141 = phi_1667_;
+                                                        phi_1564_ = _e1141;
                                                     } else {
-                                                        phi_1578_ = array<u32, 2>();
+                                                        phi_1564_ = array<u32, 2>();
                                                     }
-                                                    let _e1147 = phi_1578_;
+                                                    let _e1143 = phi_1564_;
                                                     continue;
                                                     continuing {
-                                                        phi_1574_ = _e1090;
-                                                        phi_1577_ = _e1147;
-                                                        break if !(_e1096);
+                                                        phi_1560_ = _e1086;
+                                                        phi_1563_ = _e1143;
+                                                        break if !(_e1092);
                                                     }
                                                 }
-                                                let _e1150 = local_24;
-                                                let _e1153 = local_25;
-                                                if (_e1150[1] > _e1153[1]) {
-                                                    phi_1698_ = true;
+                                                let _e1146 = local_24;
+                                                let _e1149 = local_25;
+                                                if (_e1146[1] > _e1149[1]) {
+                                                    phi_1684_ = true;
                                                 } else {
-                                                    let _e1157 = local_26;
-                                                    let _e1160 = local_27;
-                                                    if (_e1157[1] == _e1160[1]) {
-                                                        let _e1164 = local_28;
-                                                        let _e1167 = local_29;
-                                                        phi_1697_ = (_e1164[0] > _e1167[0]);
+                                                    let _e1153 = local_26;
+                                                    let _e1156 = local_27;
+                                                    if (_e1153[1] == _e1156[1]) {
+                                                        let _e1160 = local_28;
+                                                        let _e1163 = local_29;
+                                                        phi_1683_ = (_e1160[0] > _e1163[0]);
                                                     } else {
-                                                        phi_1697_ = false;
+                                                        phi_1683_ = false;
                                                     }
-                                                    let _e1171 = phi_1697_;
-                                                    phi_1698_ = _e1171;
+                                                    let _e1167 = phi_1683_;
+                                                    phi_1684_ = _e1167;
                                                 }
-                                                let _e1173 = phi_1698_;
-                                                phi_1006_ = (_e658 && (!(_e925) && !(_e1173)));
+                                                let _e1169 = phi_1684_;
+                                                phi_992_ = (_e654 && (!(_e921) && !(_e1169)));
                                             } else {
-                                                phi_1006_ = bool();
+                                                phi_992_ = bool();
                                             }
-                                            let _e1178 = phi_1006_;
+                                            let _e1174 = phi_992_;
                                             continue;
                                             continuing {
-                                                phi_1002_ = _e672;
-                                                phi_1005_ = _e1178;
-                                                break if !(_e678);
+                                                phi_988_ = _e668;
+                                                phi_991_ = _e1174;
+                                                break if !(_e674);
                                             }
                                         }
-                                        let _e4763 = local_48;
-                                        phi_1702_ = _e4763;
+                                        let _e4757 = local_48;
+                                        phi_1688_ = _e4757;
                                     }
-                                    let _e1181 = phi_1702_;
-                                    phi_1703_ = _e1181;
-                                    phi_1704_ = _e652;
+                                    let _e1177 = phi_1688_;
+                                    phi_1689_ = _e1177;
+                                    phi_1690_ = _e648;
                                 } else {
-                                    phi_1703_ = bool();
-                                    phi_1704_ = true;
+                                    phi_1689_ = bool();
+                                    phi_1690_ = true;
                                 }
-                                let _e1183 = phi_1703_;
-                                let _e1185 = phi_1704_;
-                                if _e1185 {
-                                    phi_1708_ = false;
+                                let _e1179 = phi_1689_;
+                                let _e1181 = phi_1690_;
+                                if _e1181 {
+                                    phi_1694_ = false;
                                 } else {
-                                    phi_1708_ = true;
+                                    phi_1694_ = true;
                                 }
-                                let _e1187 = phi_1708_;
-                                phi_1709_ = _e1183;
-                                phi_1710_ = _e1187;
+                                let _e1183 = phi_1694_;
+                                phi_1695_ = _e1179;
+                                phi_1696_ = _e1183;
                             } else {
-                                phi_1709_ = false;
-                                phi_1710_ = true;
+                                phi_1695_ = false;
+                                phi_1696_ = true;
                             }
-                            let _e1189 = phi_1709_;
-                            let _e1191 = phi_1710_;
-                            phi_1711_ = _e1189;
-                            phi_1712_ = _e1191;
+                            let _e1185 = phi_1695_;
+                            let _e1187 = phi_1696_;
+                            phi_1697_ = _e1185;
+                            phi_1698_ = _e1187;
                         } else {
-                            phi_1711_ = false;
-                            phi_1712_ = true;
+                            phi_1697_ = false;
+                            phi_1698_ = true;
                         }
-                        let _e1193 = phi_1711_;
-                        let _e1195 = phi_1712_;
-                        if _e1195 {
-                            phi_1716_ = _e1193;
+                        let _e1189 = phi_1697_;
+                        let _e1191 = phi_1698_;
+                        if _e1191 {
+                            phi_1702_ = _e1189;
                         } else {
-                            phi_1716_ = true;
+                            phi_1702_ = true;
                         }
-                        let _e1197 = phi_1716_;
-                        if _e1197 {
-                            let _e1199 = atomicAdd((&counters[5u]), 1u);
-                            let _e1201 = params.member.member_4;
-                            let _e1203 = params.member.member_5;
-                            let _e1206 = local_16.member[0u];
-                            let _e1209 = local_17.member[0u];
-                            let _e1212 = local_17.member[1u];
-                            let _e1215 = local_17.member[2u];
-                            let _e1217 = paths.member[_e1206];
-                            let _e1219 = paths.member[_e1209];
-                            let _e1225 = paths.member[_e1212];
-                            let _e1227 = paths.member[_e1215];
-                            local_7 = type_72(array<array<f32, 3>, 2>(array<f32, 3>((_e1217.member[0] - _e1219.member[0]), (_e1217.member[1] - _e1219.member[1]), (_e1217.member[2] - _e1219.member[2])), array<f32, 3>((_e1217.member_1[0] - _e1219.member_1[0]), (_e1217.member_1[1] - _e1219.member_1[1]), (_e1217.member_1[2] - _e1219.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1225.member[0] - _e1219.member[0]), (_e1225.member[1] - _e1219.member[1]), (_e1225.member[2] - _e1219.member[2])), array<f32, 3>((_e1225.member_1[0] - _e1219.member_1[0]), (_e1225.member_1[1] - _e1219.member_1[1]), (_e1225.member_1[2] - _e1219.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1227.member[0] - _e1219.member[0]), (_e1227.member[1] - _e1219.member[1]), (_e1227.member[2] - _e1219.member[2])), array<f32, 3>((_e1227.member_1[0] - _e1219.member_1[0]), (_e1227.member_1[1] - _e1219.member_1[1]), (_e1227.member_1[2] - _e1219.member_1[2]))), (_e1201 + _e1201));
-                            let _e1287 = local_7.member_1[0u];
-                            let _e1293 = local_7.member_2[0u];
-                            let _e1299 = ((_e1287[1] * _e1293[2]) - (_e1287[2] * _e1293[1]));
-                            let _e1302 = ((_e1287[2] * _e1293[0]) - (_e1287[0] * _e1293[2]));
-                            let _e1305 = ((_e1287[0] * _e1293[1]) - (_e1287[1] * _e1293[0]));
-                            let _e1308 = local_7.member_1[1u];
-                            let _e1314 = local_7.member_2[1u];
-                            let _e1320 = ((_e1308[1] * _e1314[2]) - (_e1308[2] * _e1314[1]));
-                            let _e1323 = ((_e1308[2] * _e1314[0]) - (_e1308[0] * _e1314[2]));
-                            let _e1326 = ((_e1308[0] * _e1314[1]) - (_e1308[1] * _e1314[0]));
-                            let _e1329 = local_7.member_1[0u];
-                            let _e1335 = local_7.member_2[1u];
-                            let _e1350 = local_7.member_1[1u];
-                            let _e1356 = local_7.member_2[0u];
-                            let _e1369 = (((_e1329[1] * _e1335[2]) - (_e1329[2] * _e1335[1])) + ((_e1350[1] * _e1356[2]) - (_e1350[2] * _e1356[1])));
-                            let _e1370 = (((_e1329[2] * _e1335[0]) - (_e1329[0] * _e1335[2])) + ((_e1350[2] * _e1356[0]) - (_e1350[0] * _e1356[2])));
-                            let _e1371 = (((_e1329[0] * _e1335[1]) - (_e1329[1] * _e1335[0])) + ((_e1350[0] * _e1356[1]) - (_e1350[1] * _e1356[0])));
-                            let _e1374 = local_7.member[0u];
-                            let _e1385 = local_7.member[1u];
-                            let _e1396 = local_7.member[0u];
-                            let _e1405 = ((((_e1385[0] * _e1299) + (_e1385[1] * _e1302)) + (_e1385[2] * _e1305)) + (((_e1396[0] * _e1369) + (_e1396[1] * _e1370)) + (_e1396[2] * _e1371)));
-                            let _e1408 = local_7.member[0u];
-                            let _e1419 = local_7.member[1u];
-                            let _e1428 = ((((_e1408[0] * _e1320) + (_e1408[1] * _e1323)) + (_e1408[2] * _e1326)) + (((_e1419[0] * _e1369) + (_e1419[1] * _e1370)) + (_e1419[2] * _e1371)));
-                            let _e1431 = local_7.member[1u];
-                            let _e1442 = local_7.member[0u];
-                            if (_e1442[0] < 0f) {
-                                phi_2114_ = -(_e1442[0]);
+                        let _e1193 = phi_1702_;
+                        if _e1193 {
+                            let _e1195 = atomicAdd((&counters[5u]), 1u);
+                            let _e1197 = params.member.member_4;
+                            let _e1199 = params.member.member_5;
+                            let _e1202 = local_16.member[0u];
+                            let _e1205 = local_17.member[0u];
+                            let _e1208 = local_17.member[1u];
+                            let _e1211 = local_17.member[2u];
+                            let _e1213 = paths.member[_e1202];
+                            let _e1215 = paths.member[_e1205];
+                            let _e1221 = paths.member[_e1208];
+                            let _e1223 = paths.member[_e1211];
+                            local_7 = type_72(array<array<f32, 3>, 2>(array<f32, 3>((_e1213.member[0] - _e1215.member[0]), (_e1213.member[1] - _e1215.member[1]), (_e1213.member[2] - _e1215.member[2])), array<f32, 3>((_e1213.member_1[0] - _e1215.member_1[0]), (_e1213.member_1[1] - _e1215.member_1[1]), (_e1213.member_1[2] - _e1215.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1221.member[0] - _e1215.member[0]), (_e1221.member[1] - _e1215.member[1]), (_e1221.member[2] - _e1215.member[2])), array<f32, 3>((_e1221.member_1[0] - _e1215.member_1[0]), (_e1221.member_1[1] - _e1215.member_1[1]), (_e1221.member_1[2] - _e1215.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1223.member[0] - _e1215.member[0]), (_e1223.member[1] - _e1215.member[1]), (_e1223.member[2] - _e1215.member[2])), array<f32, 3>((_e1223.member_1[0] - _e1215.member_1[0]), (_e1223.member_1[1] - _e1215.member_1[1]), (_e1223.member_1[2] - _e1215.member_1[2]))), (_e1197 + _e1197));
+                            let _e1283 = local_7.member_1[0u];
+                            let _e1289 = local_7.member_2[0u];
+                            let _e1295 = ((_e1283[1] * _e1289[2]) - (_e1283[2] * _e1289[1]));
+                            let _e1298 = ((_e1283[2] * _e1289[0]) - (_e1283[0] * _e1289[2]));
+                            let _e1301 = ((_e1283[0] * _e1289[1]) - (_e1283[1] * _e1289[0]));
+                            let _e1304 = local_7.member_1[1u];
+                            let _e1310 = local_7.member_2[1u];
+                            let _e1316 = ((_e1304[1] * _e1310[2]) - (_e1304[2] * _e1310[1]));
+                            let _e1319 = ((_e1304[2] * _e1310[0]) - (_e1304[0] * _e1310[2]));
+                            let _e1322 = ((_e1304[0] * _e1310[1]) - (_e1304[1] * _e1310[0]));
+                            let _e1325 = local_7.member_1[0u];
+                            let _e1331 = local_7.member_2[1u];
+                            let _e1346 = local_7.member_1[1u];
+                            let _e1352 = local_7.member_2[0u];
+                            let _e1365 = (((_e1325[1] * _e1331[2]) - (_e1325[2] * _e1331[1])) + ((_e1346[1] * _e1352[2]) - (_e1346[2] * _e1352[1])));
+                            let _e1366 = (((_e1325[2] * _e1331[0]) - (_e1325[0] * _e1331[2])) + ((_e1346[2] * _e1352[0]) - (_e1346[0] * _e1352[2])));
+                            let _e1367 = (((_e1325[0] * _e1331[1]) - (_e1325[1] * _e1331[0])) + ((_e1346[0] * _e1352[1]) - (_e1346[1] * _e1352[0])));
+                            let _e1370 = local_7.member[0u];
+                            let _e1381 = local_7.member[1u];
+                            let _e1392 = local_7.member[0u];
+                            let _e1401 = ((((_e1381[0] * _e1295) + (_e1381[1] * _e1298)) + (_e1381[2] * _e1301)) + (((_e1392[0] * _e1365) + (_e1392[1] * _e1366)) + (_e1392[2] * _e1367)));
+                            let _e1404 = local_7.member[0u];
+                            let _e1415 = local_7.member[1u];
+                            let _e1424 = ((((_e1404[0] * _e1316) + (_e1404[1] * _e1319)) + (_e1404[2] * _e1322)) + (((_e1415[0] * _e1365) + (_e1415[1] * _e1366)) + (_e1415[2] * _e1367)));
+                            let _e1427 = local_7.member[1u];
+                            let _e1438 = local_7.member[0u];
+                            if (_e1438[0] < 0f) {
+                                phi_2100_ = -(_e1438[0]);
                             } else {
-                                phi_2114_ = _e1442[0];
+                                phi_2100_ = _e1438[0];
                             }
-                            let _e1449 = phi_2114_;
-                            if (_e1442[1] < 0f) {
-                                phi_2121_ = -(_e1442[1]);
+                            let _e1445 = phi_2100_;
+                            if (_e1438[1] < 0f) {
+                                phi_2107_ = -(_e1438[1]);
                             } else {
-                                phi_2121_ = _e1442[1];
+                                phi_2107_ = _e1438[1];
                             }
-                            let _e1453 = phi_2121_;
-                            if (_e1449 > _e1453) {
-                                phi_2126_ = _e1449;
+                            let _e1449 = phi_2107_;
+                            if (_e1445 > _e1449) {
+                                phi_2112_ = _e1445;
                             } else {
-                                phi_2126_ = _e1453;
+                                phi_2112_ = _e1449;
                             }
-                            let _e1456 = phi_2126_;
-                            if (_e1442[2] < 0f) {
-                                phi_2133_ = -(_e1442[2]);
+                            let _e1452 = phi_2112_;
+                            if (_e1438[2] < 0f) {
+                                phi_2119_ = -(_e1438[2]);
                             } else {
-                                phi_2133_ = _e1442[2];
+                                phi_2119_ = _e1438[2];
                             }
-                            let _e1460 = phi_2133_;
-                            if (_e1456 > _e1460) {
-                                phi_2138_ = _e1456;
+                            let _e1456 = phi_2119_;
+                            if (_e1452 > _e1456) {
+                                phi_2124_ = _e1452;
                             } else {
-                                phi_2138_ = _e1460;
+                                phi_2124_ = _e1456;
                             }
-                            let _e1463 = phi_2138_;
-                            let _e1466 = local_7.member[1u];
-                            if (_e1466[0] < 0f) {
-                                phi_2151_ = -(_e1466[0]);
+                            let _e1459 = phi_2124_;
+                            let _e1462 = local_7.member[1u];
+                            if (_e1462[0] < 0f) {
+                                phi_2137_ = -(_e1462[0]);
                             } else {
-                                phi_2151_ = _e1466[0];
+                                phi_2137_ = _e1462[0];
                             }
-                            let _e1473 = phi_2151_;
-                            if (_e1466[1] < 0f) {
-                                phi_2158_ = -(_e1466[1]);
+                            let _e1469 = phi_2137_;
+                            if (_e1462[1] < 0f) {
+                                phi_2144_ = -(_e1462[1]);
                             } else {
-                                phi_2158_ = _e1466[1];
+                                phi_2144_ = _e1462[1];
                             }
-                            let _e1477 = phi_2158_;
-                            if (_e1473 > _e1477) {
-                                phi_2163_ = _e1473;
+                            let _e1473 = phi_2144_;
+                            if (_e1469 > _e1473) {
+                                phi_2149_ = _e1469;
                             } else {
-                                phi_2163_ = _e1477;
+                                phi_2149_ = _e1473;
                             }
-                            let _e1480 = phi_2163_;
-                            if (_e1466[2] < 0f) {
-                                phi_2170_ = -(_e1466[2]);
+                            let _e1476 = phi_2149_;
+                            if (_e1462[2] < 0f) {
+                                phi_2156_ = -(_e1462[2]);
                             } else {
-                                phi_2170_ = _e1466[2];
+                                phi_2156_ = _e1462[2];
                             }
-                            let _e1484 = phi_2170_;
-                            if (_e1480 > _e1484) {
-                                phi_2175_ = _e1480;
+                            let _e1480 = phi_2156_;
+                            if (_e1476 > _e1480) {
+                                phi_2161_ = _e1476;
                             } else {
-                                phi_2175_ = _e1484;
+                                phi_2161_ = _e1480;
                             }
-                            let _e1487 = phi_2175_;
-                            if (_e1463 > _e1487) {
-                                phi_2180_ = _e1463;
+                            let _e1483 = phi_2161_;
+                            if (_e1459 > _e1483) {
+                                phi_2166_ = _e1459;
                             } else {
-                                phi_2180_ = _e1487;
+                                phi_2166_ = _e1483;
                             }
-                            let _e1490 = phi_2180_;
-                            let _e1492 = local_7.member_3;
-                            let _e1493 = (_e1490 + _e1492);
-                            let _e1496 = local_7.member_1[0u];
-                            if (_e1496[0] < 0f) {
-                                phi_2197_ = -(_e1496[0]);
+                            let _e1486 = phi_2166_;
+                            let _e1488 = local_7.member_3;
+                            let _e1489 = (_e1486 + _e1488);
+                            let _e1492 = local_7.member_1[0u];
+                            if (_e1492[0] < 0f) {
+                                phi_2183_ = -(_e1492[0]);
                             } else {
-                                phi_2197_ = _e1496[0];
+                                phi_2183_ = _e1492[0];
                             }
-                            let _e1503 = phi_2197_;
-                            if (_e1496[1] < 0f) {
-                                phi_2204_ = -(_e1496[1]);
+                            let _e1499 = phi_2183_;
+                            if (_e1492[1] < 0f) {
+                                phi_2190_ = -(_e1492[1]);
                             } else {
-                                phi_2204_ = _e1496[1];
+                                phi_2190_ = _e1492[1];
                             }
-                            let _e1507 = phi_2204_;
-                            if (_e1503 > _e1507) {
-                                phi_2209_ = _e1503;
+                            let _e1503 = phi_2190_;
+                            if (_e1499 > _e1503) {
+                                phi_2195_ = _e1499;
                             } else {
-                                phi_2209_ = _e1507;
+                                phi_2195_ = _e1503;
                             }
-                            let _e1510 = phi_2209_;
-                            if (_e1496[2] < 0f) {
-                                phi_2216_ = -(_e1496[2]);
+                            let _e1506 = phi_2195_;
+                            if (_e1492[2] < 0f) {
+                                phi_2202_ = -(_e1492[2]);
                             } else {
-                                phi_2216_ = _e1496[2];
+                                phi_2202_ = _e1492[2];
                             }
-                            let _e1514 = phi_2216_;
-                            if (_e1510 > _e1514) {
-                                phi_2221_ = _e1510;
+                            let _e1510 = phi_2202_;
+                            if (_e1506 > _e1510) {
+                                phi_2207_ = _e1506;
                             } else {
-                                phi_2221_ = _e1514;
+                                phi_2207_ = _e1510;
                             }
-                            let _e1517 = phi_2221_;
-                            let _e1520 = local_7.member_1[1u];
-                            if (_e1520[0] < 0f) {
-                                phi_2235_ = -(_e1520[0]);
+                            let _e1513 = phi_2207_;
+                            let _e1516 = local_7.member_1[1u];
+                            if (_e1516[0] < 0f) {
+                                phi_2221_ = -(_e1516[0]);
                             } else {
-                                phi_2235_ = _e1520[0];
+                                phi_2221_ = _e1516[0];
                             }
-                            let _e1527 = phi_2235_;
-                            if (_e1520[1] < 0f) {
-                                phi_2242_ = -(_e1520[1]);
+                            let _e1523 = phi_2221_;
+                            if (_e1516[1] < 0f) {
+                                phi_2228_ = -(_e1516[1]);
                             } else {
-                                phi_2242_ = _e1520[1];
+                                phi_2228_ = _e1516[1];
                             }
-                            let _e1531 = phi_2242_;
-                            if (_e1527 > _e1531) {
-                                phi_2247_ = _e1527;
+                            let _e1527 = phi_2228_;
+                            if (_e1523 > _e1527) {
+                                phi_2233_ = _e1523;
                             } else {
-                                phi_2247_ = _e1531;
+                                phi_2233_ = _e1527;
                             }
-                            let _e1534 = phi_2247_;
-                            if (_e1520[2] < 0f) {
-                                phi_2254_ = -(_e1520[2]);
+                            let _e1530 = phi_2233_;
+                            if (_e1516[2] < 0f) {
+                                phi_2240_ = -(_e1516[2]);
                             } else {
-                                phi_2254_ = _e1520[2];
+                                phi_2240_ = _e1516[2];
                             }
-                            let _e1538 = phi_2254_;
-                            if (_e1534 > _e1538) {
-                                phi_2259_ = _e1534;
+                            let _e1534 = phi_2240_;
+                            if (_e1530 > _e1534) {
+                                phi_2245_ = _e1530;
                             } else {
-                                phi_2259_ = _e1538;
+                                phi_2245_ = _e1534;
                             }
-                            let _e1541 = phi_2259_;
-                            if (_e1517 > _e1541) {
-                                phi_2264_ = _e1517;
+                            let _e1537 = phi_2245_;
+                            if (_e1513 > _e1537) {
+                                phi_2250_ = _e1513;
                             } else {
-                                phi_2264_ = _e1541;
+                                phi_2250_ = _e1537;
                             }
-                            let _e1544 = phi_2264_;
-                            let _e1546 = local_7.member_3;
-                            let _e1547 = (_e1544 + _e1546);
-                            let _e1550 = local_7.member_2[0u];
-                            if (_e1550[0] < 0f) {
-                                phi_2281_ = -(_e1550[0]);
+                            let _e1540 = phi_2250_;
+                            let _e1542 = local_7.member_3;
+                            let _e1543 = (_e1540 + _e1542);
+                            let _e1546 = local_7.member_2[0u];
+                            if (_e1546[0] < 0f) {
+                                phi_2267_ = -(_e1546[0]);
                             } else {
-                                phi_2281_ = _e1550[0];
+                                phi_2267_ = _e1546[0];
                             }
-                            let _e1557 = phi_2281_;
-                            if (_e1550[1] < 0f) {
-                                phi_2288_ = -(_e1550[1]);
+                            let _e1553 = phi_2267_;
+                            if (_e1546[1] < 0f) {
+                                phi_2274_ = -(_e1546[1]);
                             } else {
-                                phi_2288_ = _e1550[1];
+                                phi_2274_ = _e1546[1];
                             }
-                            let _e1561 = phi_2288_;
-                            if (_e1557 > _e1561) {
-                                phi_2293_ = _e1557;
+                            let _e1557 = phi_2274_;
+                            if (_e1553 > _e1557) {
+                                phi_2279_ = _e1553;
                             } else {
-                                phi_2293_ = _e1561;
+                                phi_2279_ = _e1557;
                             }
-                            let _e1564 = phi_2293_;
-                            if (_e1550[2] < 0f) {
-                                phi_2300_ = -(_e1550[2]);
+                            let _e1560 = phi_2279_;
+                            if (_e1546[2] < 0f) {
+                                phi_2286_ = -(_e1546[2]);
                             } else {
-                                phi_2300_ = _e1550[2];
+                                phi_2286_ = _e1546[2];
                             }
-                            let _e1568 = phi_2300_;
-                            if (_e1564 > _e1568) {
-                                phi_2305_ = _e1564;
+                            let _e1564 = phi_2286_;
+                            if (_e1560 > _e1564) {
+                                phi_2291_ = _e1560;
                             } else {
-                                phi_2305_ = _e1568;
+                                phi_2291_ = _e1564;
                             }
-                            let _e1571 = phi_2305_;
-                            let _e1574 = local_7.member_2[1u];
-                            if (_e1574[0] < 0f) {
-                                phi_2319_ = -(_e1574[0]);
+                            let _e1567 = phi_2291_;
+                            let _e1570 = local_7.member_2[1u];
+                            if (_e1570[0] < 0f) {
+                                phi_2305_ = -(_e1570[0]);
                             } else {
-                                phi_2319_ = _e1574[0];
+                                phi_2305_ = _e1570[0];
                             }
-                            let _e1581 = phi_2319_;
-                            if (_e1574[1] < 0f) {
-                                phi_2326_ = -(_e1574[1]);
+                            let _e1577 = phi_2305_;
+                            if (_e1570[1] < 0f) {
+                                phi_2312_ = -(_e1570[1]);
                             } else {
-                                phi_2326_ = _e1574[1];
+                                phi_2312_ = _e1570[1];
                             }
-                            let _e1585 = phi_2326_;
-                            if (_e1581 > _e1585) {
-                                phi_2331_ = _e1581;
+                            let _e1581 = phi_2312_;
+                            if (_e1577 > _e1581) {
+                                phi_2317_ = _e1577;
                             } else {
-                                phi_2331_ = _e1585;
+                                phi_2317_ = _e1581;
                             }
-                            let _e1588 = phi_2331_;
-                            if (_e1574[2] < 0f) {
-                                phi_2338_ = -(_e1574[2]);
+                            let _e1584 = phi_2317_;
+                            if (_e1570[2] < 0f) {
+                                phi_2324_ = -(_e1570[2]);
                             } else {
-                                phi_2338_ = _e1574[2];
+                                phi_2324_ = _e1570[2];
                             }
-                            let _e1592 = phi_2338_;
-                            if (_e1588 > _e1592) {
-                                phi_2343_ = _e1588;
+                            let _e1588 = phi_2324_;
+                            if (_e1584 > _e1588) {
+                                phi_2329_ = _e1584;
                             } else {
-                                phi_2343_ = _e1592;
+                                phi_2329_ = _e1588;
                             }
-                            let _e1595 = phi_2343_;
-                            if (_e1571 > _e1595) {
-                                phi_2348_ = _e1571;
+                            let _e1591 = phi_2329_;
+                            if (_e1567 > _e1591) {
+                                phi_2334_ = _e1567;
                             } else {
-                                phi_2348_ = _e1595;
+                                phi_2334_ = _e1591;
                             }
-                            let _e1598 = phi_2348_;
-                            let _e1600 = local_7.member_3;
-                            let _e1601 = (_e1598 + _e1600);
-                            let _e1603 = ((_e1547 * 8f) * _e1601);
-                            let _e1610 = local_7.member_3;
-                            if (_e1299 < 0f) {
-                                phi_2379_ = -(_e1299);
+                            let _e1594 = phi_2334_;
+                            let _e1596 = local_7.member_3;
+                            let _e1597 = (_e1594 + _e1596);
+                            let _e1599 = ((_e1543 * 8f) * _e1597);
+                            let _e1606 = local_7.member_3;
+                            if (_e1295 < 0f) {
+                                phi_2365_ = -(_e1295);
                             } else {
-                                phi_2379_ = _e1299;
+                                phi_2365_ = _e1295;
                             }
-                            let _e1627 = phi_2379_;
-                            if (_e1302 < 0f) {
-                                phi_2385_ = -(_e1302);
+                            let _e1623 = phi_2365_;
+                            if (_e1298 < 0f) {
+                                phi_2371_ = -(_e1298);
                             } else {
-                                phi_2385_ = _e1302;
+                                phi_2371_ = _e1298;
                             }
-                            let _e1631 = phi_2385_;
-                            if (_e1305 < 0f) {
-                                phi_2392_ = -(_e1305);
+                            let _e1627 = phi_2371_;
+                            if (_e1301 < 0f) {
+                                phi_2378_ = -(_e1301);
                             } else {
-                                phi_2392_ = _e1305;
+                                phi_2378_ = _e1301;
                             }
-                            let _e1636 = phi_2392_;
-                            let _e1637 = ((_e1627 + _e1631) + _e1636);
-                            if (_e1320 < 0f) {
-                                phi_2399_ = -(_e1320);
+                            let _e1632 = phi_2378_;
+                            let _e1633 = ((_e1623 + _e1627) + _e1632);
+                            if (_e1316 < 0f) {
+                                phi_2385_ = -(_e1316);
                             } else {
-                                phi_2399_ = _e1320;
+                                phi_2385_ = _e1316;
                             }
-                            let _e1641 = phi_2399_;
-                            if (_e1323 < 0f) {
-                                phi_2405_ = -(_e1323);
+                            let _e1637 = phi_2385_;
+                            if (_e1319 < 0f) {
+                                phi_2391_ = -(_e1319);
                             } else {
-                                phi_2405_ = _e1323;
+                                phi_2391_ = _e1319;
                             }
-                            let _e1645 = phi_2405_;
-                            if (_e1326 < 0f) {
-                                phi_2412_ = -(_e1326);
+                            let _e1641 = phi_2391_;
+                            if (_e1322 < 0f) {
+                                phi_2398_ = -(_e1322);
                             } else {
-                                phi_2412_ = _e1326;
+                                phi_2398_ = _e1322;
                             }
-                            let _e1650 = phi_2412_;
-                            let _e1651 = ((_e1641 + _e1645) + _e1650);
-                            if (_e1637 > _e1651) {
-                                phi_2418_ = _e1637;
+                            let _e1646 = phi_2398_;
+                            let _e1647 = ((_e1637 + _e1641) + _e1646);
+                            if (_e1633 > _e1647) {
+                                phi_2404_ = _e1633;
                             } else {
-                                phi_2418_ = _e1651;
+                                phi_2404_ = _e1647;
                             }
-                            let _e1654 = phi_2418_;
-                            if (_e1369 < 0f) {
-                                phi_2424_ = -(_e1369);
+                            let _e1650 = phi_2404_;
+                            if (_e1365 < 0f) {
+                                phi_2410_ = -(_e1365);
                             } else {
-                                phi_2424_ = _e1369;
+                                phi_2410_ = _e1365;
                             }
-                            let _e1658 = phi_2424_;
-                            if (_e1370 < 0f) {
-                                phi_2430_ = -(_e1370);
+                            let _e1654 = phi_2410_;
+                            if (_e1366 < 0f) {
+                                phi_2416_ = -(_e1366);
                             } else {
-                                phi_2430_ = _e1370;
+                                phi_2416_ = _e1366;
                             }
-                            let _e1662 = phi_2430_;
-                            if (_e1371 < 0f) {
-                                phi_2437_ = -(_e1371);
+                            let _e1658 = phi_2416_;
+                            if (_e1367 < 0f) {
+                                phi_2423_ = -(_e1367);
                             } else {
-                                phi_2437_ = _e1371;
+                                phi_2423_ = _e1367;
                             }
-                            let _e1667 = phi_2437_;
-                            let _e1669 = (((_e1658 + _e1662) + _e1667) * 0.5f);
-                            if (_e1654 > _e1669) {
-                                phi_2444_ = _e1654;
+                            let _e1663 = phi_2423_;
+                            let _e1665 = (((_e1654 + _e1658) + _e1663) * 0.5f);
+                            if (_e1650 > _e1665) {
+                                phi_2430_ = _e1650;
                             } else {
-                                phi_2444_ = _e1669;
+                                phi_2430_ = _e1665;
                             }
-                            let _e1672 = phi_2444_;
-                            let _e1677 = local_7.member_3;
-                            let _e1690 = ((((_e1374[0] * _e1299) + (_e1374[1] * _e1302)) + (_e1374[2] * _e1305)) * 3f);
-                            let _e1691 = ((((_e1431[0] * _e1320) + (_e1431[1] * _e1323)) + (_e1431[2] * _e1326)) * 3f);
-                            if (_e1690 < _e1691) {
-                                phi_2468_ = _e1690;
+                            let _e1668 = phi_2430_;
+                            let _e1673 = local_7.member_3;
+                            let _e1686 = ((((_e1370[0] * _e1295) + (_e1370[1] * _e1298)) + (_e1370[2] * _e1301)) * 3f);
+                            let _e1687 = ((((_e1427[0] * _e1316) + (_e1427[1] * _e1319)) + (_e1427[2] * _e1322)) * 3f);
+                            if (_e1686 < _e1687) {
+                                phi_2454_ = _e1686;
                             } else {
-                                phi_2468_ = _e1691;
+                                phi_2454_ = _e1687;
                             }
-                            let _e1694 = phi_2468_;
-                            if (_e1405 < _e1428) {
-                                phi_2473_ = _e1405;
+                            let _e1690 = phi_2454_;
+                            if (_e1401 < _e1424) {
+                                phi_2459_ = _e1401;
                             } else {
-                                phi_2473_ = _e1428;
+                                phi_2459_ = _e1424;
                             }
-                            let _e1697 = phi_2473_;
-                            if (_e1694 < _e1697) {
-                                phi_2478_ = _e1694;
+                            let _e1693 = phi_2459_;
+                            if (_e1690 < _e1693) {
+                                phi_2464_ = _e1690;
                             } else {
-                                phi_2478_ = _e1697;
+                                phi_2464_ = _e1693;
                             }
-                            let _e1700 = phi_2478_;
-                            if (_e1690 > _e1691) {
-                                phi_2483_ = _e1690;
+                            let _e1696 = phi_2464_;
+                            if (_e1686 > _e1687) {
+                                phi_2469_ = _e1686;
                             } else {
-                                phi_2483_ = _e1691;
+                                phi_2469_ = _e1687;
                             }
-                            let _e1703 = phi_2483_;
-                            if (_e1405 > _e1428) {
-                                phi_2488_ = _e1405;
+                            let _e1699 = phi_2469_;
+                            if (_e1401 > _e1424) {
+                                phi_2474_ = _e1401;
                             } else {
-                                phi_2488_ = _e1428;
+                                phi_2474_ = _e1424;
                             }
-                            let _e1706 = phi_2488_;
-                            if (_e1703 > _e1706) {
-                                phi_2493_ = _e1703;
+                            let _e1702 = phi_2474_;
+                            if (_e1699 > _e1702) {
+                                phi_2479_ = _e1699;
                             } else {
-                                phi_2493_ = _e1706;
+                                phi_2479_ = _e1702;
                             }
-                            let _e1709 = phi_2493_;
-                            let _e1714 = -(_e1709);
-                            if (_e1700 > _e1714) {
-                                phi_2503_ = _e1700;
+                            let _e1705 = phi_2479_;
+                            let _e1710 = -(_e1705);
+                            if (_e1696 > _e1710) {
+                                phi_2489_ = _e1696;
                             } else {
-                                phi_2503_ = _e1714;
+                                phi_2489_ = _e1710;
                             }
-                            let _e1717 = phi_2503_;
-                            if ((_e1717 - ((((((_e1493 * 8f) * _e1603) * (0.000000059604645f * (490f / 64f))) + ((_e1610 * 19f) * ((_e1493 * (_e1547 + _e1601)) + (_e1547 * _e1601)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1493) * ((1f + _e1547) * (1f + _e1601))))) + ((_e1203 * (((_e1672 + (_e1603 * (0.000000059604645f * 4f))) + ((_e1677 * 6f) * (_e1547 + _e1601))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1547) * (1f + _e1601))))) * (3f * 1.0001f)))) > 0f) {
-                                phi_3479_ = true;
+                            let _e1713 = phi_2489_;
+                            if ((_e1713 - ((((((_e1489 * 8f) * _e1599) * (0.000000059604645f * (490f / 64f))) + ((_e1606 * 19f) * ((_e1489 * (_e1543 + _e1597)) + (_e1543 * _e1597)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1489) * ((1f + _e1543) * (1f + _e1597))))) + ((_e1199 * (((_e1668 + (_e1599 * (0.000000059604645f * 4f))) + ((_e1673 * 6f) * (_e1543 + _e1597))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1543) * (1f + _e1597))))) * (3f * 1.0001f)))) > 0f) {
+                                phi_3465_ = true;
                             } else {
-                                let _e1722 = local_7.member_1[0u];
-                                let _e1728 = local_7.member_1[1u];
-                                let _e1732 = (_e1722[0] + _e1728[0]);
-                                let _e1733 = (_e1722[1] + _e1728[1]);
-                                let _e1734 = (_e1722[2] + _e1728[2]);
-                                let _e1737 = local_7.member_2[0u];
-                                let _e1743 = local_7.member_2[1u];
-                                let _e1747 = (_e1737[0] + _e1743[0]);
-                                let _e1748 = (_e1737[1] + _e1743[1]);
-                                let _e1749 = (_e1737[2] + _e1743[2]);
-                                let _e1752 = ((_e1733 * _e1749) - (_e1734 * _e1748));
-                                let _e1755 = ((_e1734 * _e1747) - (_e1732 * _e1749));
-                                let _e1758 = ((_e1732 * _e1748) - (_e1733 * _e1747));
-                                let _e1761 = local_7.member[0u];
-                                let _e1767 = local_7.member_1[0u];
-                                let _e1773 = local_7.member_2[0u];
-                                let _e1785 = local_7.member[1u];
-                                let _e1791 = local_7.member_1[1u];
-                                let _e1797 = local_7.member_2[1u];
-                                local_5 = array<array<f32, 3>, 4>(_e1761, array<f32, 3>((_e1761[0] - _e1767[0]), (_e1761[1] - _e1767[1]), (_e1761[2] - _e1767[2])), array<f32, 3>((_e1761[0] - _e1773[0]), (_e1761[1] - _e1773[1]), (_e1761[2] - _e1773[2])), _e1761);
-                                local_6 = array<array<f32, 3>, 4>(_e1785, array<f32, 3>((_e1785[0] - _e1791[0]), (_e1785[1] - _e1791[1]), (_e1785[2] - _e1791[2])), array<f32, 3>((_e1785[0] - _e1797[0]), (_e1785[1] - _e1797[1]), (_e1785[2] - _e1797[2])), _e1785);
-                                let _e1815 = local_7.member[0u];
-                                if (_e1815[0] < 0f) {
-                                    phi_2754_ = -(_e1815[0]);
+                                let _e1718 = local_7.member_1[0u];
+                                let _e1724 = local_7.member_1[1u];
+                                let _e1728 = (_e1718[0] + _e1724[0]);
+                                let _e1729 = (_e1718[1] + _e1724[1]);
+                                let _e1730 = (_e1718[2] + _e1724[2]);
+                                let _e1733 = local_7.member_2[0u];
+                                let _e1739 = local_7.member_2[1u];
+                                let _e1743 = (_e1733[0] + _e1739[0]);
+                                let _e1744 = (_e1733[1] + _e1739[1]);
+                                let _e1745 = (_e1733[2] + _e1739[2]);
+                                let _e1748 = ((_e1729 * _e1745) - (_e1730 * _e1744));
+                                let _e1751 = ((_e1730 * _e1743) - (_e1728 * _e1745));
+                                let _e1754 = ((_e1728 * _e1744) - (_e1729 * _e1743));
+                                let _e1757 = local_7.member[0u];
+                                let _e1763 = local_7.member_1[0u];
+                                let _e1769 = local_7.member_2[0u];
+                                let _e1781 = local_7.member[1u];
+                                let _e1787 = local_7.member_1[1u];
+                                let _e1793 = local_7.member_2[1u];
+                                local_5 = array<array<f32, 3>, 4>(_e1757, array<f32, 3>((_e1757[0] - _e1763[0]), (_e1757[1] - _e1763[1]), (_e1757[2] - _e1763[2])), array<f32, 3>((_e1757[0] - _e1769[0]), (_e1757[1] - _e1769[1]), (_e1757[2] - _e1769[2])), _e1757);
+                                local_6 = array<array<f32, 3>, 4>(_e1781, array<f32, 3>((_e1781[0] - _e1787[0]), (_e1781[1] - _e1787[1]), (_e1781[2] - _e1787[2])), array<f32, 3>((_e1781[0] - _e1793[0]), (_e1781[1] - _e1793[1]), (_e1781[2] - _e1793[2])), _e1781);
+                                let _e1811 = local_7.member[0u];
+                                if (_e1811[0] < 0f) {
+                                    phi_2740_ = -(_e1811[0]);
                                 } else {
-                                    phi_2754_ = _e1815[0];
+                                    phi_2740_ = _e1811[0];
                                 }
-                                let _e1822 = phi_2754_;
-                                if (_e1815[1] < 0f) {
-                                    phi_2761_ = -(_e1815[1]);
+                                let _e1818 = phi_2740_;
+                                if (_e1811[1] < 0f) {
+                                    phi_2747_ = -(_e1811[1]);
                                 } else {
-                                    phi_2761_ = _e1815[1];
+                                    phi_2747_ = _e1811[1];
                                 }
-                                let _e1826 = phi_2761_;
-                                if (_e1822 > _e1826) {
-                                    phi_2766_ = _e1822;
+                                let _e1822 = phi_2747_;
+                                if (_e1818 > _e1822) {
+                                    phi_2752_ = _e1818;
                                 } else {
-                                    phi_2766_ = _e1826;
+                                    phi_2752_ = _e1822;
                                 }
-                                let _e1829 = phi_2766_;
-                                if (_e1815[2] < 0f) {
-                                    phi_2773_ = -(_e1815[2]);
+                                let _e1825 = phi_2752_;
+                                if (_e1811[2] < 0f) {
+                                    phi_2759_ = -(_e1811[2]);
                                 } else {
-                                    phi_2773_ = _e1815[2];
+                                    phi_2759_ = _e1811[2];
                                 }
-                                let _e1833 = phi_2773_;
-                                if (_e1829 > _e1833) {
-                                    phi_2778_ = _e1829;
+                                let _e1829 = phi_2759_;
+                                if (_e1825 > _e1829) {
+                                    phi_2764_ = _e1825;
                                 } else {
-                                    phi_2778_ = _e1833;
+                                    phi_2764_ = _e1829;
                                 }
-                                let _e1836 = phi_2778_;
-                                let _e1839 = local_7.member[1u];
-                                if (_e1839[0] < 0f) {
-                                    phi_2791_ = -(_e1839[0]);
+                                let _e1832 = phi_2764_;
+                                let _e1835 = local_7.member[1u];
+                                if (_e1835[0] < 0f) {
+                                    phi_2777_ = -(_e1835[0]);
                                 } else {
-                                    phi_2791_ = _e1839[0];
+                                    phi_2777_ = _e1835[0];
                                 }
-                                let _e1846 = phi_2791_;
-                                if (_e1839[1] < 0f) {
-                                    phi_2798_ = -(_e1839[1]);
+                                let _e1842 = phi_2777_;
+                                if (_e1835[1] < 0f) {
+                                    phi_2784_ = -(_e1835[1]);
                                 } else {
-                                    phi_2798_ = _e1839[1];
+                                    phi_2784_ = _e1835[1];
                                 }
-                                let _e1850 = phi_2798_;
-                                if (_e1846 > _e1850) {
-                                    phi_2803_ = _e1846;
+                                let _e1846 = phi_2784_;
+                                if (_e1842 > _e1846) {
+                                    phi_2789_ = _e1842;
                                 } else {
-                                    phi_2803_ = _e1850;
+                                    phi_2789_ = _e1846;
                                 }
-                                let _e1853 = phi_2803_;
-                                if (_e1839[2] < 0f) {
-                                    phi_2810_ = -(_e1839[2]);
+                                let _e1849 = phi_2789_;
+                                if (_e1835[2] < 0f) {
+                                    phi_2796_ = -(_e1835[2]);
                                 } else {
-                                    phi_2810_ = _e1839[2];
+                                    phi_2796_ = _e1835[2];
                                 }
-                                let _e1857 = phi_2810_;
-                                if (_e1853 > _e1857) {
-                                    phi_2815_ = _e1853;
+                                let _e1853 = phi_2796_;
+                                if (_e1849 > _e1853) {
+                                    phi_2801_ = _e1849;
                                 } else {
-                                    phi_2815_ = _e1857;
+                                    phi_2801_ = _e1853;
                                 }
-                                let _e1860 = phi_2815_;
-                                if (_e1836 > _e1860) {
-                                    phi_2820_ = _e1836;
+                                let _e1856 = phi_2801_;
+                                if (_e1832 > _e1856) {
+                                    phi_2806_ = _e1832;
                                 } else {
-                                    phi_2820_ = _e1860;
+                                    phi_2806_ = _e1856;
                                 }
-                                let _e1863 = phi_2820_;
-                                let _e1865 = local_7.member_3;
-                                let _e1869 = local_7.member_1[0u];
-                                if (_e1869[0] < 0f) {
-                                    phi_2837_ = -(_e1869[0]);
+                                let _e1859 = phi_2806_;
+                                let _e1861 = local_7.member_3;
+                                let _e1865 = local_7.member_1[0u];
+                                if (_e1865[0] < 0f) {
+                                    phi_2823_ = -(_e1865[0]);
                                 } else {
-                                    phi_2837_ = _e1869[0];
+                                    phi_2823_ = _e1865[0];
                                 }
-                                let _e1876 = phi_2837_;
-                                if (_e1869[1] < 0f) {
-                                    phi_2844_ = -(_e1869[1]);
+                                let _e1872 = phi_2823_;
+                                if (_e1865[1] < 0f) {
+                                    phi_2830_ = -(_e1865[1]);
                                 } else {
-                                    phi_2844_ = _e1869[1];
+                                    phi_2830_ = _e1865[1];
                                 }
-                                let _e1880 = phi_2844_;
-                                if (_e1876 > _e1880) {
-                                    phi_2849_ = _e1876;
+                                let _e1876 = phi_2830_;
+                                if (_e1872 > _e1876) {
+                                    phi_2835_ = _e1872;
                                 } else {
-                                    phi_2849_ = _e1880;
+                                    phi_2835_ = _e1876;
                                 }
-                                let _e1883 = phi_2849_;
-                                if (_e1869[2] < 0f) {
-                                    phi_2856_ = -(_e1869[2]);
+                                let _e1879 = phi_2835_;
+                                if (_e1865[2] < 0f) {
+                                    phi_2842_ = -(_e1865[2]);
                                 } else {
-                                    phi_2856_ = _e1869[2];
+                                    phi_2842_ = _e1865[2];
                                 }
-                                let _e1887 = phi_2856_;
-                                if (_e1883 > _e1887) {
-                                    phi_2861_ = _e1883;
+                                let _e1883 = phi_2842_;
+                                if (_e1879 > _e1883) {
+                                    phi_2847_ = _e1879;
                                 } else {
-                                    phi_2861_ = _e1887;
+                                    phi_2847_ = _e1883;
                                 }
-                                let _e1890 = phi_2861_;
-                                let _e1893 = local_7.member_1[1u];
-                                if (_e1893[0] < 0f) {
-                                    phi_2875_ = -(_e1893[0]);
+                                let _e1886 = phi_2847_;
+                                let _e1889 = local_7.member_1[1u];
+                                if (_e1889[0] < 0f) {
+                                    phi_2861_ = -(_e1889[0]);
                                 } else {
-                                    phi_2875_ = _e1893[0];
+                                    phi_2861_ = _e1889[0];
                                 }
-                                let _e1900 = phi_2875_;
-                                if (_e1893[1] < 0f) {
-                                    phi_2882_ = -(_e1893[1]);
+                                let _e1896 = phi_2861_;
+                                if (_e1889[1] < 0f) {
+                                    phi_2868_ = -(_e1889[1]);
                                 } else {
-                                    phi_2882_ = _e1893[1];
+                                    phi_2868_ = _e1889[1];
                                 }
-                                let _e1904 = phi_2882_;
-                                if (_e1900 > _e1904) {
-                                    phi_2887_ = _e1900;
+                                let _e1900 = phi_2868_;
+                                if (_e1896 > _e1900) {
+                                    phi_2873_ = _e1896;
                                 } else {
-                                    phi_2887_ = _e1904;
+                                    phi_2873_ = _e1900;
                                 }
-                                let _e1907 = phi_2887_;
-                                if (_e1893[2] < 0f) {
-                                    phi_2894_ = -(_e1893[2]);
+                                let _e1903 = phi_2873_;
+                                if (_e1889[2] < 0f) {
+                                    phi_2880_ = -(_e1889[2]);
                                 } else {
-                                    phi_2894_ = _e1893[2];
+                                    phi_2880_ = _e1889[2];
                                 }
-                                let _e1911 = phi_2894_;
-                                if (_e1907 > _e1911) {
-                                    phi_2899_ = _e1907;
+                                let _e1907 = phi_2880_;
+                                if (_e1903 > _e1907) {
+                                    phi_2885_ = _e1903;
                                 } else {
-                                    phi_2899_ = _e1911;
+                                    phi_2885_ = _e1907;
                                 }
-                                let _e1914 = phi_2899_;
-                                if (_e1890 > _e1914) {
-                                    phi_2904_ = _e1890;
+                                let _e1910 = phi_2885_;
+                                if (_e1886 > _e1910) {
+                                    phi_2890_ = _e1886;
                                 } else {
-                                    phi_2904_ = _e1914;
+                                    phi_2890_ = _e1910;
                                 }
-                                let _e1917 = phi_2904_;
-                                let _e1919 = local_7.member_3;
-                                let _e1923 = local_7.member_2[0u];
-                                if (_e1923[0] < 0f) {
-                                    phi_2921_ = -(_e1923[0]);
+                                let _e1913 = phi_2890_;
+                                let _e1915 = local_7.member_3;
+                                let _e1919 = local_7.member_2[0u];
+                                if (_e1919[0] < 0f) {
+                                    phi_2907_ = -(_e1919[0]);
                                 } else {
-                                    phi_2921_ = _e1923[0];
+                                    phi_2907_ = _e1919[0];
                                 }
-                                let _e1930 = phi_2921_;
-                                if (_e1923[1] < 0f) {
-                                    phi_2928_ = -(_e1923[1]);
+                                let _e1926 = phi_2907_;
+                                if (_e1919[1] < 0f) {
+                                    phi_2914_ = -(_e1919[1]);
                                 } else {
-                                    phi_2928_ = _e1923[1];
+                                    phi_2914_ = _e1919[1];
                                 }
-                                let _e1934 = phi_2928_;
-                                if (_e1930 > _e1934) {
-                                    phi_2933_ = _e1930;
+                                let _e1930 = phi_2914_;
+                                if (_e1926 > _e1930) {
+                                    phi_2919_ = _e1926;
                                 } else {
-                                    phi_2933_ = _e1934;
+                                    phi_2919_ = _e1930;
                                 }
-                                let _e1937 = phi_2933_;
-                                if (_e1923[2] < 0f) {
-                                    phi_2940_ = -(_e1923[2]);
+                                let _e1933 = phi_2919_;
+                                if (_e1919[2] < 0f) {
+                                    phi_2926_ = -(_e1919[2]);
                                 } else {
-                                    phi_2940_ = _e1923[2];
+                                    phi_2926_ = _e1919[2];
                                 }
-                                let _e1941 = phi_2940_;
-                                if (_e1937 > _e1941) {
-                                    phi_2945_ = _e1937;
+                                let _e1937 = phi_2926_;
+                                if (_e1933 > _e1937) {
+                                    phi_2931_ = _e1933;
                                 } else {
-                                    phi_2945_ = _e1941;
+                                    phi_2931_ = _e1937;
                                 }
-                                let _e1944 = phi_2945_;
-                                let _e1947 = local_7.member_2[1u];
-                                if (_e1947[0] < 0f) {
-                                    phi_2959_ = -(_e1947[0]);
+                                let _e1940 = phi_2931_;
+                                let _e1943 = local_7.member_2[1u];
+                                if (_e1943[0] < 0f) {
+                                    phi_2945_ = -(_e1943[0]);
                                 } else {
-                                    phi_2959_ = _e1947[0];
+                                    phi_2945_ = _e1943[0];
                                 }
-                                let _e1954 = phi_2959_;
-                                if (_e1947[1] < 0f) {
-                                    phi_2966_ = -(_e1947[1]);
+                                let _e1950 = phi_2945_;
+                                if (_e1943[1] < 0f) {
+                                    phi_2952_ = -(_e1943[1]);
                                 } else {
-                                    phi_2966_ = _e1947[1];
+                                    phi_2952_ = _e1943[1];
                                 }
-                                let _e1958 = phi_2966_;
-                                if (_e1954 > _e1958) {
-                                    phi_2971_ = _e1954;
+                                let _e1954 = phi_2952_;
+                                if (_e1950 > _e1954) {
+                                    phi_2957_ = _e1950;
                                 } else {
-                                    phi_2971_ = _e1958;
+                                    phi_2957_ = _e1954;
                                 }
-                                let _e1961 = phi_2971_;
-                                if (_e1947[2] < 0f) {
-                                    phi_2978_ = -(_e1947[2]);
+                                let _e1957 = phi_2957_;
+                                if (_e1943[2] < 0f) {
+                                    phi_2964_ = -(_e1943[2]);
                                 } else {
-                                    phi_2978_ = _e1947[2];
+                                    phi_2964_ = _e1943[2];
                                 }
-                                let _e1965 = phi_2978_;
-                                if (_e1961 > _e1965) {
-                                    phi_2983_ = _e1961;
+                                let _e1961 = phi_2964_;
+                                if (_e1957 > _e1961) {
+                                    phi_2969_ = _e1957;
                                 } else {
-                                    phi_2983_ = _e1965;
+                                    phi_2969_ = _e1961;
                                 }
-                                let _e1968 = phi_2983_;
-                                if (_e1944 > _e1968) {
-                                    phi_2988_ = _e1944;
+                                let _e1964 = phi_2969_;
+                                if (_e1940 > _e1964) {
+                                    phi_2974_ = _e1940;
                                 } else {
-                                    phi_2988_ = _e1968;
+                                    phi_2974_ = _e1964;
                                 }
-                                let _e1971 = phi_2988_;
-                                let _e1973 = local_7.member_3;
-                                let _e1976 = (((_e1863 + _e1865) + (_e1917 + _e1919)) + (_e1971 + _e1973));
-                                let _e1979 = local_7.member_3;
-                                let _e1983 = (((_e1203 * 1.0001f) + (_e1979 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                let _e1986 = ((_e1755 * _e1734) - (_e1758 * _e1733));
-                                let _e1989 = ((_e1758 * _e1732) - (_e1752 * _e1734));
-                                let _e1992 = ((_e1752 * _e1733) - (_e1755 * _e1732));
-                                let _e1994 = local_5[0u];
-                                let _e2002 = (((_e1986 * _e1994[0]) + (_e1989 * _e1994[1])) + (_e1992 * _e1994[2]));
-                                phi_3026_ = type_37(0u, 4u);
-                                phi_3029_ = _e2002;
-                                phi_3031_ = _e2002;
+                                let _e1967 = phi_2974_;
+                                let _e1969 = local_7.member_3;
+                                let _e1972 = (((_e1859 + _e1861) + (_e1913 + _e1915)) + (_e1967 + _e1969));
+                                let _e1975 = local_7.member_3;
+                                let _e1979 = (((_e1199 * 1.0001f) + (_e1975 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                let _e1982 = ((_e1751 * _e1730) - (_e1754 * _e1729));
+                                let _e1985 = ((_e1754 * _e1728) - (_e1748 * _e1730));
+                                let _e1988 = ((_e1748 * _e1729) - (_e1751 * _e1728));
+                                let _e1990 = local_5[0u];
+                                let _e1998 = (((_e1982 * _e1990[0]) + (_e1985 * _e1990[1])) + (_e1988 * _e1990[2]));
+                                phi_3012_ = type_37(0u, 4u);
+                                phi_3015_ = _e1998;
+                                phi_3017_ = _e1998;
                                 loop {
-                                    let _e2004 = phi_3026_;
-                                    let _e2006 = phi_3029_;
-                                    let _e2008 = phi_3031_;
-                                    local_30 = _e2006;
-                                    local_31 = _e2008;
-                                    local_49 = _e2008;
-                                    if (_e2004.member < _e2004.member_1) {
-                                        phi_3027_ = type_37((_e2004.member + 1u), _e2004.member_1);
-                                        phi_3054_ = type_37(1u, _e2004.member);
+                                    let _e2000 = phi_3012_;
+                                    let _e2002 = phi_3015_;
+                                    let _e2004 = phi_3017_;
+                                    local_30 = _e2002;
+                                    local_31 = _e2004;
+                                    local_49 = _e2004;
+                                    if (_e2000.member < _e2000.member_1) {
+                                        phi_3013_ = type_37((_e2000.member + 1u), _e2000.member_1);
+                                        phi_3040_ = type_37(1u, _e2000.member);
                                     } else {
-                                        phi_3027_ = _e2004;
-                                        phi_3054_ = type_37(0u, type_37().member_1);
+                                        phi_3013_ = _e2000;
+                                        phi_3040_ = type_37(0u, type_37().member_1);
                                     }
-                                    let _e2022 = phi_3027_;
-                                    let _e2024 = phi_3054_;
-                                    let _e2028 = (bitcast<i32>(_e2024.member) != 0i);
-                                    if _e2028 {
-                                        if (_e2024.member_1 < 4u) {
+                                    let _e2018 = phi_3013_;
+                                    let _e2020 = phi_3040_;
+                                    let _e2024 = (bitcast<i32>(_e2020.member) != 0i);
+                                    if _e2024 {
+                                        if (_e2020.member_1 < 4u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2031 = local_5[_e2024.member_1];
-                                        let _e2039 = (((_e1986 * _e2031[0]) + (_e1989 * _e2031[1])) + (_e1992 * _e2031[2]));
-                                        if (_e2024.member_1 < 4u) {
+                                        let _e2027 = local_5[_e2020.member_1];
+                                        let _e2035 = (((_e1982 * _e2027[0]) + (_e1985 * _e2027[1])) + (_e1988 * _e2027[2]));
+                                        if (_e2020.member_1 < 4u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2042 = local_6[_e2024.member_1];
-                                        let _e2050 = (((_e1986 * _e2042[0]) + (_e1989 * _e2042[1])) + (_e1992 * _e2042[2]));
-                                        if (_e2008 < _e2039) {
-                                            phi_3104_ = _e2008;
+                                        let _e2038 = local_6[_e2020.member_1];
+                                        let _e2046 = (((_e1982 * _e2038[0]) + (_e1985 * _e2038[1])) + (_e1988 * _e2038[2]));
+                                        if (_e2004 < _e2035) {
+                                            phi_3090_ = _e2004;
                                         } else {
-                                            phi_3104_ = _e2039;
+                                            phi_3090_ = _e2035;
                                         }
-                                        let _e2053 = phi_3104_;
-                                        if (_e2053 < _e2050) {
-                                            phi_3109_ = _e2053;
+                                        let _e2049 = phi_3090_;
+                                        if (_e2049 < _e2046) {
+                                            phi_3095_ = _e2049;
                                         } else {
-                                            phi_3109_ = _e2050;
+                                            phi_3095_ = _e2046;
                                         }
-                                        let _e2056 = phi_3109_;
-                                        if (_e2006 > _e2039) {
-                                            phi_3114_ = _e2006;
+                                        let _e2052 = phi_3095_;
+                                        if (_e2002 > _e2035) {
+                                            phi_3100_ = _e2002;
                                         } else {
-                                            phi_3114_ = _e2039;
+                                            phi_3100_ = _e2035;
                                         }
-                                        let _e2059 = phi_3114_;
-                                        if (_e2059 > _e2050) {
-                                            phi_3119_ = _e2059;
+                                        let _e2055 = phi_3100_;
+                                        if (_e2055 > _e2046) {
+                                            phi_3105_ = _e2055;
                                         } else {
-                                            phi_3119_ = _e2050;
+                                            phi_3105_ = _e2046;
                                         }
-                                        let _e2062 = phi_3119_;
-                                        phi_3030_ = _e2062;
-                                        phi_3032_ = _e2056;
+                                        let _e2058 = phi_3105_;
+                                        phi_3016_ = _e2058;
+                                        phi_3018_ = _e2052;
                                     } else {
-                                        phi_3030_ = f32();
-                                        phi_3032_ = f32();
+                                        phi_3016_ = f32();
+                                        phi_3018_ = f32();
                                     }
-                                    let _e2064 = phi_3030_;
-                                    let _e2066 = phi_3032_;
+                                    let _e2060 = phi_3016_;
+                                    let _e2062 = phi_3018_;
                                     continue;
                                     continuing {
-                                        phi_3026_ = _e2022;
-                                        phi_3029_ = _e2064;
-                                        phi_3031_ = _e2066;
-                                        break if !(_e2028);
+                                        phi_3012_ = _e2018;
+                                        phi_3015_ = _e2060;
+                                        phi_3017_ = _e2062;
+                                        break if !(_e2024);
                                     }
                                 }
-                                if (_e1986 < 0f) {
-                                    phi_3125_ = -(_e1986);
+                                if (_e1982 < 0f) {
+                                    phi_3111_ = -(_e1982);
                                 } else {
-                                    phi_3125_ = _e1986;
+                                    phi_3111_ = _e1982;
                                 }
-                                let _e2071 = phi_3125_;
-                                if (_e1989 < 0f) {
-                                    phi_3131_ = -(_e1989);
+                                let _e2067 = phi_3111_;
+                                if (_e1985 < 0f) {
+                                    phi_3117_ = -(_e1985);
                                 } else {
-                                    phi_3131_ = _e1989;
+                                    phi_3117_ = _e1985;
                                 }
-                                let _e2075 = phi_3131_;
-                                if (_e1992 < 0f) {
-                                    phi_3138_ = -(_e1992);
+                                let _e2071 = phi_3117_;
+                                if (_e1988 < 0f) {
+                                    phi_3124_ = -(_e1988);
                                 } else {
-                                    phi_3138_ = _e1992;
+                                    phi_3124_ = _e1988;
                                 }
-                                let _e2080 = phi_3138_;
-                                let _e2081 = ((_e2071 + _e2075) + _e2080);
-                                let _e2086 = local_30;
-                                let _e2087 = -(_e2086);
-                                let _e2089 = local_31;
-                                if (_e2089 > _e2087) {
-                                    let _e4874 = local_49;
-                                    phi_3148_ = _e4874;
+                                let _e2076 = phi_3124_;
+                                let _e2077 = ((_e2067 + _e2071) + _e2076);
+                                let _e2082 = local_30;
+                                let _e2083 = -(_e2082);
+                                let _e2085 = local_31;
+                                if (_e2085 > _e2083) {
+                                    let _e4868 = local_49;
+                                    phi_3134_ = _e4868;
                                 } else {
-                                    phi_3148_ = _e2087;
+                                    phi_3134_ = _e2083;
                                 }
-                                let _e2092 = phi_3148_;
-                                let _e2097 = (((_e2092 - ((_e2081 * _e1976) * (0.000000059604645f * 17f))) - (_e2081 * _e1983)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                let _e2100 = ((_e1755 * _e1749) - (_e1758 * _e1748));
-                                let _e2103 = ((_e1758 * _e1747) - (_e1752 * _e1749));
-                                let _e2106 = ((_e1752 * _e1748) - (_e1755 * _e1747));
-                                let _e2108 = local_5[0u];
-                                let _e2116 = (((_e2100 * _e2108[0]) + (_e2103 * _e2108[1])) + (_e2106 * _e2108[2]));
-                                phi_3179_ = type_37(0u, 4u);
-                                phi_3182_ = _e2116;
-                                phi_3184_ = _e2116;
+                                let _e2088 = phi_3134_;
+                                let _e2093 = (((_e2088 - ((_e2077 * _e1972) * (0.000000059604645f * 17f))) - (_e2077 * _e1979)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                let _e2096 = ((_e1751 * _e1745) - (_e1754 * _e1744));
+                                let _e2099 = ((_e1754 * _e1743) - (_e1748 * _e1745));
+                                let _e2102 = ((_e1748 * _e1744) - (_e1751 * _e1743));
+                                let _e2104 = local_5[0u];
+                                let _e2112 = (((_e2096 * _e2104[0]) + (_e2099 * _e2104[1])) + (_e2102 * _e2104[2]));
+                                phi_3165_ = type_37(0u, 4u);
+                                phi_3168_ = _e2112;
+                                phi_3170_ = _e2112;
                                 loop {
-                                    let _e2118 = phi_3179_;
-                                    let _e2120 = phi_3182_;
-                                    let _e2122 = phi_3184_;
-                                    local_32 = _e2120;
-                                    local_33 = _e2122;
-                                    local_50 = _e2122;
-                                    if (_e2118.member < _e2118.member_1) {
-                                        phi_3180_ = type_37((_e2118.member + 1u), _e2118.member_1);
-                                        phi_3207_ = type_37(1u, _e2118.member);
+                                    let _e2114 = phi_3165_;
+                                    let _e2116 = phi_3168_;
+                                    let _e2118 = phi_3170_;
+                                    local_32 = _e2116;
+                                    local_33 = _e2118;
+                                    local_50 = _e2118;
+                                    if (_e2114.member < _e2114.member_1) {
+                                        phi_3166_ = type_37((_e2114.member + 1u), _e2114.member_1);
+                                        phi_3193_ = type_37(1u, _e2114.member);
                                     } else {
-                                        phi_3180_ = _e2118;
-                                        phi_3207_ = type_37(0u, type_37().member_1);
+                                        phi_3166_ = _e2114;
+                                        phi_3193_ = type_37(0u, type_37().member_1);
                                     }
-                                    let _e2136 = phi_3180_;
-                                    let _e2138 = phi_3207_;
-                                    let _e2142 = (bitcast<i32>(_e2138.member) != 0i);
-                                    if _e2142 {
-                                        if (_e2138.member_1 < 4u) {
+                                    let _e2132 = phi_3166_;
+                                    let _e2134 = phi_3193_;
+                                    let _e2138 = (bitcast<i32>(_e2134.member) != 0i);
+                                    if _e2138 {
+                                        if (_e2134.member_1 < 4u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2145 = local_5[_e2138.member_1];
-                                        let _e2153 = (((_e2100 * _e2145[0]) + (_e2103 * _e2145[1])) + (_e2106 * _e2145[2]));
-                                        if (_e2138.member_1 < 4u) {
+                                        let _e2141 = local_5[_e2134.member_1];
+                                        let _e2149 = (((_e2096 * _e2141[0]) + (_e2099 * _e2141[1])) + (_e2102 * _e2141[2]));
+                                        if (_e2134.member_1 < 4u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2156 = local_6[_e2138.member_1];
-                                        let _e2164 = (((_e2100 * _e2156[0]) + (_e2103 * _e2156[1])) + (_e2106 * _e2156[2]));
-                                        if (_e2122 < _e2153) {
-                                            phi_3257_ = _e2122;
+                                        let _e2152 = local_6[_e2134.member_1];
+                                        let _e2160 = (((_e2096 * _e2152[0]) + (_e2099 * _e2152[1])) + (_e2102 * _e2152[2]));
+                                        if (_e2118 < _e2149) {
+                                            phi_3243_ = _e2118;
                                         } else {
-                                            phi_3257_ = _e2153;
+                                            phi_3243_ = _e2149;
                                         }
-                                        let _e2167 = phi_3257_;
-                                        if (_e2167 < _e2164) {
-                                            phi_3262_ = _e2167;
+                                        let _e2163 = phi_3243_;
+                                        if (_e2163 < _e2160) {
+                                            phi_3248_ = _e2163;
                                         } else {
-                                            phi_3262_ = _e2164;
+                                            phi_3248_ = _e2160;
                                         }
-                                        let _e2170 = phi_3262_;
-                                        if (_e2120 > _e2153) {
-                                            phi_3267_ = _e2120;
+                                        let _e2166 = phi_3248_;
+                                        if (_e2116 > _e2149) {
+                                            phi_3253_ = _e2116;
                                         } else {
-                                            phi_3267_ = _e2153;
+                                            phi_3253_ = _e2149;
                                         }
-                                        let _e2173 = phi_3267_;
-                                        if (_e2173 > _e2164) {
-                                            phi_3272_ = _e2173;
+                                        let _e2169 = phi_3253_;
+                                        if (_e2169 > _e2160) {
+                                            phi_3258_ = _e2169;
                                         } else {
-                                            phi_3272_ = _e2164;
+                                            phi_3258_ = _e2160;
                                         }
-                                        let _e2176 = phi_3272_;
-                                        phi_3183_ = _e2176;
-                                        phi_3185_ = _e2170;
+                                        let _e2172 = phi_3258_;
+                                        phi_3169_ = _e2172;
+                                        phi_3171_ = _e2166;
                                     } else {
-                                        phi_3183_ = f32();
-                                        phi_3185_ = f32();
+                                        phi_3169_ = f32();
+                                        phi_3171_ = f32();
                                     }
-                                    let _e2178 = phi_3183_;
-                                    let _e2180 = phi_3185_;
+                                    let _e2174 = phi_3169_;
+                                    let _e2176 = phi_3171_;
                                     continue;
                                     continuing {
-                                        phi_3179_ = _e2136;
-                                        phi_3182_ = _e2178;
-                                        phi_3184_ = _e2180;
-                                        break if !(_e2142);
+                                        phi_3165_ = _e2132;
+                                        phi_3168_ = _e2174;
+                                        phi_3170_ = _e2176;
+                                        break if !(_e2138);
                                     }
                                 }
-                                if (_e2100 < 0f) {
-                                    phi_3278_ = -(_e2100);
+                                if (_e2096 < 0f) {
+                                    phi_3264_ = -(_e2096);
                                 } else {
-                                    phi_3278_ = _e2100;
+                                    phi_3264_ = _e2096;
                                 }
-                                let _e2185 = phi_3278_;
-                                if (_e2103 < 0f) {
-                                    phi_3284_ = -(_e2103);
+                                let _e2181 = phi_3264_;
+                                if (_e2099 < 0f) {
+                                    phi_3270_ = -(_e2099);
                                 } else {
-                                    phi_3284_ = _e2103;
+                                    phi_3270_ = _e2099;
                                 }
-                                let _e2189 = phi_3284_;
-                                if (_e2106 < 0f) {
-                                    phi_3291_ = -(_e2106);
+                                let _e2185 = phi_3270_;
+                                if (_e2102 < 0f) {
+                                    phi_3277_ = -(_e2102);
                                 } else {
-                                    phi_3291_ = _e2106;
+                                    phi_3277_ = _e2102;
                                 }
-                                let _e2194 = phi_3291_;
-                                let _e2195 = ((_e2185 + _e2189) + _e2194);
-                                let _e2200 = local_32;
-                                let _e2201 = -(_e2200);
-                                let _e2203 = local_33;
-                                if (_e2203 > _e2201) {
-                                    let _e4893 = local_50;
-                                    phi_3301_ = _e4893;
+                                let _e2190 = phi_3277_;
+                                let _e2191 = ((_e2181 + _e2185) + _e2190);
+                                let _e2196 = local_32;
+                                let _e2197 = -(_e2196);
+                                let _e2199 = local_33;
+                                if (_e2199 > _e2197) {
+                                    let _e4887 = local_50;
+                                    phi_3287_ = _e4887;
                                 } else {
-                                    phi_3301_ = _e2201;
+                                    phi_3287_ = _e2197;
                                 }
-                                let _e2206 = phi_3301_;
-                                let _e2211 = (((_e2206 - ((_e2195 * _e1976) * (0.000000059604645f * 17f))) - (_e2195 * _e1983)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2097 > _e2211) {
-                                    phi_3311_ = _e2097;
+                                let _e2202 = phi_3287_;
+                                let _e2207 = (((_e2202 - ((_e2191 * _e1972) * (0.000000059604645f * 17f))) - (_e2191 * _e1979)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e2093 > _e2207) {
+                                    phi_3297_ = _e2093;
                                 } else {
-                                    phi_3311_ = _e2211;
+                                    phi_3297_ = _e2207;
                                 }
-                                let _e2214 = phi_3311_;
-                                let _e2215 = (_e1747 - _e1732);
-                                let _e2216 = (_e1748 - _e1733);
-                                let _e2217 = (_e1749 - _e1734);
-                                let _e2220 = ((_e1755 * _e2217) - (_e1758 * _e2216));
-                                let _e2223 = ((_e1758 * _e2215) - (_e1752 * _e2217));
-                                let _e2226 = ((_e1752 * _e2216) - (_e1755 * _e2215));
-                                let _e2228 = local_5[0u];
-                                let _e2236 = (((_e2220 * _e2228[0]) + (_e2223 * _e2228[1])) + (_e2226 * _e2228[2]));
-                                phi_3344_ = type_37(0u, 4u);
-                                phi_3347_ = _e2236;
-                                phi_3349_ = _e2236;
+                                let _e2210 = phi_3297_;
+                                let _e2211 = (_e1743 - _e1728);
+                                let _e2212 = (_e1744 - _e1729);
+                                let _e2213 = (_e1745 - _e1730);
+                                let _e2216 = ((_e1751 * _e2213) - (_e1754 * _e2212));
+                                let _e2219 = ((_e1754 * _e2211) - (_e1748 * _e2213));
+                                let _e2222 = ((_e1748 * _e2212) - (_e1751 * _e2211));
+                                let _e2224 = local_5[0u];
+                                let _e2232 = (((_e2216 * _e2224[0]) + (_e2219 * _e2224[1])) + (_e2222 * _e2224[2]));
+                                phi_3330_ = type_37(0u, 4u);
+                                phi_3333_ = _e2232;
+                                phi_3335_ = _e2232;
                                 loop {
-                                    let _e2238 = phi_3344_;
-                                    let _e2240 = phi_3347_;
-                                    let _e2242 = phi_3349_;
-                                    local_34 = _e2240;
-                                    local_35 = _e2242;
-                                    local_51 = _e2242;
-                                    if (_e2238.member < _e2238.member_1) {
-                                        phi_3345_ = type_37((_e2238.member + 1u), _e2238.member_1);
-                                        phi_3372_ = type_37(1u, _e2238.member);
+                                    let _e2234 = phi_3330_;
+                                    let _e2236 = phi_3333_;
+                                    let _e2238 = phi_3335_;
+                                    local_34 = _e2236;
+                                    local_35 = _e2238;
+                                    local_51 = _e2238;
+                                    if (_e2234.member < _e2234.member_1) {
+                                        phi_3331_ = type_37((_e2234.member + 1u), _e2234.member_1);
+                                        phi_3358_ = type_37(1u, _e2234.member);
                                     } else {
-                                        phi_3345_ = _e2238;
-                                        phi_3372_ = type_37(0u, type_37().member_1);
+                                        phi_3331_ = _e2234;
+                                        phi_3358_ = type_37(0u, type_37().member_1);
                                     }
-                                    let _e2256 = phi_3345_;
-                                    let _e2258 = phi_3372_;
-                                    let _e2262 = (bitcast<i32>(_e2258.member) != 0i);
-                                    if _e2262 {
-                                        if (_e2258.member_1 < 4u) {
+                                    let _e2252 = phi_3331_;
+                                    let _e2254 = phi_3358_;
+                                    let _e2258 = (bitcast<i32>(_e2254.member) != 0i);
+                                    if _e2258 {
+                                        if (_e2254.member_1 < 4u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2265 = local_5[_e2258.member_1];
-                                        let _e2273 = (((_e2220 * _e2265[0]) + (_e2223 * _e2265[1])) + (_e2226 * _e2265[2]));
-                                        if (_e2258.member_1 < 4u) {
+                                        let _e2261 = local_5[_e2254.member_1];
+                                        let _e2269 = (((_e2216 * _e2261[0]) + (_e2219 * _e2261[1])) + (_e2222 * _e2261[2]));
+                                        if (_e2254.member_1 < 4u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2276 = local_6[_e2258.member_1];
-                                        let _e2284 = (((_e2220 * _e2276[0]) + (_e2223 * _e2276[1])) + (_e2226 * _e2276[2]));
-                                        if (_e2242 < _e2273) {
-                                            phi_3422_ = _e2242;
+                                        let _e2272 = local_6[_e2254.member_1];
+                                        let _e2280 = (((_e2216 * _e2272[0]) + (_e2219 * _e2272[1])) + (_e2222 * _e2272[2]));
+                                        if (_e2238 < _e2269) {
+                                            phi_3408_ = _e2238;
                                         } else {
-                                            phi_3422_ = _e2273;
+                                            phi_3408_ = _e2269;
                                         }
-                                        let _e2287 = phi_3422_;
-                                        if (_e2287 < _e2284) {
-                                            phi_3427_ = _e2287;
+                                        let _e2283 = phi_3408_;
+                                        if (_e2283 < _e2280) {
+                                            phi_3413_ = _e2283;
                                         } else {
-                                            phi_3427_ = _e2284;
+                                            phi_3413_ = _e2280;
                                         }
-                                        let _e2290 = phi_3427_;
-                                        if (_e2240 > _e2273) {
-                                            phi_3432_ = _e2240;
+                                        let _e2286 = phi_3413_;
+                                        if (_e2236 > _e2269) {
+                                            phi_3418_ = _e2236;
                                         } else {
-                                            phi_3432_ = _e2273;
+                                            phi_3418_ = _e2269;
                                         }
-                                        let _e2293 = phi_3432_;
-                                        if (_e2293 > _e2284) {
-                                            phi_3437_ = _e2293;
+                                        let _e2289 = phi_3418_;
+                                        if (_e2289 > _e2280) {
+                                            phi_3423_ = _e2289;
                                         } else {
-                                            phi_3437_ = _e2284;
+                                            phi_3423_ = _e2280;
                                         }
-                                        let _e2296 = phi_3437_;
-                                        phi_3348_ = _e2296;
-                                        phi_3350_ = _e2290;
+                                        let _e2292 = phi_3423_;
+                                        phi_3334_ = _e2292;
+                                        phi_3336_ = _e2286;
                                     } else {
-                                        phi_3348_ = f32();
-                                        phi_3350_ = f32();
+                                        phi_3334_ = f32();
+                                        phi_3336_ = f32();
                                     }
-                                    let _e2298 = phi_3348_;
-                                    let _e2300 = phi_3350_;
+                                    let _e2294 = phi_3334_;
+                                    let _e2296 = phi_3336_;
                                     continue;
                                     continuing {
-                                        phi_3344_ = _e2256;
-                                        phi_3347_ = _e2298;
-                                        phi_3349_ = _e2300;
-                                        break if !(_e2262);
+                                        phi_3330_ = _e2252;
+                                        phi_3333_ = _e2294;
+                                        phi_3335_ = _e2296;
+                                        break if !(_e2258);
                                     }
                                 }
-                                if (_e2220 < 0f) {
-                                    phi_3443_ = -(_e2220);
+                                if (_e2216 < 0f) {
+                                    phi_3429_ = -(_e2216);
                                 } else {
-                                    phi_3443_ = _e2220;
+                                    phi_3429_ = _e2216;
                                 }
-                                let _e2305 = phi_3443_;
-                                if (_e2223 < 0f) {
-                                    phi_3449_ = -(_e2223);
+                                let _e2301 = phi_3429_;
+                                if (_e2219 < 0f) {
+                                    phi_3435_ = -(_e2219);
                                 } else {
-                                    phi_3449_ = _e2223;
+                                    phi_3435_ = _e2219;
                                 }
-                                let _e2309 = phi_3449_;
-                                if (_e2226 < 0f) {
-                                    phi_3456_ = -(_e2226);
+                                let _e2305 = phi_3435_;
+                                if (_e2222 < 0f) {
+                                    phi_3442_ = -(_e2222);
                                 } else {
-                                    phi_3456_ = _e2226;
+                                    phi_3442_ = _e2222;
                                 }
-                                let _e2314 = phi_3456_;
-                                let _e2315 = ((_e2305 + _e2309) + _e2314);
-                                let _e2320 = local_34;
-                                let _e2321 = -(_e2320);
-                                let _e2323 = local_35;
-                                if (_e2323 > _e2321) {
-                                    let _e4913 = local_51;
-                                    phi_3466_ = _e4913;
+                                let _e2310 = phi_3442_;
+                                let _e2311 = ((_e2301 + _e2305) + _e2310);
+                                let _e2316 = local_34;
+                                let _e2317 = -(_e2316);
+                                let _e2319 = local_35;
+                                if (_e2319 > _e2317) {
+                                    let _e4907 = local_51;
+                                    phi_3452_ = _e4907;
                                 } else {
-                                    phi_3466_ = _e2321;
+                                    phi_3452_ = _e2317;
                                 }
-                                let _e2326 = phi_3466_;
-                                let _e2331 = (((_e2326 - ((_e2315 * _e1976) * (0.000000059604645f * 17f))) - (_e2315 * _e1983)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2214 > _e2331) {
-                                    phi_3476_ = _e2214;
+                                let _e2322 = phi_3452_;
+                                let _e2327 = (((_e2322 - ((_e2311 * _e1972) * (0.000000059604645f * 17f))) - (_e2311 * _e1979)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e2210 > _e2327) {
+                                    phi_3462_ = _e2210;
                                 } else {
-                                    phi_3476_ = _e2331;
+                                    phi_3462_ = _e2327;
                                 }
-                                let _e2334 = phi_3476_;
-                                phi_3479_ = (_e2334 > 0f);
+                                let _e2330 = phi_3462_;
+                                phi_3465_ = (_e2330 > 0f);
                             }
-                            let _e2337 = phi_3479_;
-                            if _e2337 {
-                                phi_6915_ = false;
+                            let _e2333 = phi_3465_;
+                            if _e2333 {
+                                phi_6901_ = false;
                             } else {
-                                let _e2340 = local_7.member[0u];
-                                let _e2346 = local_7.member[1u];
-                                let _e2353 = ((_e2340[0] + _e2346[0]) * 0.5f);
-                                let _e2354 = ((_e2340[1] + _e2346[1]) * 0.5f);
-                                let _e2355 = ((_e2340[2] + _e2346[2]) * 0.5f);
-                                let _e2358 = local_7.member_1[0u];
-                                let _e2364 = local_7.member_1[1u];
-                                let _e2371 = ((_e2358[0] + _e2364[0]) * 0.5f);
-                                let _e2372 = ((_e2358[1] + _e2364[1]) * 0.5f);
-                                let _e2373 = ((_e2358[2] + _e2364[2]) * 0.5f);
-                                let _e2376 = local_7.member_2[0u];
-                                let _e2382 = local_7.member_2[1u];
-                                let _e2389 = ((_e2376[0] + _e2382[0]) * 0.5f);
-                                let _e2390 = ((_e2376[1] + _e2382[1]) * 0.5f);
-                                let _e2391 = ((_e2376[2] + _e2382[2]) * 0.5f);
-                                let _e2394 = local_7.member[0u];
-                                let _e2397 = local_7.member_1[0u];
-                                let _e2400 = local_7.member_2[0u];
-                                let _e2402 = local_7.member_3;
-                                let _e2405 = local_7.member[1u];
-                                let _e2408 = local_7.member_1[1u];
-                                let _e2411 = local_7.member_2[1u];
-                                let _e2413 = local_7.member_3;
-                                local_4 = array<type_72, 2>(type_72(array<array<f32, 3>, 2>(_e2394, array<f32, 3>(_e2353, _e2354, _e2355)), array<array<f32, 3>, 2>(_e2397, array<f32, 3>(_e2371, _e2372, _e2373)), array<array<f32, 3>, 2>(_e2400, array<f32, 3>(_e2389, _e2390, _e2391)), _e2402), type_72(array<array<f32, 3>, 2>(array<f32, 3>(_e2353, _e2354, _e2355), _e2405), array<array<f32, 3>, 2>(array<f32, 3>(_e2371, _e2372, _e2373), _e2408), array<array<f32, 3>, 2>(array<f32, 3>(_e2389, _e2390, _e2391), _e2411), _e2413));
-                                let _e2432 = local_4[0u].member_1[0u];
-                                let _e2438 = local_4[0u].member_2[0u];
-                                let _e2444 = ((_e2432[1] * _e2438[2]) - (_e2432[2] * _e2438[1]));
-                                let _e2447 = ((_e2432[2] * _e2438[0]) - (_e2432[0] * _e2438[2]));
-                                let _e2450 = ((_e2432[0] * _e2438[1]) - (_e2432[1] * _e2438[0]));
-                                let _e2453 = local_4[0u].member_1[1u];
-                                let _e2459 = local_4[0u].member_2[1u];
-                                let _e2465 = ((_e2453[1] * _e2459[2]) - (_e2453[2] * _e2459[1]));
-                                let _e2468 = ((_e2453[2] * _e2459[0]) - (_e2453[0] * _e2459[2]));
-                                let _e2471 = ((_e2453[0] * _e2459[1]) - (_e2453[1] * _e2459[0]));
-                                let _e2474 = local_4[0u].member_1[0u];
-                                let _e2480 = local_4[0u].member_2[1u];
-                                let _e2495 = local_4[0u].member_1[1u];
-                                let _e2501 = local_4[0u].member_2[0u];
-                                let _e2514 = (((_e2474[1] * _e2480[2]) - (_e2474[2] * _e2480[1])) + ((_e2495[1] * _e2501[2]) - (_e2495[2] * _e2501[1])));
-                                let _e2515 = (((_e2474[2] * _e2480[0]) - (_e2474[0] * _e2480[2])) + ((_e2495[2] * _e2501[0]) - (_e2495[0] * _e2501[2])));
-                                let _e2516 = (((_e2474[0] * _e2480[1]) - (_e2474[1] * _e2480[0])) + ((_e2495[0] * _e2501[1]) - (_e2495[1] * _e2501[0])));
-                                let _e2519 = local_4[0u].member[0u];
-                                let _e2530 = local_4[0u].member[1u];
-                                let _e2541 = local_4[0u].member[0u];
-                                let _e2550 = ((((_e2530[0] * _e2444) + (_e2530[1] * _e2447)) + (_e2530[2] * _e2450)) + (((_e2541[0] * _e2514) + (_e2541[1] * _e2515)) + (_e2541[2] * _e2516)));
-                                let _e2553 = local_4[0u].member[0u];
-                                let _e2564 = local_4[0u].member[1u];
-                                let _e2573 = ((((_e2553[0] * _e2465) + (_e2553[1] * _e2468)) + (_e2553[2] * _e2471)) + (((_e2564[0] * _e2514) + (_e2564[1] * _e2515)) + (_e2564[2] * _e2516)));
-                                let _e2576 = local_4[0u].member[1u];
-                                let _e2587 = local_4[0u].member[0u];
-                                if (_e2587[0] < 0f) {
-                                    phi_3936_ = -(_e2587[0]);
+                                let _e2336 = local_7.member[0u];
+                                let _e2342 = local_7.member[1u];
+                                let _e2349 = ((_e2336[0] + _e2342[0]) * 0.5f);
+                                let _e2350 = ((_e2336[1] + _e2342[1]) * 0.5f);
+                                let _e2351 = ((_e2336[2] + _e2342[2]) * 0.5f);
+                                let _e2354 = local_7.member_1[0u];
+                                let _e2360 = local_7.member_1[1u];
+                                let _e2367 = ((_e2354[0] + _e2360[0]) * 0.5f);
+                                let _e2368 = ((_e2354[1] + _e2360[1]) * 0.5f);
+                                let _e2369 = ((_e2354[2] + _e2360[2]) * 0.5f);
+                                let _e2372 = local_7.member_2[0u];
+                                let _e2378 = local_7.member_2[1u];
+                                let _e2385 = ((_e2372[0] + _e2378[0]) * 0.5f);
+                                let _e2386 = ((_e2372[1] + _e2378[1]) * 0.5f);
+                                let _e2387 = ((_e2372[2] + _e2378[2]) * 0.5f);
+                                let _e2390 = local_7.member[0u];
+                                let _e2393 = local_7.member_1[0u];
+                                let _e2396 = local_7.member_2[0u];
+                                let _e2398 = local_7.member_3;
+                                let _e2401 = local_7.member[1u];
+                                let _e2404 = local_7.member_1[1u];
+                                let _e2407 = local_7.member_2[1u];
+                                let _e2409 = local_7.member_3;
+                                local_4 = array<type_72, 2>(type_72(array<array<f32, 3>, 2>(_e2390, array<f32, 3>(_e2349, _e2350, _e2351)), array<array<f32, 3>, 2>(_e2393, array<f32, 3>(_e2367, _e2368, _e2369)), array<array<f32, 3>, 2>(_e2396, array<f32, 3>(_e2385, _e2386, _e2387)), _e2398), type_72(array<array<f32, 3>, 2>(array<f32, 3>(_e2349, _e2350, _e2351), _e2401), array<array<f32, 3>, 2>(array<f32, 3>(_e2367, _e2368, _e2369), _e2404), array<array<f32, 3>, 2>(array<f32, 3>(_e2385, _e2386, _e2387), _e2407), _e2409));
+                                let _e2428 = local_4[0u].member_1[0u];
+                                let _e2434 = local_4[0u].member_2[0u];
+                                let _e2440 = ((_e2428[1] * _e2434[2]) - (_e2428[2] * _e2434[1]));
+                                let _e2443 = ((_e2428[2] * _e2434[0]) - (_e2428[0] * _e2434[2]));
+                                let _e2446 = ((_e2428[0] * _e2434[1]) - (_e2428[1] * _e2434[0]));
+                                let _e2449 = local_4[0u].member_1[1u];
+                                let _e2455 = local_4[0u].member_2[1u];
+                                let _e2461 = ((_e2449[1] * _e2455[2]) - (_e2449[2] * _e2455[1]));
+                                let _e2464 = ((_e2449[2] * _e2455[0]) - (_e2449[0] * _e2455[2]));
+                                let _e2467 = ((_e2449[0] * _e2455[1]) - (_e2449[1] * _e2455[0]));
+                                let _e2470 = local_4[0u].member_1[0u];
+                                let _e2476 = local_4[0u].member_2[1u];
+                                let _e2491 = local_4[0u].member_1[1u];
+                                let _e2497 = local_4[0u].member_2[0u];
+                                let _e2510 = (((_e2470[1] * _e2476[2]) - (_e2470[2] * _e2476[1])) + ((_e2491[1] * _e2497[2]) - (_e2491[2] * _e2497[1])));
+                                let _e2511 = (((_e2470[2] * _e2476[0]) - (_e2470[0] * _e2476[2])) + ((_e2491[2] * _e2497[0]) - (_e2491[0] * _e2497[2])));
+                                let _e2512 = (((_e2470[0] * _e2476[1]) - (_e2470[1] * _e2476[0])) + ((_e2491[0] * _e2497[1]) - (_e2491[1] * _e2497[0])));
+                                let _e2515 = local_4[0u].member[0u];
+                                let _e2526 = local_4[0u].member[1u];
+                                let _e2537 = local_4[0u].member[0u];
+                                let _e2546 = ((((_e2526[0] * _e2440) + (_e2526[1] * _e2443)) + (_e2526[2] * _e2446)) + (((_e2537[0] * _e2510) + (_e2537[1] * _e2511)) + (_e2537[2] * _e2512)));
+                                let _e2549 = local_4[0u].member[0u];
+                                let _e2560 = local_4[0u].member[1u];
+                                let _e2569 = ((((_e2549[0] * _e2461) + (_e2549[1] * _e2464)) + (_e2549[2] * _e2467)) + (((_e2560[0] * _e2510) + (_e2560[1] * _e2511)) + (_e2560[2] * _e2512)));
+                                let _e2572 = local_4[0u].member[1u];
+                                let _e2583 = local_4[0u].member[0u];
+                                if (_e2583[0] < 0f) {
+                                    phi_3922_ = -(_e2583[0]);
                                 } else {
-                                    phi_3936_ = _e2587[0];
+                                    phi_3922_ = _e2583[0];
                                 }
-                                let _e2594 = phi_3936_;
-                                if (_e2587[1] < 0f) {
-                                    phi_3943_ = -(_e2587[1]);
+                                let _e2590 = phi_3922_;
+                                if (_e2583[1] < 0f) {
+                                    phi_3929_ = -(_e2583[1]);
                                 } else {
-                                    phi_3943_ = _e2587[1];
+                                    phi_3929_ = _e2583[1];
                                 }
-                                let _e2598 = phi_3943_;
-                                if (_e2594 > _e2598) {
-                                    phi_3948_ = _e2594;
+                                let _e2594 = phi_3929_;
+                                if (_e2590 > _e2594) {
+                                    phi_3934_ = _e2590;
                                 } else {
-                                    phi_3948_ = _e2598;
+                                    phi_3934_ = _e2594;
                                 }
-                                let _e2601 = phi_3948_;
-                                if (_e2587[2] < 0f) {
-                                    phi_3955_ = -(_e2587[2]);
+                                let _e2597 = phi_3934_;
+                                if (_e2583[2] < 0f) {
+                                    phi_3941_ = -(_e2583[2]);
                                 } else {
-                                    phi_3955_ = _e2587[2];
+                                    phi_3941_ = _e2583[2];
                                 }
-                                let _e2605 = phi_3955_;
-                                if (_e2601 > _e2605) {
-                                    phi_3960_ = _e2601;
+                                let _e2601 = phi_3941_;
+                                if (_e2597 > _e2601) {
+                                    phi_3946_ = _e2597;
                                 } else {
-                                    phi_3960_ = _e2605;
+                                    phi_3946_ = _e2601;
                                 }
-                                let _e2608 = phi_3960_;
-                                let _e2611 = local_4[0u].member[1u];
-                                if (_e2611[0] < 0f) {
-                                    phi_3973_ = -(_e2611[0]);
+                                let _e2604 = phi_3946_;
+                                let _e2607 = local_4[0u].member[1u];
+                                if (_e2607[0] < 0f) {
+                                    phi_3959_ = -(_e2607[0]);
                                 } else {
-                                    phi_3973_ = _e2611[0];
+                                    phi_3959_ = _e2607[0];
                                 }
-                                let _e2618 = phi_3973_;
-                                if (_e2611[1] < 0f) {
-                                    phi_3980_ = -(_e2611[1]);
+                                let _e2614 = phi_3959_;
+                                if (_e2607[1] < 0f) {
+                                    phi_3966_ = -(_e2607[1]);
                                 } else {
-                                    phi_3980_ = _e2611[1];
+                                    phi_3966_ = _e2607[1];
                                 }
-                                let _e2622 = phi_3980_;
-                                if (_e2618 > _e2622) {
-                                    phi_3985_ = _e2618;
+                                let _e2618 = phi_3966_;
+                                if (_e2614 > _e2618) {
+                                    phi_3971_ = _e2614;
                                 } else {
-                                    phi_3985_ = _e2622;
+                                    phi_3971_ = _e2618;
                                 }
-                                let _e2625 = phi_3985_;
-                                if (_e2611[2] < 0f) {
-                                    phi_3992_ = -(_e2611[2]);
+                                let _e2621 = phi_3971_;
+                                if (_e2607[2] < 0f) {
+                                    phi_3978_ = -(_e2607[2]);
                                 } else {
-                                    phi_3992_ = _e2611[2];
+                                    phi_3978_ = _e2607[2];
                                 }
-                                let _e2629 = phi_3992_;
-                                if (_e2625 > _e2629) {
-                                    phi_3997_ = _e2625;
+                                let _e2625 = phi_3978_;
+                                if (_e2621 > _e2625) {
+                                    phi_3983_ = _e2621;
                                 } else {
-                                    phi_3997_ = _e2629;
+                                    phi_3983_ = _e2625;
                                 }
-                                let _e2632 = phi_3997_;
-                                if (_e2608 > _e2632) {
-                                    phi_4002_ = _e2608;
+                                let _e2628 = phi_3983_;
+                                if (_e2604 > _e2628) {
+                                    phi_3988_ = _e2604;
                                 } else {
-                                    phi_4002_ = _e2632;
+                                    phi_3988_ = _e2628;
                                 }
-                                let _e2635 = phi_4002_;
-                                let _e2637 = local_4[0u].member_3;
-                                let _e2638 = (_e2635 + _e2637);
-                                let _e2641 = local_4[0u].member_1[0u];
-                                if (_e2641[0] < 0f) {
-                                    phi_4019_ = -(_e2641[0]);
+                                let _e2631 = phi_3988_;
+                                let _e2633 = local_4[0u].member_3;
+                                let _e2634 = (_e2631 + _e2633);
+                                let _e2637 = local_4[0u].member_1[0u];
+                                if (_e2637[0] < 0f) {
+                                    phi_4005_ = -(_e2637[0]);
                                 } else {
-                                    phi_4019_ = _e2641[0];
+                                    phi_4005_ = _e2637[0];
                                 }
-                                let _e2648 = phi_4019_;
-                                if (_e2641[1] < 0f) {
-                                    phi_4026_ = -(_e2641[1]);
+                                let _e2644 = phi_4005_;
+                                if (_e2637[1] < 0f) {
+                                    phi_4012_ = -(_e2637[1]);
                                 } else {
-                                    phi_4026_ = _e2641[1];
+                                    phi_4012_ = _e2637[1];
                                 }
-                                let _e2652 = phi_4026_;
-                                if (_e2648 > _e2652) {
-                                    phi_4031_ = _e2648;
+                                let _e2648 = phi_4012_;
+                                if (_e2644 > _e2648) {
+                                    phi_4017_ = _e2644;
                                 } else {
-                                    phi_4031_ = _e2652;
+                                    phi_4017_ = _e2648;
                                 }
-                                let _e2655 = phi_4031_;
-                                if (_e2641[2] < 0f) {
-                                    phi_4038_ = -(_e2641[2]);
+                                let _e2651 = phi_4017_;
+                                if (_e2637[2] < 0f) {
+                                    phi_4024_ = -(_e2637[2]);
                                 } else {
-                                    phi_4038_ = _e2641[2];
+                                    phi_4024_ = _e2637[2];
                                 }
-                                let _e2659 = phi_4038_;
-                                if (_e2655 > _e2659) {
-                                    phi_4043_ = _e2655;
+                                let _e2655 = phi_4024_;
+                                if (_e2651 > _e2655) {
+                                    phi_4029_ = _e2651;
                                 } else {
-                                    phi_4043_ = _e2659;
+                                    phi_4029_ = _e2655;
                                 }
-                                let _e2662 = phi_4043_;
-                                let _e2665 = local_4[0u].member_1[1u];
-                                if (_e2665[0] < 0f) {
-                                    phi_4057_ = -(_e2665[0]);
+                                let _e2658 = phi_4029_;
+                                let _e2661 = local_4[0u].member_1[1u];
+                                if (_e2661[0] < 0f) {
+                                    phi_4043_ = -(_e2661[0]);
                                 } else {
-                                    phi_4057_ = _e2665[0];
+                                    phi_4043_ = _e2661[0];
                                 }
-                                let _e2672 = phi_4057_;
-                                if (_e2665[1] < 0f) {
-                                    phi_4064_ = -(_e2665[1]);
+                                let _e2668 = phi_4043_;
+                                if (_e2661[1] < 0f) {
+                                    phi_4050_ = -(_e2661[1]);
                                 } else {
-                                    phi_4064_ = _e2665[1];
+                                    phi_4050_ = _e2661[1];
                                 }
-                                let _e2676 = phi_4064_;
-                                if (_e2672 > _e2676) {
-                                    phi_4069_ = _e2672;
+                                let _e2672 = phi_4050_;
+                                if (_e2668 > _e2672) {
+                                    phi_4055_ = _e2668;
                                 } else {
-                                    phi_4069_ = _e2676;
+                                    phi_4055_ = _e2672;
                                 }
-                                let _e2679 = phi_4069_;
-                                if (_e2665[2] < 0f) {
-                                    phi_4076_ = -(_e2665[2]);
+                                let _e2675 = phi_4055_;
+                                if (_e2661[2] < 0f) {
+                                    phi_4062_ = -(_e2661[2]);
                                 } else {
-                                    phi_4076_ = _e2665[2];
+                                    phi_4062_ = _e2661[2];
                                 }
-                                let _e2683 = phi_4076_;
-                                if (_e2679 > _e2683) {
-                                    phi_4081_ = _e2679;
+                                let _e2679 = phi_4062_;
+                                if (_e2675 > _e2679) {
+                                    phi_4067_ = _e2675;
                                 } else {
-                                    phi_4081_ = _e2683;
+                                    phi_4067_ = _e2679;
                                 }
-                                let _e2686 = phi_4081_;
-                                if (_e2662 > _e2686) {
-                                    phi_4086_ = _e2662;
+                                let _e2682 = phi_4067_;
+                                if (_e2658 > _e2682) {
+                                    phi_4072_ = _e2658;
                                 } else {
-                                    phi_4086_ = _e2686;
+                                    phi_4072_ = _e2682;
                                 }
-                                let _e2689 = phi_4086_;
-                                let _e2691 = local_4[0u].member_3;
-                                let _e2692 = (_e2689 + _e2691);
-                                let _e2695 = local_4[0u].member_2[0u];
-                                if (_e2695[0] < 0f) {
-                                    phi_4103_ = -(_e2695[0]);
+                                let _e2685 = phi_4072_;
+                                let _e2687 = local_4[0u].member_3;
+                                let _e2688 = (_e2685 + _e2687);
+                                let _e2691 = local_4[0u].member_2[0u];
+                                if (_e2691[0] < 0f) {
+                                    phi_4089_ = -(_e2691[0]);
                                 } else {
-                                    phi_4103_ = _e2695[0];
+                                    phi_4089_ = _e2691[0];
                                 }
-                                let _e2702 = phi_4103_;
-                                if (_e2695[1] < 0f) {
-                                    phi_4110_ = -(_e2695[1]);
+                                let _e2698 = phi_4089_;
+                                if (_e2691[1] < 0f) {
+                                    phi_4096_ = -(_e2691[1]);
                                 } else {
-                                    phi_4110_ = _e2695[1];
+                                    phi_4096_ = _e2691[1];
                                 }
-                                let _e2706 = phi_4110_;
-                                if (_e2702 > _e2706) {
-                                    phi_4115_ = _e2702;
+                                let _e2702 = phi_4096_;
+                                if (_e2698 > _e2702) {
+                                    phi_4101_ = _e2698;
                                 } else {
-                                    phi_4115_ = _e2706;
+                                    phi_4101_ = _e2702;
                                 }
-                                let _e2709 = phi_4115_;
-                                if (_e2695[2] < 0f) {
-                                    phi_4122_ = -(_e2695[2]);
+                                let _e2705 = phi_4101_;
+                                if (_e2691[2] < 0f) {
+                                    phi_4108_ = -(_e2691[2]);
                                 } else {
-                                    phi_4122_ = _e2695[2];
+                                    phi_4108_ = _e2691[2];
                                 }
-                                let _e2713 = phi_4122_;
-                                if (_e2709 > _e2713) {
-                                    phi_4127_ = _e2709;
+                                let _e2709 = phi_4108_;
+                                if (_e2705 > _e2709) {
+                                    phi_4113_ = _e2705;
                                 } else {
-                                    phi_4127_ = _e2713;
+                                    phi_4113_ = _e2709;
                                 }
-                                let _e2716 = phi_4127_;
-                                let _e2719 = local_4[0u].member_2[1u];
-                                if (_e2719[0] < 0f) {
-                                    phi_4141_ = -(_e2719[0]);
+                                let _e2712 = phi_4113_;
+                                let _e2715 = local_4[0u].member_2[1u];
+                                if (_e2715[0] < 0f) {
+                                    phi_4127_ = -(_e2715[0]);
                                 } else {
-                                    phi_4141_ = _e2719[0];
+                                    phi_4127_ = _e2715[0];
                                 }
-                                let _e2726 = phi_4141_;
-                                if (_e2719[1] < 0f) {
-                                    phi_4148_ = -(_e2719[1]);
+                                let _e2722 = phi_4127_;
+                                if (_e2715[1] < 0f) {
+                                    phi_4134_ = -(_e2715[1]);
                                 } else {
-                                    phi_4148_ = _e2719[1];
+                                    phi_4134_ = _e2715[1];
                                 }
-                                let _e2730 = phi_4148_;
-                                if (_e2726 > _e2730) {
-                                    phi_4153_ = _e2726;
+                                let _e2726 = phi_4134_;
+                                if (_e2722 > _e2726) {
+                                    phi_4139_ = _e2722;
                                 } else {
-                                    phi_4153_ = _e2730;
+                                    phi_4139_ = _e2726;
                                 }
-                                let _e2733 = phi_4153_;
-                                if (_e2719[2] < 0f) {
-                                    phi_4160_ = -(_e2719[2]);
+                                let _e2729 = phi_4139_;
+                                if (_e2715[2] < 0f) {
+                                    phi_4146_ = -(_e2715[2]);
                                 } else {
-                                    phi_4160_ = _e2719[2];
+                                    phi_4146_ = _e2715[2];
                                 }
-                                let _e2737 = phi_4160_;
-                                if (_e2733 > _e2737) {
-                                    phi_4165_ = _e2733;
+                                let _e2733 = phi_4146_;
+                                if (_e2729 > _e2733) {
+                                    phi_4151_ = _e2729;
                                 } else {
-                                    phi_4165_ = _e2737;
+                                    phi_4151_ = _e2733;
                                 }
-                                let _e2740 = phi_4165_;
-                                if (_e2716 > _e2740) {
-                                    phi_4170_ = _e2716;
+                                let _e2736 = phi_4151_;
+                                if (_e2712 > _e2736) {
+                                    phi_4156_ = _e2712;
                                 } else {
-                                    phi_4170_ = _e2740;
+                                    phi_4156_ = _e2736;
                                 }
-                                let _e2743 = phi_4170_;
-                                let _e2745 = local_4[0u].member_3;
-                                let _e2746 = (_e2743 + _e2745);
-                                let _e2748 = ((_e2692 * 8f) * _e2746);
-                                let _e2755 = local_4[0u].member_3;
-                                if (_e2444 < 0f) {
-                                    phi_4201_ = -(_e2444);
+                                let _e2739 = phi_4156_;
+                                let _e2741 = local_4[0u].member_3;
+                                let _e2742 = (_e2739 + _e2741);
+                                let _e2744 = ((_e2688 * 8f) * _e2742);
+                                let _e2751 = local_4[0u].member_3;
+                                if (_e2440 < 0f) {
+                                    phi_4187_ = -(_e2440);
                                 } else {
-                                    phi_4201_ = _e2444;
+                                    phi_4187_ = _e2440;
                                 }
-                                let _e2772 = phi_4201_;
-                                if (_e2447 < 0f) {
-                                    phi_4207_ = -(_e2447);
+                                let _e2768 = phi_4187_;
+                                if (_e2443 < 0f) {
+                                    phi_4193_ = -(_e2443);
                                 } else {
-                                    phi_4207_ = _e2447;
+                                    phi_4193_ = _e2443;
                                 }
-                                let _e2776 = phi_4207_;
-                                if (_e2450 < 0f) {
-                                    phi_4214_ = -(_e2450);
+                                let _e2772 = phi_4193_;
+                                if (_e2446 < 0f) {
+                                    phi_4200_ = -(_e2446);
                                 } else {
-                                    phi_4214_ = _e2450;
+                                    phi_4200_ = _e2446;
                                 }
-                                let _e2781 = phi_4214_;
-                                let _e2782 = ((_e2772 + _e2776) + _e2781);
-                                if (_e2465 < 0f) {
-                                    phi_4221_ = -(_e2465);
+                                let _e2777 = phi_4200_;
+                                let _e2778 = ((_e2768 + _e2772) + _e2777);
+                                if (_e2461 < 0f) {
+                                    phi_4207_ = -(_e2461);
                                 } else {
-                                    phi_4221_ = _e2465;
+                                    phi_4207_ = _e2461;
                                 }
-                                let _e2786 = phi_4221_;
-                                if (_e2468 < 0f) {
-                                    phi_4227_ = -(_e2468);
+                                let _e2782 = phi_4207_;
+                                if (_e2464 < 0f) {
+                                    phi_4213_ = -(_e2464);
                                 } else {
-                                    phi_4227_ = _e2468;
+                                    phi_4213_ = _e2464;
                                 }
-                                let _e2790 = phi_4227_;
-                                if (_e2471 < 0f) {
-                                    phi_4234_ = -(_e2471);
+                                let _e2786 = phi_4213_;
+                                if (_e2467 < 0f) {
+                                    phi_4220_ = -(_e2467);
                                 } else {
-                                    phi_4234_ = _e2471;
+                                    phi_4220_ = _e2467;
                                 }
-                                let _e2795 = phi_4234_;
-                                let _e2796 = ((_e2786 + _e2790) + _e2795);
-                                if (_e2782 > _e2796) {
-                                    phi_4240_ = _e2782;
+                                let _e2791 = phi_4220_;
+                                let _e2792 = ((_e2782 + _e2786) + _e2791);
+                                if (_e2778 > _e2792) {
+                                    phi_4226_ = _e2778;
                                 } else {
-                                    phi_4240_ = _e2796;
+                                    phi_4226_ = _e2792;
                                 }
-                                let _e2799 = phi_4240_;
-                                if (_e2514 < 0f) {
-                                    phi_4246_ = -(_e2514);
+                                let _e2795 = phi_4226_;
+                                if (_e2510 < 0f) {
+                                    phi_4232_ = -(_e2510);
                                 } else {
-                                    phi_4246_ = _e2514;
+                                    phi_4232_ = _e2510;
                                 }
-                                let _e2803 = phi_4246_;
-                                if (_e2515 < 0f) {
-                                    phi_4252_ = -(_e2515);
+                                let _e2799 = phi_4232_;
+                                if (_e2511 < 0f) {
+                                    phi_4238_ = -(_e2511);
                                 } else {
-                                    phi_4252_ = _e2515;
+                                    phi_4238_ = _e2511;
                                 }
-                                let _e2807 = phi_4252_;
-                                if (_e2516 < 0f) {
-                                    phi_4259_ = -(_e2516);
+                                let _e2803 = phi_4238_;
+                                if (_e2512 < 0f) {
+                                    phi_4245_ = -(_e2512);
                                 } else {
-                                    phi_4259_ = _e2516;
+                                    phi_4245_ = _e2512;
                                 }
-                                let _e2812 = phi_4259_;
-                                let _e2814 = (((_e2803 + _e2807) + _e2812) * 0.5f);
-                                if (_e2799 > _e2814) {
-                                    phi_4266_ = _e2799;
+                                let _e2808 = phi_4245_;
+                                let _e2810 = (((_e2799 + _e2803) + _e2808) * 0.5f);
+                                if (_e2795 > _e2810) {
+                                    phi_4252_ = _e2795;
                                 } else {
-                                    phi_4266_ = _e2814;
+                                    phi_4252_ = _e2810;
                                 }
-                                let _e2817 = phi_4266_;
-                                let _e2822 = local_4[0u].member_3;
-                                let _e2835 = ((((_e2519[0] * _e2444) + (_e2519[1] * _e2447)) + (_e2519[2] * _e2450)) * 3f);
-                                let _e2836 = ((((_e2576[0] * _e2465) + (_e2576[1] * _e2468)) + (_e2576[2] * _e2471)) * 3f);
-                                if (_e2835 < _e2836) {
-                                    phi_4290_ = _e2835;
+                                let _e2813 = phi_4252_;
+                                let _e2818 = local_4[0u].member_3;
+                                let _e2831 = ((((_e2515[0] * _e2440) + (_e2515[1] * _e2443)) + (_e2515[2] * _e2446)) * 3f);
+                                let _e2832 = ((((_e2572[0] * _e2461) + (_e2572[1] * _e2464)) + (_e2572[2] * _e2467)) * 3f);
+                                if (_e2831 < _e2832) {
+                                    phi_4276_ = _e2831;
                                 } else {
-                                    phi_4290_ = _e2836;
+                                    phi_4276_ = _e2832;
                                 }
-                                let _e2839 = phi_4290_;
-                                if (_e2550 < _e2573) {
-                                    phi_4295_ = _e2550;
+                                let _e2835 = phi_4276_;
+                                if (_e2546 < _e2569) {
+                                    phi_4281_ = _e2546;
                                 } else {
-                                    phi_4295_ = _e2573;
+                                    phi_4281_ = _e2569;
                                 }
-                                let _e2842 = phi_4295_;
-                                if (_e2839 < _e2842) {
-                                    phi_4300_ = _e2839;
+                                let _e2838 = phi_4281_;
+                                if (_e2835 < _e2838) {
+                                    phi_4286_ = _e2835;
                                 } else {
-                                    phi_4300_ = _e2842;
+                                    phi_4286_ = _e2838;
                                 }
-                                let _e2845 = phi_4300_;
-                                if (_e2835 > _e2836) {
-                                    phi_4305_ = _e2835;
+                                let _e2841 = phi_4286_;
+                                if (_e2831 > _e2832) {
+                                    phi_4291_ = _e2831;
                                 } else {
-                                    phi_4305_ = _e2836;
+                                    phi_4291_ = _e2832;
                                 }
-                                let _e2848 = phi_4305_;
-                                if (_e2550 > _e2573) {
-                                    phi_4310_ = _e2550;
+                                let _e2844 = phi_4291_;
+                                if (_e2546 > _e2569) {
+                                    phi_4296_ = _e2546;
                                 } else {
-                                    phi_4310_ = _e2573;
+                                    phi_4296_ = _e2569;
                                 }
-                                let _e2851 = phi_4310_;
-                                if (_e2848 > _e2851) {
-                                    phi_4315_ = _e2848;
+                                let _e2847 = phi_4296_;
+                                if (_e2844 > _e2847) {
+                                    phi_4301_ = _e2844;
                                 } else {
-                                    phi_4315_ = _e2851;
+                                    phi_4301_ = _e2847;
                                 }
-                                let _e2854 = phi_4315_;
-                                let _e2859 = -(_e2854);
-                                if (_e2845 > _e2859) {
-                                    phi_4325_ = _e2845;
+                                let _e2850 = phi_4301_;
+                                let _e2855 = -(_e2850);
+                                if (_e2841 > _e2855) {
+                                    phi_4311_ = _e2841;
                                 } else {
-                                    phi_4325_ = _e2859;
+                                    phi_4311_ = _e2855;
                                 }
-                                let _e2862 = phi_4325_;
-                                if ((_e2862 - ((((((_e2638 * 8f) * _e2748) * (0.000000059604645f * (490f / 64f))) + ((_e2755 * 19f) * ((_e2638 * (_e2692 + _e2746)) + (_e2692 * _e2746)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2638) * ((1f + _e2692) * (1f + _e2746))))) + ((_e1203 * (((_e2817 + (_e2748 * (0.000000059604645f * 4f))) + ((_e2822 * 6f) * (_e2692 + _e2746))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2692) * (1f + _e2746))))) * (3f * 1.0001f)))) > 0f) {
-                                    phi_5301_ = true;
+                                let _e2858 = phi_4311_;
+                                if ((_e2858 - ((((((_e2634 * 8f) * _e2744) * (0.000000059604645f * (490f / 64f))) + ((_e2751 * 19f) * ((_e2634 * (_e2688 + _e2742)) + (_e2688 * _e2742)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2634) * ((1f + _e2688) * (1f + _e2742))))) + ((_e1199 * (((_e2813 + (_e2744 * (0.000000059604645f * 4f))) + ((_e2818 * 6f) * (_e2688 + _e2742))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2688) * (1f + _e2742))))) * (3f * 1.0001f)))) > 0f) {
+                                    phi_5287_ = true;
                                 } else {
-                                    let _e2867 = local_4[0u].member_1[0u];
-                                    let _e2873 = local_4[0u].member_1[1u];
-                                    let _e2877 = (_e2867[0] + _e2873[0]);
-                                    let _e2878 = (_e2867[1] + _e2873[1]);
-                                    let _e2879 = (_e2867[2] + _e2873[2]);
-                                    let _e2882 = local_4[0u].member_2[0u];
-                                    let _e2888 = local_4[0u].member_2[1u];
-                                    let _e2892 = (_e2882[0] + _e2888[0]);
-                                    let _e2893 = (_e2882[1] + _e2888[1]);
-                                    let _e2894 = (_e2882[2] + _e2888[2]);
-                                    let _e2897 = ((_e2878 * _e2894) - (_e2879 * _e2893));
-                                    let _e2900 = ((_e2879 * _e2892) - (_e2877 * _e2894));
-                                    let _e2903 = ((_e2877 * _e2893) - (_e2878 * _e2892));
-                                    let _e2906 = local_4[0u].member[0u];
-                                    let _e2912 = local_4[0u].member_1[0u];
-                                    let _e2918 = local_4[0u].member_2[0u];
-                                    let _e2930 = local_4[0u].member[1u];
-                                    let _e2936 = local_4[0u].member_1[1u];
-                                    let _e2942 = local_4[0u].member_2[1u];
-                                    local_2 = array<array<f32, 3>, 4>(_e2906, array<f32, 3>((_e2906[0] - _e2912[0]), (_e2906[1] - _e2912[1]), (_e2906[2] - _e2912[2])), array<f32, 3>((_e2906[0] - _e2918[0]), (_e2906[1] - _e2918[1]), (_e2906[2] - _e2918[2])), _e2906);
-                                    local_3 = array<array<f32, 3>, 4>(_e2930, array<f32, 3>((_e2930[0] - _e2936[0]), (_e2930[1] - _e2936[1]), (_e2930[2] - _e2936[2])), array<f32, 3>((_e2930[0] - _e2942[0]), (_e2930[1] - _e2942[1]), (_e2930[2] - _e2942[2])), _e2930);
-                                    let _e2960 = local_4[0u].member[0u];
-                                    if (_e2960[0] < 0f) {
-                                        phi_4576_ = -(_e2960[0]);
+                                    let _e2863 = local_4[0u].member_1[0u];
+                                    let _e2869 = local_4[0u].member_1[1u];
+                                    let _e2873 = (_e2863[0] + _e2869[0]);
+                                    let _e2874 = (_e2863[1] + _e2869[1]);
+                                    let _e2875 = (_e2863[2] + _e2869[2]);
+                                    let _e2878 = local_4[0u].member_2[0u];
+                                    let _e2884 = local_4[0u].member_2[1u];
+                                    let _e2888 = (_e2878[0] + _e2884[0]);
+                                    let _e2889 = (_e2878[1] + _e2884[1]);
+                                    let _e2890 = (_e2878[2] + _e2884[2]);
+                                    let _e2893 = ((_e2874 * _e2890) - (_e2875 * _e2889));
+                                    let _e2896 = ((_e2875 * _e2888) - (_e2873 * _e2890));
+                                    let _e2899 = ((_e2873 * _e2889) - (_e2874 * _e2888));
+                                    let _e2902 = local_4[0u].member[0u];
+                                    let _e2908 = local_4[0u].member_1[0u];
+                                    let _e2914 = local_4[0u].member_2[0u];
+                                    let _e2926 = local_4[0u].member[1u];
+                                    let _e2932 = local_4[0u].member_1[1u];
+                                    let _e2938 = local_4[0u].member_2[1u];
+                                    local_2 = array<array<f32, 3>, 4>(_e2902, array<f32, 3>((_e2902[0] - _e2908[0]), (_e2902[1] - _e2908[1]), (_e2902[2] - _e2908[2])), array<f32, 3>((_e2902[0] - _e2914[0]), (_e2902[1] - _e2914[1]), (_e2902[2] - _e2914[2])), _e2902);
+                                    local_3 = array<array<f32, 3>, 4>(_e2926, array<f32, 3>((_e2926[0] - _e2932[0]), (_e2926[1] - _e2932[1]), (_e2926[2] - _e2932[2])), array<f32, 3>((_e2926[0] - _e2938[0]), (_e2926[1] - _e2938[1]), (_e2926[2] - _e2938[2])), _e2926);
+                                    let _e2956 = local_4[0u].member[0u];
+                                    if (_e2956[0] < 0f) {
+                                        phi_4562_ = -(_e2956[0]);
                                     } else {
-                                        phi_4576_ = _e2960[0];
+                                        phi_4562_ = _e2956[0];
                                     }
-                                    let _e2967 = phi_4576_;
-                                    if (_e2960[1] < 0f) {
-                                        phi_4583_ = -(_e2960[1]);
+                                    let _e2963 = phi_4562_;
+                                    if (_e2956[1] < 0f) {
+                                        phi_4569_ = -(_e2956[1]);
                                     } else {
-                                        phi_4583_ = _e2960[1];
+                                        phi_4569_ = _e2956[1];
                                     }
-                                    let _e2971 = phi_4583_;
-                                    if (_e2967 > _e2971) {
-                                        phi_4588_ = _e2967;
+                                    let _e2967 = phi_4569_;
+                                    if (_e2963 > _e2967) {
+                                        phi_4574_ = _e2963;
                                     } else {
-                                        phi_4588_ = _e2971;
+                                        phi_4574_ = _e2967;
                                     }
-                                    let _e2974 = phi_4588_;
-                                    if (_e2960[2] < 0f) {
-                                        phi_4595_ = -(_e2960[2]);
+                                    let _e2970 = phi_4574_;
+                                    if (_e2956[2] < 0f) {
+                                        phi_4581_ = -(_e2956[2]);
                                     } else {
-                                        phi_4595_ = _e2960[2];
+                                        phi_4581_ = _e2956[2];
                                     }
-                                    let _e2978 = phi_4595_;
-                                    if (_e2974 > _e2978) {
-                                        phi_4600_ = _e2974;
+                                    let _e2974 = phi_4581_;
+                                    if (_e2970 > _e2974) {
+                                        phi_4586_ = _e2970;
                                     } else {
-                                        phi_4600_ = _e2978;
+                                        phi_4586_ = _e2974;
                                     }
-                                    let _e2981 = phi_4600_;
-                                    let _e2984 = local_4[0u].member[1u];
-                                    if (_e2984[0] < 0f) {
-                                        phi_4613_ = -(_e2984[0]);
+                                    let _e2977 = phi_4586_;
+                                    let _e2980 = local_4[0u].member[1u];
+                                    if (_e2980[0] < 0f) {
+                                        phi_4599_ = -(_e2980[0]);
                                     } else {
-                                        phi_4613_ = _e2984[0];
+                                        phi_4599_ = _e2980[0];
                                     }
-                                    let _e2991 = phi_4613_;
-                                    if (_e2984[1] < 0f) {
-                                        phi_4620_ = -(_e2984[1]);
+                                    let _e2987 = phi_4599_;
+                                    if (_e2980[1] < 0f) {
+                                        phi_4606_ = -(_e2980[1]);
                                     } else {
-                                        phi_4620_ = _e2984[1];
+                                        phi_4606_ = _e2980[1];
                                     }
-                                    let _e2995 = phi_4620_;
-                                    if (_e2991 > _e2995) {
-                                        phi_4625_ = _e2991;
+                                    let _e2991 = phi_4606_;
+                                    if (_e2987 > _e2991) {
+                                        phi_4611_ = _e2987;
                                     } else {
-                                        phi_4625_ = _e2995;
+                                        phi_4611_ = _e2991;
                                     }
-                                    let _e2998 = phi_4625_;
-                                    if (_e2984[2] < 0f) {
-                                        phi_4632_ = -(_e2984[2]);
+                                    let _e2994 = phi_4611_;
+                                    if (_e2980[2] < 0f) {
+                                        phi_4618_ = -(_e2980[2]);
                                     } else {
-                                        phi_4632_ = _e2984[2];
+                                        phi_4618_ = _e2980[2];
                                     }
-                                    let _e3002 = phi_4632_;
-                                    if (_e2998 > _e3002) {
-                                        phi_4637_ = _e2998;
+                                    let _e2998 = phi_4618_;
+                                    if (_e2994 > _e2998) {
+                                        phi_4623_ = _e2994;
                                     } else {
-                                        phi_4637_ = _e3002;
+                                        phi_4623_ = _e2998;
                                     }
-                                    let _e3005 = phi_4637_;
-                                    if (_e2981 > _e3005) {
-                                        phi_4642_ = _e2981;
+                                    let _e3001 = phi_4623_;
+                                    if (_e2977 > _e3001) {
+                                        phi_4628_ = _e2977;
                                     } else {
-                                        phi_4642_ = _e3005;
+                                        phi_4628_ = _e3001;
                                     }
-                                    let _e3008 = phi_4642_;
-                                    let _e3010 = local_4[0u].member_3;
-                                    let _e3014 = local_4[0u].member_1[0u];
-                                    if (_e3014[0] < 0f) {
-                                        phi_4659_ = -(_e3014[0]);
+                                    let _e3004 = phi_4628_;
+                                    let _e3006 = local_4[0u].member_3;
+                                    let _e3010 = local_4[0u].member_1[0u];
+                                    if (_e3010[0] < 0f) {
+                                        phi_4645_ = -(_e3010[0]);
                                     } else {
-                                        phi_4659_ = _e3014[0];
+                                        phi_4645_ = _e3010[0];
                                     }
-                                    let _e3021 = phi_4659_;
-                                    if (_e3014[1] < 0f) {
-                                        phi_4666_ = -(_e3014[1]);
+                                    let _e3017 = phi_4645_;
+                                    if (_e3010[1] < 0f) {
+                                        phi_4652_ = -(_e3010[1]);
                                     } else {
-                                        phi_4666_ = _e3014[1];
+                                        phi_4652_ = _e3010[1];
                                     }
-                                    let _e3025 = phi_4666_;
-                                    if (_e3021 > _e3025) {
-                                        phi_4671_ = _e3021;
+                                    let _e3021 = phi_4652_;
+                                    if (_e3017 > _e3021) {
+                                        phi_4657_ = _e3017;
                                     } else {
-                                        phi_4671_ = _e3025;
+                                        phi_4657_ = _e3021;
                                     }
-                                    let _e3028 = phi_4671_;
-                                    if (_e3014[2] < 0f) {
-                                        phi_4678_ = -(_e3014[2]);
+                                    let _e3024 = phi_4657_;
+                                    if (_e3010[2] < 0f) {
+                                        phi_4664_ = -(_e3010[2]);
                                     } else {
-                                        phi_4678_ = _e3014[2];
+                                        phi_4664_ = _e3010[2];
                                     }
-                                    let _e3032 = phi_4678_;
-                                    if (_e3028 > _e3032) {
-                                        phi_4683_ = _e3028;
+                                    let _e3028 = phi_4664_;
+                                    if (_e3024 > _e3028) {
+                                        phi_4669_ = _e3024;
                                     } else {
-                                        phi_4683_ = _e3032;
+                                        phi_4669_ = _e3028;
                                     }
-                                    let _e3035 = phi_4683_;
-                                    let _e3038 = local_4[0u].member_1[1u];
-                                    if (_e3038[0] < 0f) {
-                                        phi_4697_ = -(_e3038[0]);
+                                    let _e3031 = phi_4669_;
+                                    let _e3034 = local_4[0u].member_1[1u];
+                                    if (_e3034[0] < 0f) {
+                                        phi_4683_ = -(_e3034[0]);
                                     } else {
-                                        phi_4697_ = _e3038[0];
+                                        phi_4683_ = _e3034[0];
                                     }
-                                    let _e3045 = phi_4697_;
-                                    if (_e3038[1] < 0f) {
-                                        phi_4704_ = -(_e3038[1]);
+                                    let _e3041 = phi_4683_;
+                                    if (_e3034[1] < 0f) {
+                                        phi_4690_ = -(_e3034[1]);
                                     } else {
-                                        phi_4704_ = _e3038[1];
+                                        phi_4690_ = _e3034[1];
                                     }
-                                    let _e3049 = phi_4704_;
-                                    if (_e3045 > _e3049) {
-                                        phi_4709_ = _e3045;
+                                    let _e3045 = phi_4690_;
+                                    if (_e3041 > _e3045) {
+                                        phi_4695_ = _e3041;
                                     } else {
-                                        phi_4709_ = _e3049;
+                                        phi_4695_ = _e3045;
                                     }
-                                    let _e3052 = phi_4709_;
-                                    if (_e3038[2] < 0f) {
-                                        phi_4716_ = -(_e3038[2]);
+                                    let _e3048 = phi_4695_;
+                                    if (_e3034[2] < 0f) {
+                                        phi_4702_ = -(_e3034[2]);
                                     } else {
-                                        phi_4716_ = _e3038[2];
+                                        phi_4702_ = _e3034[2];
                                     }
-                                    let _e3056 = phi_4716_;
-                                    if (_e3052 > _e3056) {
-                                        phi_4721_ = _e3052;
+                                    let _e3052 = phi_4702_;
+                                    if (_e3048 > _e3052) {
+                                        phi_4707_ = _e3048;
                                     } else {
-                                        phi_4721_ = _e3056;
+                                        phi_4707_ = _e3052;
                                     }
-                                    let _e3059 = phi_4721_;
-                                    if (_e3035 > _e3059) {
-                                        phi_4726_ = _e3035;
+                                    let _e3055 = phi_4707_;
+                                    if (_e3031 > _e3055) {
+                                        phi_4712_ = _e3031;
                                     } else {
-                                        phi_4726_ = _e3059;
+                                        phi_4712_ = _e3055;
                                     }
-                                    let _e3062 = phi_4726_;
-                                    let _e3064 = local_4[0u].member_3;
-                                    let _e3068 = local_4[0u].member_2[0u];
-                                    if (_e3068[0] < 0f) {
-                                        phi_4743_ = -(_e3068[0]);
+                                    let _e3058 = phi_4712_;
+                                    let _e3060 = local_4[0u].member_3;
+                                    let _e3064 = local_4[0u].member_2[0u];
+                                    if (_e3064[0] < 0f) {
+                                        phi_4729_ = -(_e3064[0]);
                                     } else {
-                                        phi_4743_ = _e3068[0];
+                                        phi_4729_ = _e3064[0];
                                     }
-                                    let _e3075 = phi_4743_;
-                                    if (_e3068[1] < 0f) {
-                                        phi_4750_ = -(_e3068[1]);
+                                    let _e3071 = phi_4729_;
+                                    if (_e3064[1] < 0f) {
+                                        phi_4736_ = -(_e3064[1]);
                                     } else {
-                                        phi_4750_ = _e3068[1];
+                                        phi_4736_ = _e3064[1];
                                     }
-                                    let _e3079 = phi_4750_;
-                                    if (_e3075 > _e3079) {
-                                        phi_4755_ = _e3075;
+                                    let _e3075 = phi_4736_;
+                                    if (_e3071 > _e3075) {
+                                        phi_4741_ = _e3071;
                                     } else {
-                                        phi_4755_ = _e3079;
+                                        phi_4741_ = _e3075;
                                     }
-                                    let _e3082 = phi_4755_;
-                                    if (_e3068[2] < 0f) {
-                                        phi_4762_ = -(_e3068[2]);
+                                    let _e3078 = phi_4741_;
+                                    if (_e3064[2] < 0f) {
+                                        phi_4748_ = -(_e3064[2]);
                                     } else {
-                                        phi_4762_ = _e3068[2];
+                                        phi_4748_ = _e3064[2];
                                     }
-                                    let _e3086 = phi_4762_;
-                                    if (_e3082 > _e3086) {
-                                        phi_4767_ = _e3082;
+                                    let _e3082 = phi_4748_;
+                                    if (_e3078 > _e3082) {
+                                        phi_4753_ = _e3078;
                                     } else {
-                                        phi_4767_ = _e3086;
+                                        phi_4753_ = _e3082;
                                     }
-                                    let _e3089 = phi_4767_;
-                                    let _e3092 = local_4[0u].member_2[1u];
-                                    if (_e3092[0] < 0f) {
-                                        phi_4781_ = -(_e3092[0]);
+                                    let _e3085 = phi_4753_;
+                                    let _e3088 = local_4[0u].member_2[1u];
+                                    if (_e3088[0] < 0f) {
+                                        phi_4767_ = -(_e3088[0]);
                                     } else {
-                                        phi_4781_ = _e3092[0];
+                                        phi_4767_ = _e3088[0];
                                     }
-                                    let _e3099 = phi_4781_;
-                                    if (_e3092[1] < 0f) {
-                                        phi_4788_ = -(_e3092[1]);
+                                    let _e3095 = phi_4767_;
+                                    if (_e3088[1] < 0f) {
+                                        phi_4774_ = -(_e3088[1]);
                                     } else {
-                                        phi_4788_ = _e3092[1];
+                                        phi_4774_ = _e3088[1];
                                     }
-                                    let _e3103 = phi_4788_;
-                                    if (_e3099 > _e3103) {
-                                        phi_4793_ = _e3099;
+                                    let _e3099 = phi_4774_;
+                                    if (_e3095 > _e3099) {
+                                        phi_4779_ = _e3095;
                                     } else {
-                                        phi_4793_ = _e3103;
+                                        phi_4779_ = _e3099;
                                     }
-                                    let _e3106 = phi_4793_;
-                                    if (_e3092[2] < 0f) {
-                                        phi_4800_ = -(_e3092[2]);
+                                    let _e3102 = phi_4779_;
+                                    if (_e3088[2] < 0f) {
+                                        phi_4786_ = -(_e3088[2]);
                                     } else {
-                                        phi_4800_ = _e3092[2];
+                                        phi_4786_ = _e3088[2];
                                     }
-                                    let _e3110 = phi_4800_;
-                                    if (_e3106 > _e3110) {
-                                        phi_4805_ = _e3106;
+                                    let _e3106 = phi_4786_;
+                                    if (_e3102 > _e3106) {
+                                        phi_4791_ = _e3102;
                                     } else {
-                                        phi_4805_ = _e3110;
+                                        phi_4791_ = _e3106;
                                     }
-                                    let _e3113 = phi_4805_;
-                                    if (_e3089 > _e3113) {
-                                        phi_4810_ = _e3089;
+                                    let _e3109 = phi_4791_;
+                                    if (_e3085 > _e3109) {
+                                        phi_4796_ = _e3085;
                                     } else {
-                                        phi_4810_ = _e3113;
+                                        phi_4796_ = _e3109;
                                     }
-                                    let _e3116 = phi_4810_;
-                                    let _e3118 = local_4[0u].member_3;
-                                    let _e3121 = (((_e3008 + _e3010) + (_e3062 + _e3064)) + (_e3116 + _e3118));
-                                    let _e3124 = local_4[0u].member_3;
-                                    let _e3128 = (((_e1203 * 1.0001f) + (_e3124 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                    let _e3131 = ((_e2900 * _e2879) - (_e2903 * _e2878));
-                                    let _e3134 = ((_e2903 * _e2877) - (_e2897 * _e2879));
-                                    let _e3137 = ((_e2897 * _e2878) - (_e2900 * _e2877));
-                                    let _e3139 = local_2[0u];
-                                    let _e3147 = (((_e3131 * _e3139[0]) + (_e3134 * _e3139[1])) + (_e3137 * _e3139[2]));
-                                    phi_4848_ = type_37(0u, 4u);
-                                    phi_4851_ = _e3147;
-                                    phi_4853_ = _e3147;
+                                    let _e3112 = phi_4796_;
+                                    let _e3114 = local_4[0u].member_3;
+                                    let _e3117 = (((_e3004 + _e3006) + (_e3058 + _e3060)) + (_e3112 + _e3114));
+                                    let _e3120 = local_4[0u].member_3;
+                                    let _e3124 = (((_e1199 * 1.0001f) + (_e3120 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                    let _e3127 = ((_e2896 * _e2875) - (_e2899 * _e2874));
+                                    let _e3130 = ((_e2899 * _e2873) - (_e2893 * _e2875));
+                                    let _e3133 = ((_e2893 * _e2874) - (_e2896 * _e2873));
+                                    let _e3135 = local_2[0u];
+                                    let _e3143 = (((_e3127 * _e3135[0]) + (_e3130 * _e3135[1])) + (_e3133 * _e3135[2]));
+                                    phi_4834_ = type_37(0u, 4u);
+                                    phi_4837_ = _e3143;
+                                    phi_4839_ = _e3143;
                                     loop {
-                                        let _e3149 = phi_4848_;
-                                        let _e3151 = phi_4851_;
-                                        let _e3153 = phi_4853_;
-                                        local_36 = _e3151;
-                                        local_37 = _e3153;
-                                        local_52 = _e3153;
-                                        if (_e3149.member < _e3149.member_1) {
-                                            phi_4849_ = type_37((_e3149.member + 1u), _e3149.member_1);
-                                            phi_4876_ = type_37(1u, _e3149.member);
+                                        let _e3145 = phi_4834_;
+                                        let _e3147 = phi_4837_;
+                                        let _e3149 = phi_4839_;
+                                        local_36 = _e3147;
+                                        local_37 = _e3149;
+                                        local_52 = _e3149;
+                                        if (_e3145.member < _e3145.member_1) {
+                                            phi_4835_ = type_37((_e3145.member + 1u), _e3145.member_1);
+                                            phi_4862_ = type_37(1u, _e3145.member);
                                         } else {
-                                            phi_4849_ = _e3149;
-                                            phi_4876_ = type_37(0u, type_37().member_1);
+                                            phi_4835_ = _e3145;
+                                            phi_4862_ = type_37(0u, type_37().member_1);
                                         }
-                                        let _e3167 = phi_4849_;
-                                        let _e3169 = phi_4876_;
-                                        let _e3173 = (bitcast<i32>(_e3169.member) != 0i);
-                                        if _e3173 {
-                                            if (_e3169.member_1 < 4u) {
+                                        let _e3163 = phi_4835_;
+                                        let _e3165 = phi_4862_;
+                                        let _e3169 = (bitcast<i32>(_e3165.member) != 0i);
+                                        if _e3169 {
+                                            if (_e3165.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3176 = local_2[_e3169.member_1];
-                                            let _e3184 = (((_e3131 * _e3176[0]) + (_e3134 * _e3176[1])) + (_e3137 * _e3176[2]));
-                                            if (_e3169.member_1 < 4u) {
+                                            let _e3172 = local_2[_e3165.member_1];
+                                            let _e3180 = (((_e3127 * _e3172[0]) + (_e3130 * _e3172[1])) + (_e3133 * _e3172[2]));
+                                            if (_e3165.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3187 = local_3[_e3169.member_1];
-                                            let _e3195 = (((_e3131 * _e3187[0]) + (_e3134 * _e3187[1])) + (_e3137 * _e3187[2]));
-                                            if (_e3153 < _e3184) {
-                                                phi_4926_ = _e3153;
+                                            let _e3183 = local_3[_e3165.member_1];
+                                            let _e3191 = (((_e3127 * _e3183[0]) + (_e3130 * _e3183[1])) + (_e3133 * _e3183[2]));
+                                            if (_e3149 < _e3180) {
+                                                phi_4912_ = _e3149;
                                             } else {
-                                                phi_4926_ = _e3184;
+                                                phi_4912_ = _e3180;
                                             }
-                                            let _e3198 = phi_4926_;
-                                            if (_e3198 < _e3195) {
-                                                phi_4931_ = _e3198;
+                                            let _e3194 = phi_4912_;
+                                            if (_e3194 < _e3191) {
+                                                phi_4917_ = _e3194;
                                             } else {
-                                                phi_4931_ = _e3195;
+                                                phi_4917_ = _e3191;
                                             }
-                                            let _e3201 = phi_4931_;
-                                            if (_e3151 > _e3184) {
-                                                phi_4936_ = _e3151;
+                                            let _e3197 = phi_4917_;
+                                            if (_e3147 > _e3180) {
+                                                phi_4922_ = _e3147;
                                             } else {
-                                                phi_4936_ = _e3184;
+                                                phi_4922_ = _e3180;
                                             }
-                                            let _e3204 = phi_4936_;
-                                            if (_e3204 > _e3195) {
-                                                phi_4941_ = _e3204;
+                                            let _e3200 = phi_4922_;
+                                            if (_e3200 > _e3191) {
+                                                phi_4927_ = _e3200;
                                             } else {
-                                                phi_4941_ = _e3195;
+                                                phi_4927_ = _e3191;
                                             }
-                                            let _e3207 = phi_4941_;
-                                            phi_4852_ = _e3207;
-                                            phi_4854_ = _e3201;
+                                            let _e3203 = phi_4927_;
+                                            phi_4838_ = _e3203;
+                                            phi_4840_ = _e3197;
                                         } else {
-                                            phi_4852_ = f32();
-                                            phi_4854_ = f32();
+                                            phi_4838_ = f32();
+                                            phi_4840_ = f32();
                                         }
-                                        let _e3209 = phi_4852_;
-                                        let _e3211 = phi_4854_;
+                                        let _e3205 = phi_4838_;
+                                        let _e3207 = phi_4840_;
                                         continue;
                                         continuing {
-                                            phi_4848_ = _e3167;
-                                            phi_4851_ = _e3209;
-                                            phi_4853_ = _e3211;
-                                            break if !(_e3173);
+                                            phi_4834_ = _e3163;
+                                            phi_4837_ = _e3205;
+                                            phi_4839_ = _e3207;
+                                            break if !(_e3169);
                                         }
                                     }
-                                    if (_e3131 < 0f) {
-                                        phi_4947_ = -(_e3131);
+                                    if (_e3127 < 0f) {
+                                        phi_4933_ = -(_e3127);
                                     } else {
-                                        phi_4947_ = _e3131;
+                                        phi_4933_ = _e3127;
                                     }
-                                    let _e3216 = phi_4947_;
-                                    if (_e3134 < 0f) {
-                                        phi_4953_ = -(_e3134);
+                                    let _e3212 = phi_4933_;
+                                    if (_e3130 < 0f) {
+                                        phi_4939_ = -(_e3130);
                                     } else {
-                                        phi_4953_ = _e3134;
+                                        phi_4939_ = _e3130;
                                     }
-                                    let _e3220 = phi_4953_;
-                                    if (_e3137 < 0f) {
-                                        phi_4960_ = -(_e3137);
+                                    let _e3216 = phi_4939_;
+                                    if (_e3133 < 0f) {
+                                        phi_4946_ = -(_e3133);
                                     } else {
-                                        phi_4960_ = _e3137;
+                                        phi_4946_ = _e3133;
                                     }
-                                    let _e3225 = phi_4960_;
-                                    let _e3226 = ((_e3216 + _e3220) + _e3225);
-                                    let _e3231 = local_36;
-                                    let _e3232 = -(_e3231);
-                                    let _e3234 = local_37;
-                                    if (_e3234 > _e3232) {
-                                        let _e5018 = local_52;
-                                        phi_4970_ = _e5018;
+                                    let _e3221 = phi_4946_;
+                                    let _e3222 = ((_e3212 + _e3216) + _e3221);
+                                    let _e3227 = local_36;
+                                    let _e3228 = -(_e3227);
+                                    let _e3230 = local_37;
+                                    if (_e3230 > _e3228) {
+                                        let _e5012 = local_52;
+                                        phi_4956_ = _e5012;
                                     } else {
-                                        phi_4970_ = _e3232;
+                                        phi_4956_ = _e3228;
                                     }
-                                    let _e3237 = phi_4970_;
-                                    let _e3242 = (((_e3237 - ((_e3226 * _e3121) * (0.000000059604645f * 17f))) - (_e3226 * _e3128)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    let _e3245 = ((_e2900 * _e2894) - (_e2903 * _e2893));
-                                    let _e3248 = ((_e2903 * _e2892) - (_e2897 * _e2894));
-                                    let _e3251 = ((_e2897 * _e2893) - (_e2900 * _e2892));
-                                    let _e3253 = local_2[0u];
-                                    let _e3261 = (((_e3245 * _e3253[0]) + (_e3248 * _e3253[1])) + (_e3251 * _e3253[2]));
-                                    phi_5001_ = type_37(0u, 4u);
-                                    phi_5004_ = _e3261;
-                                    phi_5006_ = _e3261;
+                                    let _e3233 = phi_4956_;
+                                    let _e3238 = (((_e3233 - ((_e3222 * _e3117) * (0.000000059604645f * 17f))) - (_e3222 * _e3124)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    let _e3241 = ((_e2896 * _e2890) - (_e2899 * _e2889));
+                                    let _e3244 = ((_e2899 * _e2888) - (_e2893 * _e2890));
+                                    let _e3247 = ((_e2893 * _e2889) - (_e2896 * _e2888));
+                                    let _e3249 = local_2[0u];
+                                    let _e3257 = (((_e3241 * _e3249[0]) + (_e3244 * _e3249[1])) + (_e3247 * _e3249[2]));
+                                    phi_4987_ = type_37(0u, 4u);
+                                    phi_4990_ = _e3257;
+                                    phi_4992_ = _e3257;
                                     loop {
-                                        let _e3263 = phi_5001_;
-                                        let _e3265 = phi_5004_;
-                                        let _e3267 = phi_5006_;
-                                        local_38 = _e3265;
-                                        local_39 = _e3267;
-                                        local_53 = _e3267;
-                                        if (_e3263.member < _e3263.member_1) {
-                                            phi_5002_ = type_37((_e3263.member + 1u), _e3263.member_1);
-                                            phi_5029_ = type_37(1u, _e3263.member);
+                                        let _e3259 = phi_4987_;
+                                        let _e3261 = phi_4990_;
+                                        let _e3263 = phi_4992_;
+                                        local_38 = _e3261;
+                                        local_39 = _e3263;
+                                        local_53 = _e3263;
+                                        if (_e3259.member < _e3259.member_1) {
+                                            phi_4988_ = type_37((_e3259.member + 1u), _e3259.member_1);
+                                            phi_5015_ = type_37(1u, _e3259.member);
                                         } else {
-                                            phi_5002_ = _e3263;
-                                            phi_5029_ = type_37(0u, type_37().member_1);
+                                            phi_4988_ = _e3259;
+                                            phi_5015_ = type_37(0u, type_37().member_1);
                                         }
-                                        let _e3281 = phi_5002_;
-                                        let _e3283 = phi_5029_;
-                                        let _e3287 = (bitcast<i32>(_e3283.member) != 0i);
-                                        if _e3287 {
-                                            if (_e3283.member_1 < 4u) {
+                                        let _e3277 = phi_4988_;
+                                        let _e3279 = phi_5015_;
+                                        let _e3283 = (bitcast<i32>(_e3279.member) != 0i);
+                                        if _e3283 {
+                                            if (_e3279.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3290 = local_2[_e3283.member_1];
-                                            let _e3298 = (((_e3245 * _e3290[0]) + (_e3248 * _e3290[1])) + (_e3251 * _e3290[2]));
-                                            if (_e3283.member_1 < 4u) {
+                                            let _e3286 = local_2[_e3279.member_1];
+                                            let _e3294 = (((_e3241 * _e3286[0]) + (_e3244 * _e3286[1])) + (_e3247 * _e3286[2]));
+                                            if (_e3279.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3301 = local_3[_e3283.member_1];
-                                            let _e3309 = (((_e3245 * _e3301[0]) + (_e3248 * _e3301[1])) + (_e3251 * _e3301[2]));
-                                            if (_e3267 < _e3298) {
-                                                phi_5079_ = _e3267;
+                                            let _e3297 = local_3[_e3279.member_1];
+                                            let _e3305 = (((_e3241 * _e3297[0]) + (_e3244 * _e3297[1])) + (_e3247 * _e3297[2]));
+                                            if (_e3263 < _e3294) {
+                                                phi_5065_ = _e3263;
                                             } else {
-                                                phi_5079_ = _e3298;
+                                                phi_5065_ = _e3294;
                                             }
-                                            let _e3312 = phi_5079_;
-                                            if (_e3312 < _e3309) {
-                                                phi_5084_ = _e3312;
+                                            let _e3308 = phi_5065_;
+                                            if (_e3308 < _e3305) {
+                                                phi_5070_ = _e3308;
                                             } else {
-                                                phi_5084_ = _e3309;
+                                                phi_5070_ = _e3305;
                                             }
-                                            let _e3315 = phi_5084_;
-                                            if (_e3265 > _e3298) {
-                                                phi_5089_ = _e3265;
+                                            let _e3311 = phi_5070_;
+                                            if (_e3261 > _e3294) {
+                                                phi_5075_ = _e3261;
                                             } else {
-                                                phi_5089_ = _e3298;
+                                                phi_5075_ = _e3294;
                                             }
-                                            let _e3318 = phi_5089_;
-                                            if (_e3318 > _e3309) {
-                                                phi_5094_ = _e3318;
+                                            let _e3314 = phi_5075_;
+                                            if (_e3314 > _e3305) {
+                                                phi_5080_ = _e3314;
                                             } else {
-                                                phi_5094_ = _e3309;
+                                                phi_5080_ = _e3305;
                                             }
-                                            let _e3321 = phi_5094_;
-                                            phi_5005_ = _e3321;
-                                            phi_5007_ = _e3315;
+                                            let _e3317 = phi_5080_;
+                                            phi_4991_ = _e3317;
+                                            phi_4993_ = _e3311;
                                         } else {
-                                            phi_5005_ = f32();
-                                            phi_5007_ = f32();
+                                            phi_4991_ = f32();
+                                            phi_4993_ = f32();
                                         }
-                                        let _e3323 = phi_5005_;
-                                        let _e3325 = phi_5007_;
+                                        let _e3319 = phi_4991_;
+                                        let _e3321 = phi_4993_;
                                         continue;
                                         continuing {
-                                            phi_5001_ = _e3281;
-                                            phi_5004_ = _e3323;
-                                            phi_5006_ = _e3325;
-                                            break if !(_e3287);
+                                            phi_4987_ = _e3277;
+                                            phi_4990_ = _e3319;
+                                            phi_4992_ = _e3321;
+                                            break if !(_e3283);
                                         }
                                     }
-                                    if (_e3245 < 0f) {
-                                        phi_5100_ = -(_e3245);
+                                    if (_e3241 < 0f) {
+                                        phi_5086_ = -(_e3241);
                                     } else {
-                                        phi_5100_ = _e3245;
+                                        phi_5086_ = _e3241;
                                     }
-                                    let _e3330 = phi_5100_;
-                                    if (_e3248 < 0f) {
-                                        phi_5106_ = -(_e3248);
+                                    let _e3326 = phi_5086_;
+                                    if (_e3244 < 0f) {
+                                        phi_5092_ = -(_e3244);
                                     } else {
-                                        phi_5106_ = _e3248;
+                                        phi_5092_ = _e3244;
                                     }
-                                    let _e3334 = phi_5106_;
-                                    if (_e3251 < 0f) {
-                                        phi_5113_ = -(_e3251);
+                                    let _e3330 = phi_5092_;
+                                    if (_e3247 < 0f) {
+                                        phi_5099_ = -(_e3247);
                                     } else {
-                                        phi_5113_ = _e3251;
+                                        phi_5099_ = _e3247;
                                     }
-                                    let _e3339 = phi_5113_;
-                                    let _e3340 = ((_e3330 + _e3334) + _e3339);
-                                    let _e3345 = local_38;
-                                    let _e3346 = -(_e3345);
-                                    let _e3348 = local_39;
-                                    if (_e3348 > _e3346) {
-                                        let _e5037 = local_53;
-                                        phi_5123_ = _e5037;
+                                    let _e3335 = phi_5099_;
+                                    let _e3336 = ((_e3326 + _e3330) + _e3335);
+                                    let _e3341 = local_38;
+                                    let _e3342 = -(_e3341);
+                                    let _e3344 = local_39;
+                                    if (_e3344 > _e3342) {
+                                        let _e5031 = local_53;
+                                        phi_5109_ = _e5031;
                                     } else {
-                                        phi_5123_ = _e3346;
+                                        phi_5109_ = _e3342;
                                     }
-                                    let _e3351 = phi_5123_;
-                                    let _e3356 = (((_e3351 - ((_e3340 * _e3121) * (0.000000059604645f * 17f))) - (_e3340 * _e3128)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3242 > _e3356) {
-                                        phi_5133_ = _e3242;
+                                    let _e3347 = phi_5109_;
+                                    let _e3352 = (((_e3347 - ((_e3336 * _e3117) * (0.000000059604645f * 17f))) - (_e3336 * _e3124)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e3238 > _e3352) {
+                                        phi_5119_ = _e3238;
                                     } else {
-                                        phi_5133_ = _e3356;
+                                        phi_5119_ = _e3352;
                                     }
-                                    let _e3359 = phi_5133_;
-                                    let _e3360 = (_e2892 - _e2877);
-                                    let _e3361 = (_e2893 - _e2878);
-                                    let _e3362 = (_e2894 - _e2879);
-                                    let _e3365 = ((_e2900 * _e3362) - (_e2903 * _e3361));
-                                    let _e3368 = ((_e2903 * _e3360) - (_e2897 * _e3362));
-                                    let _e3371 = ((_e2897 * _e3361) - (_e2900 * _e3360));
-                                    let _e3373 = local_2[0u];
-                                    let _e3381 = (((_e3365 * _e3373[0]) + (_e3368 * _e3373[1])) + (_e3371 * _e3373[2]));
-                                    phi_5166_ = type_37(0u, 4u);
-                                    phi_5169_ = _e3381;
-                                    phi_5171_ = _e3381;
+                                    let _e3355 = phi_5119_;
+                                    let _e3356 = (_e2888 - _e2873);
+                                    let _e3357 = (_e2889 - _e2874);
+                                    let _e3358 = (_e2890 - _e2875);
+                                    let _e3361 = ((_e2896 * _e3358) - (_e2899 * _e3357));
+                                    let _e3364 = ((_e2899 * _e3356) - (_e2893 * _e3358));
+                                    let _e3367 = ((_e2893 * _e3357) - (_e2896 * _e3356));
+                                    let _e3369 = local_2[0u];
+                                    let _e3377 = (((_e3361 * _e3369[0]) + (_e3364 * _e3369[1])) + (_e3367 * _e3369[2]));
+                                    phi_5152_ = type_37(0u, 4u);
+                                    phi_5155_ = _e3377;
+                                    phi_5157_ = _e3377;
                                     loop {
-                                        let _e3383 = phi_5166_;
-                                        let _e3385 = phi_5169_;
-                                        let _e3387 = phi_5171_;
-                                        local_40 = _e3385;
-                                        local_41 = _e3387;
-                                        local_54 = _e3387;
-                                        if (_e3383.member < _e3383.member_1) {
-                                            phi_5167_ = type_37((_e3383.member + 1u), _e3383.member_1);
-                                            phi_5194_ = type_37(1u, _e3383.member);
+                                        let _e3379 = phi_5152_;
+                                        let _e3381 = phi_5155_;
+                                        let _e3383 = phi_5157_;
+                                        local_40 = _e3381;
+                                        local_41 = _e3383;
+                                        local_54 = _e3383;
+                                        if (_e3379.member < _e3379.member_1) {
+                                            phi_5153_ = type_37((_e3379.member + 1u), _e3379.member_1);
+                                            phi_5180_ = type_37(1u, _e3379.member);
                                         } else {
-                                            phi_5167_ = _e3383;
-                                            phi_5194_ = type_37(0u, type_37().member_1);
+                                            phi_5153_ = _e3379;
+                                            phi_5180_ = type_37(0u, type_37().member_1);
                                         }
-                                        let _e3401 = phi_5167_;
-                                        let _e3403 = phi_5194_;
-                                        let _e3407 = (bitcast<i32>(_e3403.member) != 0i);
-                                        if _e3407 {
-                                            if (_e3403.member_1 < 4u) {
+                                        let _e3397 = phi_5153_;
+                                        let _e3399 = phi_5180_;
+                                        let _e3403 = (bitcast<i32>(_e3399.member) != 0i);
+                                        if _e3403 {
+                                            if (_e3399.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3410 = local_2[_e3403.member_1];
-                                            let _e3418 = (((_e3365 * _e3410[0]) + (_e3368 * _e3410[1])) + (_e3371 * _e3410[2]));
-                                            if (_e3403.member_1 < 4u) {
+                                            let _e3406 = local_2[_e3399.member_1];
+                                            let _e3414 = (((_e3361 * _e3406[0]) + (_e3364 * _e3406[1])) + (_e3367 * _e3406[2]));
+                                            if (_e3399.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3421 = local_3[_e3403.member_1];
-                                            let _e3429 = (((_e3365 * _e3421[0]) + (_e3368 * _e3421[1])) + (_e3371 * _e3421[2]));
-                                            if (_e3387 < _e3418) {
-                                                phi_5244_ = _e3387;
+                                            let _e3417 = local_3[_e3399.member_1];
+                                            let _e3425 = (((_e3361 * _e3417[0]) + (_e3364 * _e3417[1])) + (_e3367 * _e3417[2]));
+                                            if (_e3383 < _e3414) {
+                                                phi_5230_ = _e3383;
                                             } else {
-                                                phi_5244_ = _e3418;
+                                                phi_5230_ = _e3414;
                                             }
-                                            let _e3432 = phi_5244_;
-                                            if (_e3432 < _e3429) {
-                                                phi_5249_ = _e3432;
+                                            let _e3428 = phi_5230_;
+                                            if (_e3428 < _e3425) {
+                                                phi_5235_ = _e3428;
                                             } else {
-                                                phi_5249_ = _e3429;
+                                                phi_5235_ = _e3425;
                                             }
-                                            let _e3435 = phi_5249_;
-                                            if (_e3385 > _e3418) {
-                                                phi_5254_ = _e3385;
+                                            let _e3431 = phi_5235_;
+                                            if (_e3381 > _e3414) {
+                                                phi_5240_ = _e3381;
                                             } else {
-                                                phi_5254_ = _e3418;
+                                                phi_5240_ = _e3414;
                                             }
-                                            let _e3438 = phi_5254_;
-                                            if (_e3438 > _e3429) {
-                                                phi_5259_ = _e3438;
+                                            let _e3434 = phi_5240_;
+                                            if (_e3434 > _e3425) {
+                                                phi_5245_ = _e3434;
                                             } else {
-                                                phi_5259_ = _e3429;
+                                                phi_5245_ = _e3425;
                                             }
-                                            let _e3441 = phi_5259_;
-                                            phi_5170_ = _e3441;
-                                            phi_5172_ = _e3435;
+                                            let _e3437 = phi_5245_;
+                                            phi_5156_ = _e3437;
+                                            phi_5158_ = _e3431;
                                         } else {
-                                            phi_5170_ = f32();
-                                            phi_5172_ = f32();
+                                            phi_5156_ = f32();
+                                            phi_5158_ = f32();
                                         }
-                                        let _e3443 = phi_5170_;
-                                        let _e3445 = phi_5172_;
+                                        let _e3439 = phi_5156_;
+                                        let _e3441 = phi_5158_;
                                         continue;
                                         continuing {
-                                            phi_5166_ = _e3401;
-                                            phi_5169_ = _e3443;
-                                            phi_5171_ = _e3445;
-                                            break if !(_e3407);
+                                            phi_5152_ = _e3397;
+                                            phi_5155_ = _e3439;
+                                            phi_5157_ = _e3441;
+                                            break if !(_e3403);
                                         }
                                     }
-                                    if (_e3365 < 0f) {
-                                        phi_5265_ = -(_e3365);
+                                    if (_e3361 < 0f) {
+                                        phi_5251_ = -(_e3361);
                                     } else {
-                                        phi_5265_ = _e3365;
+                                        phi_5251_ = _e3361;
                                     }
-                                    let _e3450 = phi_5265_;
-                                    if (_e3368 < 0f) {
-                                        phi_5271_ = -(_e3368);
+                                    let _e3446 = phi_5251_;
+                                    if (_e3364 < 0f) {
+                                        phi_5257_ = -(_e3364);
                                     } else {
-                                        phi_5271_ = _e3368;
+                                        phi_5257_ = _e3364;
                                     }
-                                    let _e3454 = phi_5271_;
-                                    if (_e3371 < 0f) {
-                                        phi_5278_ = -(_e3371);
+                                    let _e3450 = phi_5257_;
+                                    if (_e3367 < 0f) {
+                                        phi_5264_ = -(_e3367);
                                     } else {
-                                        phi_5278_ = _e3371;
+                                        phi_5264_ = _e3367;
                                     }
-                                    let _e3459 = phi_5278_;
-                                    let _e3460 = ((_e3450 + _e3454) + _e3459);
-                                    let _e3465 = local_40;
-                                    let _e3466 = -(_e3465);
-                                    let _e3468 = local_41;
-                                    if (_e3468 > _e3466) {
-                                        let _e5057 = local_54;
-                                        phi_5288_ = _e5057;
+                                    let _e3455 = phi_5264_;
+                                    let _e3456 = ((_e3446 + _e3450) + _e3455);
+                                    let _e3461 = local_40;
+                                    let _e3462 = -(_e3461);
+                                    let _e3464 = local_41;
+                                    if (_e3464 > _e3462) {
+                                        let _e5051 = local_54;
+                                        phi_5274_ = _e5051;
                                     } else {
-                                        phi_5288_ = _e3466;
+                                        phi_5274_ = _e3462;
                                     }
-                                    let _e3471 = phi_5288_;
-                                    let _e3476 = (((_e3471 - ((_e3460 * _e3121) * (0.000000059604645f * 17f))) - (_e3460 * _e3128)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3359 > _e3476) {
-                                        phi_5298_ = _e3359;
+                                    let _e3467 = phi_5274_;
+                                    let _e3472 = (((_e3467 - ((_e3456 * _e3117) * (0.000000059604645f * 17f))) - (_e3456 * _e3124)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e3355 > _e3472) {
+                                        phi_5284_ = _e3355;
                                     } else {
-                                        phi_5298_ = _e3476;
+                                        phi_5284_ = _e3472;
                                     }
-                                    let _e3479 = phi_5298_;
-                                    phi_5301_ = (_e3479 > 0f);
+                                    let _e3475 = phi_5284_;
+                                    phi_5287_ = (_e3475 > 0f);
                                 }
-                                let _e3482 = phi_5301_;
-                                if _e3482 {
-                                    let _e3486 = local_4[1u].member_1[0u];
-                                    let _e3492 = local_4[1u].member_2[0u];
-                                    let _e3498 = ((_e3486[1] * _e3492[2]) - (_e3486[2] * _e3492[1]));
-                                    let _e3501 = ((_e3486[2] * _e3492[0]) - (_e3486[0] * _e3492[2]));
-                                    let _e3504 = ((_e3486[0] * _e3492[1]) - (_e3486[1] * _e3492[0]));
-                                    let _e3507 = local_4[1u].member_1[1u];
-                                    let _e3513 = local_4[1u].member_2[1u];
-                                    let _e3519 = ((_e3507[1] * _e3513[2]) - (_e3507[2] * _e3513[1]));
-                                    let _e3522 = ((_e3507[2] * _e3513[0]) - (_e3507[0] * _e3513[2]));
-                                    let _e3525 = ((_e3507[0] * _e3513[1]) - (_e3507[1] * _e3513[0]));
-                                    let _e3528 = local_4[1u].member_1[0u];
-                                    let _e3534 = local_4[1u].member_2[1u];
-                                    let _e3549 = local_4[1u].member_1[1u];
-                                    let _e3555 = local_4[1u].member_2[0u];
-                                    let _e3568 = (((_e3528[1] * _e3534[2]) - (_e3528[2] * _e3534[1])) + ((_e3549[1] * _e3555[2]) - (_e3549[2] * _e3555[1])));
-                                    let _e3569 = (((_e3528[2] * _e3534[0]) - (_e3528[0] * _e3534[2])) + ((_e3549[2] * _e3555[0]) - (_e3549[0] * _e3555[2])));
-                                    let _e3570 = (((_e3528[0] * _e3534[1]) - (_e3528[1] * _e3534[0])) + ((_e3549[0] * _e3555[1]) - (_e3549[1] * _e3555[0])));
-                                    let _e3573 = local_4[1u].member[0u];
-                                    let _e3584 = local_4[1u].member[1u];
-                                    let _e3595 = local_4[1u].member[0u];
-                                    let _e3604 = ((((_e3584[0] * _e3498) + (_e3584[1] * _e3501)) + (_e3584[2] * _e3504)) + (((_e3595[0] * _e3568) + (_e3595[1] * _e3569)) + (_e3595[2] * _e3570)));
-                                    let _e3607 = local_4[1u].member[0u];
-                                    let _e3618 = local_4[1u].member[1u];
-                                    let _e3627 = ((((_e3607[0] * _e3519) + (_e3607[1] * _e3522)) + (_e3607[2] * _e3525)) + (((_e3618[0] * _e3568) + (_e3618[1] * _e3569)) + (_e3618[2] * _e3570)));
-                                    let _e3630 = local_4[1u].member[1u];
-                                    let _e3641 = local_4[1u].member[0u];
-                                    if (_e3641[0] < 0f) {
-                                        phi_5547_ = -(_e3641[0]);
+                                let _e3478 = phi_5287_;
+                                if _e3478 {
+                                    let _e3482 = local_4[1u].member_1[0u];
+                                    let _e3488 = local_4[1u].member_2[0u];
+                                    let _e3494 = ((_e3482[1] * _e3488[2]) - (_e3482[2] * _e3488[1]));
+                                    let _e3497 = ((_e3482[2] * _e3488[0]) - (_e3482[0] * _e3488[2]));
+                                    let _e3500 = ((_e3482[0] * _e3488[1]) - (_e3482[1] * _e3488[0]));
+                                    let _e3503 = local_4[1u].member_1[1u];
+                                    let _e3509 = local_4[1u].member_2[1u];
+                                    let _e3515 = ((_e3503[1] * _e3509[2]) - (_e3503[2] * _e3509[1]));
+                                    let _e3518 = ((_e3503[2] * _e3509[0]) - (_e3503[0] * _e3509[2]));
+                                    let _e3521 = ((_e3503[0] * _e3509[1]) - (_e3503[1] * _e3509[0]));
+                                    let _e3524 = local_4[1u].member_1[0u];
+                                    let _e3530 = local_4[1u].member_2[1u];
+                                    let _e3545 = local_4[1u].member_1[1u];
+                                    let _e3551 = local_4[1u].member_2[0u];
+                                    let _e3564 = (((_e3524[1] * _e3530[2]) - (_e3524[2] * _e3530[1])) + ((_e3545[1] * _e3551[2]) - (_e3545[2] * _e3551[1])));
+                                    let _e3565 = (((_e3524[2] * _e3530[0]) - (_e3524[0] * _e3530[2])) + ((_e3545[2] * _e3551[0]) - (_e3545[0] * _e3551[2])));
+                                    let _e3566 = (((_e3524[0] * _e3530[1]) - (_e3524[1] * _e3530[0])) + ((_e3545[0] * _e3551[1]) - (_e3545[1] * _e3551[0])));
+                                    let _e3569 = local_4[1u].member[0u];
+                                    let _e3580 = local_4[1u].member[1u];
+                                    let _e3591 = local_4[1u].member[0u];
+                                    let _e3600 = ((((_e3580[0] * _e3494) + (_e3580[1] * _e3497)) + (_e3580[2] * _e3500)) + (((_e3591[0] * _e3564) + (_e3591[1] * _e3565)) + (_e3591[2] * _e3566)));
+                                    let _e3603 = local_4[1u].member[0u];
+                                    let _e3614 = local_4[1u].member[1u];
+                                    let _e3623 = ((((_e3603[0] * _e3515) + (_e3603[1] * _e3518)) + (_e3603[2] * _e3521)) + (((_e3614[0] * _e3564) + (_e3614[1] * _e3565)) + (_e3614[2] * _e3566)));
+                                    let _e3626 = local_4[1u].member[1u];
+                                    let _e3637 = local_4[1u].member[0u];
+                                    if (_e3637[0] < 0f) {
+                                        phi_5533_ = -(_e3637[0]);
                                     } else {
-                                        phi_5547_ = _e3641[0];
+                                        phi_5533_ = _e3637[0];
                                     }
-                                    let _e3648 = phi_5547_;
-                                    if (_e3641[1] < 0f) {
-                                        phi_5554_ = -(_e3641[1]);
+                                    let _e3644 = phi_5533_;
+                                    if (_e3637[1] < 0f) {
+                                        phi_5540_ = -(_e3637[1]);
                                     } else {
-                                        phi_5554_ = _e3641[1];
+                                        phi_5540_ = _e3637[1];
                                     }
-                                    let _e3652 = phi_5554_;
-                                    if (_e3648 > _e3652) {
-                                        phi_5559_ = _e3648;
+                                    let _e3648 = phi_5540_;
+                                    if (_e3644 > _e3648) {
+                                        phi_5545_ = _e3644;
                                     } else {
-                                        phi_5559_ = _e3652;
+                                        phi_5545_ = _e3648;
                                     }
-                                    let _e3655 = phi_5559_;
-                                    if (_e3641[2] < 0f) {
-                                        phi_5566_ = -(_e3641[2]);
+                                    let _e3651 = phi_5545_;
+                                    if (_e3637[2] < 0f) {
+                                        phi_5552_ = -(_e3637[2]);
                                     } else {
-                                        phi_5566_ = _e3641[2];
+                                        phi_5552_ = _e3637[2];
                                     }
-                                    let _e3659 = phi_5566_;
-                                    if (_e3655 > _e3659) {
-                                        phi_5571_ = _e3655;
+                                    let _e3655 = phi_5552_;
+                                    if (_e3651 > _e3655) {
+                                        phi_5557_ = _e3651;
                                     } else {
-                                        phi_5571_ = _e3659;
+                                        phi_5557_ = _e3655;
                                     }
-                                    let _e3662 = phi_5571_;
-                                    let _e3665 = local_4[1u].member[1u];
-                                    if (_e3665[0] < 0f) {
-                                        phi_5584_ = -(_e3665[0]);
+                                    let _e3658 = phi_5557_;
+                                    let _e3661 = local_4[1u].member[1u];
+                                    if (_e3661[0] < 0f) {
+                                        phi_5570_ = -(_e3661[0]);
                                     } else {
-                                        phi_5584_ = _e3665[0];
+                                        phi_5570_ = _e3661[0];
                                     }
-                                    let _e3672 = phi_5584_;
-                                    if (_e3665[1] < 0f) {
-                                        phi_5591_ = -(_e3665[1]);
+                                    let _e3668 = phi_5570_;
+                                    if (_e3661[1] < 0f) {
+                                        phi_5577_ = -(_e3661[1]);
                                     } else {
-                                        phi_5591_ = _e3665[1];
+                                        phi_5577_ = _e3661[1];
                                     }
-                                    let _e3676 = phi_5591_;
-                                    if (_e3672 > _e3676) {
-                                        phi_5596_ = _e3672;
+                                    let _e3672 = phi_5577_;
+                                    if (_e3668 > _e3672) {
+                                        phi_5582_ = _e3668;
                                     } else {
-                                        phi_5596_ = _e3676;
+                                        phi_5582_ = _e3672;
                                     }
-                                    let _e3679 = phi_5596_;
-                                    if (_e3665[2] < 0f) {
-                                        phi_5603_ = -(_e3665[2]);
+                                    let _e3675 = phi_5582_;
+                                    if (_e3661[2] < 0f) {
+                                        phi_5589_ = -(_e3661[2]);
                                     } else {
-                                        phi_5603_ = _e3665[2];
+                                        phi_5589_ = _e3661[2];
                                     }
-                                    let _e3683 = phi_5603_;
-                                    if (_e3679 > _e3683) {
-                                        phi_5608_ = _e3679;
+                                    let _e3679 = phi_5589_;
+                                    if (_e3675 > _e3679) {
+                                        phi_5594_ = _e3675;
                                     } else {
-                                        phi_5608_ = _e3683;
+                                        phi_5594_ = _e3679;
                                     }
-                                    let _e3686 = phi_5608_;
-                                    if (_e3662 > _e3686) {
-                                        phi_5613_ = _e3662;
+                                    let _e3682 = phi_5594_;
+                                    if (_e3658 > _e3682) {
+                                        phi_5599_ = _e3658;
                                     } else {
-                                        phi_5613_ = _e3686;
+                                        phi_5599_ = _e3682;
                                     }
-                                    let _e3689 = phi_5613_;
-                                    let _e3691 = local_4[1u].member_3;
-                                    let _e3692 = (_e3689 + _e3691);
-                                    let _e3695 = local_4[1u].member_1[0u];
-                                    if (_e3695[0] < 0f) {
-                                        phi_5630_ = -(_e3695[0]);
+                                    let _e3685 = phi_5599_;
+                                    let _e3687 = local_4[1u].member_3;
+                                    let _e3688 = (_e3685 + _e3687);
+                                    let _e3691 = local_4[1u].member_1[0u];
+                                    if (_e3691[0] < 0f) {
+                                        phi_5616_ = -(_e3691[0]);
                                     } else {
-                                        phi_5630_ = _e3695[0];
+                                        phi_5616_ = _e3691[0];
                                     }
-                                    let _e3702 = phi_5630_;
-                                    if (_e3695[1] < 0f) {
-                                        phi_5637_ = -(_e3695[1]);
+                                    let _e3698 = phi_5616_;
+                                    if (_e3691[1] < 0f) {
+                                        phi_5623_ = -(_e3691[1]);
                                     } else {
-                                        phi_5637_ = _e3695[1];
+                                        phi_5623_ = _e3691[1];
                                     }
-                                    let _e3706 = phi_5637_;
-                                    if (_e3702 > _e3706) {
-                                        phi_5642_ = _e3702;
+                                    let _e3702 = phi_5623_;
+                                    if (_e3698 > _e3702) {
+                                        phi_5628_ = _e3698;
                                     } else {
-                                        phi_5642_ = _e3706;
+                                        phi_5628_ = _e3702;
                                     }
-                                    let _e3709 = phi_5642_;
-                                    if (_e3695[2] < 0f) {
-                                        phi_5649_ = -(_e3695[2]);
+                                    let _e3705 = phi_5628_;
+                                    if (_e3691[2] < 0f) {
+                                        phi_5635_ = -(_e3691[2]);
                                     } else {
-                                        phi_5649_ = _e3695[2];
+                                        phi_5635_ = _e3691[2];
                                     }
-                                    let _e3713 = phi_5649_;
-                                    if (_e3709 > _e3713) {
-                                        phi_5654_ = _e3709;
+                                    let _e3709 = phi_5635_;
+                                    if (_e3705 > _e3709) {
+                                        phi_5640_ = _e3705;
                                     } else {
-                                        phi_5654_ = _e3713;
+                                        phi_5640_ = _e3709;
                                     }
-                                    let _e3716 = phi_5654_;
-                                    let _e3719 = local_4[1u].member_1[1u];
-                                    if (_e3719[0] < 0f) {
-                                        phi_5668_ = -(_e3719[0]);
+                                    let _e3712 = phi_5640_;
+                                    let _e3715 = local_4[1u].member_1[1u];
+                                    if (_e3715[0] < 0f) {
+                                        phi_5654_ = -(_e3715[0]);
                                     } else {
-                                        phi_5668_ = _e3719[0];
+                                        phi_5654_ = _e3715[0];
                                     }
-                                    let _e3726 = phi_5668_;
-                                    if (_e3719[1] < 0f) {
-                                        phi_5675_ = -(_e3719[1]);
+                                    let _e3722 = phi_5654_;
+                                    if (_e3715[1] < 0f) {
+                                        phi_5661_ = -(_e3715[1]);
                                     } else {
-                                        phi_5675_ = _e3719[1];
+                                        phi_5661_ = _e3715[1];
                                     }
-                                    let _e3730 = phi_5675_;
-                                    if (_e3726 > _e3730) {
-                                        phi_5680_ = _e3726;
+                                    let _e3726 = phi_5661_;
+                                    if (_e3722 > _e3726) {
+                                        phi_5666_ = _e3722;
                                     } else {
-                                        phi_5680_ = _e3730;
+                                        phi_5666_ = _e3726;
                                     }
-                                    let _e3733 = phi_5680_;
-                                    if (_e3719[2] < 0f) {
-                                        phi_5687_ = -(_e3719[2]);
+                                    let _e3729 = phi_5666_;
+                                    if (_e3715[2] < 0f) {
+                                        phi_5673_ = -(_e3715[2]);
                                     } else {
-                                        phi_5687_ = _e3719[2];
+                                        phi_5673_ = _e3715[2];
                                     }
-                                    let _e3737 = phi_5687_;
-                                    if (_e3733 > _e3737) {
-                                        phi_5692_ = _e3733;
+                                    let _e3733 = phi_5673_;
+                                    if (_e3729 > _e3733) {
+                                        phi_5678_ = _e3729;
                                     } else {
-                                        phi_5692_ = _e3737;
+                                        phi_5678_ = _e3733;
                                     }
-                                    let _e3740 = phi_5692_;
-                                    if (_e3716 > _e3740) {
-                                        phi_5697_ = _e3716;
+                                    let _e3736 = phi_5678_;
+                                    if (_e3712 > _e3736) {
+                                        phi_5683_ = _e3712;
                                     } else {
-                                        phi_5697_ = _e3740;
+                                        phi_5683_ = _e3736;
                                     }
-                                    let _e3743 = phi_5697_;
-                                    let _e3745 = local_4[1u].member_3;
-                                    let _e3746 = (_e3743 + _e3745);
-                                    let _e3749 = local_4[1u].member_2[0u];
-                                    if (_e3749[0] < 0f) {
-                                        phi_5714_ = -(_e3749[0]);
+                                    let _e3739 = phi_5683_;
+                                    let _e3741 = local_4[1u].member_3;
+                                    let _e3742 = (_e3739 + _e3741);
+                                    let _e3745 = local_4[1u].member_2[0u];
+                                    if (_e3745[0] < 0f) {
+                                        phi_5700_ = -(_e3745[0]);
                                     } else {
-                                        phi_5714_ = _e3749[0];
+                                        phi_5700_ = _e3745[0];
                                     }
-                                    let _e3756 = phi_5714_;
-                                    if (_e3749[1] < 0f) {
-                                        phi_5721_ = -(_e3749[1]);
+                                    let _e3752 = phi_5700_;
+                                    if (_e3745[1] < 0f) {
+                                        phi_5707_ = -(_e3745[1]);
                                     } else {
-                                        phi_5721_ = _e3749[1];
+                                        phi_5707_ = _e3745[1];
                                     }
-                                    let _e3760 = phi_5721_;
-                                    if (_e3756 > _e3760) {
-                                        phi_5726_ = _e3756;
+                                    let _e3756 = phi_5707_;
+                                    if (_e3752 > _e3756) {
+                                        phi_5712_ = _e3752;
                                     } else {
-                                        phi_5726_ = _e3760;
+                                        phi_5712_ = _e3756;
                                     }
-                                    let _e3763 = phi_5726_;
-                                    if (_e3749[2] < 0f) {
-                                        phi_5733_ = -(_e3749[2]);
+                                    let _e3759 = phi_5712_;
+                                    if (_e3745[2] < 0f) {
+                                        phi_5719_ = -(_e3745[2]);
                                     } else {
-                                        phi_5733_ = _e3749[2];
+                                        phi_5719_ = _e3745[2];
                                     }
-                                    let _e3767 = phi_5733_;
-                                    if (_e3763 > _e3767) {
-                                        phi_5738_ = _e3763;
+                                    let _e3763 = phi_5719_;
+                                    if (_e3759 > _e3763) {
+                                        phi_5724_ = _e3759;
                                     } else {
-                                        phi_5738_ = _e3767;
+                                        phi_5724_ = _e3763;
                                     }
-                                    let _e3770 = phi_5738_;
-                                    let _e3773 = local_4[1u].member_2[1u];
-                                    if (_e3773[0] < 0f) {
-                                        phi_5752_ = -(_e3773[0]);
+                                    let _e3766 = phi_5724_;
+                                    let _e3769 = local_4[1u].member_2[1u];
+                                    if (_e3769[0] < 0f) {
+                                        phi_5738_ = -(_e3769[0]);
                                     } else {
-                                        phi_5752_ = _e3773[0];
+                                        phi_5738_ = _e3769[0];
                                     }
-                                    let _e3780 = phi_5752_;
-                                    if (_e3773[1] < 0f) {
-                                        phi_5759_ = -(_e3773[1]);
+                                    let _e3776 = phi_5738_;
+                                    if (_e3769[1] < 0f) {
+                                        phi_5745_ = -(_e3769[1]);
                                     } else {
-                                        phi_5759_ = _e3773[1];
+                                        phi_5745_ = _e3769[1];
                                     }
-                                    let _e3784 = phi_5759_;
-                                    if (_e3780 > _e3784) {
-                                        phi_5764_ = _e3780;
+                                    let _e3780 = phi_5745_;
+                                    if (_e3776 > _e3780) {
+                                        phi_5750_ = _e3776;
                                     } else {
-                                        phi_5764_ = _e3784;
+                                        phi_5750_ = _e3780;
                                     }
-                                    let _e3787 = phi_5764_;
-                                    if (_e3773[2] < 0f) {
-                                        phi_5771_ = -(_e3773[2]);
+                                    let _e3783 = phi_5750_;
+                                    if (_e3769[2] < 0f) {
+                                        phi_5757_ = -(_e3769[2]);
                                     } else {
-                                        phi_5771_ = _e3773[2];
+                                        phi_5757_ = _e3769[2];
                                     }
-                                    let _e3791 = phi_5771_;
-                                    if (_e3787 > _e3791) {
-                                        phi_5776_ = _e3787;
+                                    let _e3787 = phi_5757_;
+                                    if (_e3783 > _e3787) {
+                                        phi_5762_ = _e3783;
                                     } else {
-                                        phi_5776_ = _e3791;
+                                        phi_5762_ = _e3787;
                                     }
-                                    let _e3794 = phi_5776_;
-                                    if (_e3770 > _e3794) {
-                                        phi_5781_ = _e3770;
+                                    let _e3790 = phi_5762_;
+                                    if (_e3766 > _e3790) {
+                                        phi_5767_ = _e3766;
                                     } else {
-                                        phi_5781_ = _e3794;
+                                        phi_5767_ = _e3790;
                                     }
-                                    let _e3797 = phi_5781_;
-                                    let _e3799 = local_4[1u].member_3;
-                                    let _e3800 = (_e3797 + _e3799);
-                                    let _e3802 = ((_e3746 * 8f) * _e3800);
-                                    let _e3809 = local_4[1u].member_3;
-                                    if (_e3498 < 0f) {
-                                        phi_5812_ = -(_e3498);
+                                    let _e3793 = phi_5767_;
+                                    let _e3795 = local_4[1u].member_3;
+                                    let _e3796 = (_e3793 + _e3795);
+                                    let _e3798 = ((_e3742 * 8f) * _e3796);
+                                    let _e3805 = local_4[1u].member_3;
+                                    if (_e3494 < 0f) {
+                                        phi_5798_ = -(_e3494);
                                     } else {
-                                        phi_5812_ = _e3498;
+                                        phi_5798_ = _e3494;
                                     }
-                                    let _e3826 = phi_5812_;
-                                    if (_e3501 < 0f) {
-                                        phi_5818_ = -(_e3501);
+                                    let _e3822 = phi_5798_;
+                                    if (_e3497 < 0f) {
+                                        phi_5804_ = -(_e3497);
                                     } else {
-                                        phi_5818_ = _e3501;
+                                        phi_5804_ = _e3497;
                                     }
-                                    let _e3830 = phi_5818_;
-                                    if (_e3504 < 0f) {
-                                        phi_5825_ = -(_e3504);
+                                    let _e3826 = phi_5804_;
+                                    if (_e3500 < 0f) {
+                                        phi_5811_ = -(_e3500);
                                     } else {
-                                        phi_5825_ = _e3504;
+                                        phi_5811_ = _e3500;
                                     }
-                                    let _e3835 = phi_5825_;
-                                    let _e3836 = ((_e3826 + _e3830) + _e3835);
-                                    if (_e3519 < 0f) {
-                                        phi_5832_ = -(_e3519);
+                                    let _e3831 = phi_5811_;
+                                    let _e3832 = ((_e3822 + _e3826) + _e3831);
+                                    if (_e3515 < 0f) {
+                                        phi_5818_ = -(_e3515);
                                     } else {
-                                        phi_5832_ = _e3519;
+                                        phi_5818_ = _e3515;
                                     }
-                                    let _e3840 = phi_5832_;
-                                    if (_e3522 < 0f) {
-                                        phi_5838_ = -(_e3522);
+                                    let _e3836 = phi_5818_;
+                                    if (_e3518 < 0f) {
+                                        phi_5824_ = -(_e3518);
                                     } else {
-                                        phi_5838_ = _e3522;
+                                        phi_5824_ = _e3518;
                                     }
-                                    let _e3844 = phi_5838_;
-                                    if (_e3525 < 0f) {
-                                        phi_5845_ = -(_e3525);
+                                    let _e3840 = phi_5824_;
+                                    if (_e3521 < 0f) {
+                                        phi_5831_ = -(_e3521);
                                     } else {
-                                        phi_5845_ = _e3525;
+                                        phi_5831_ = _e3521;
                                     }
-                                    let _e3849 = phi_5845_;
-                                    let _e3850 = ((_e3840 + _e3844) + _e3849);
-                                    if (_e3836 > _e3850) {
-                                        phi_5851_ = _e3836;
+                                    let _e3845 = phi_5831_;
+                                    let _e3846 = ((_e3836 + _e3840) + _e3845);
+                                    if (_e3832 > _e3846) {
+                                        phi_5837_ = _e3832;
                                     } else {
-                                        phi_5851_ = _e3850;
+                                        phi_5837_ = _e3846;
                                     }
-                                    let _e3853 = phi_5851_;
-                                    if (_e3568 < 0f) {
-                                        phi_5857_ = -(_e3568);
+                                    let _e3849 = phi_5837_;
+                                    if (_e3564 < 0f) {
+                                        phi_5843_ = -(_e3564);
                                     } else {
-                                        phi_5857_ = _e3568;
+                                        phi_5843_ = _e3564;
                                     }
-                                    let _e3857 = phi_5857_;
-                                    if (_e3569 < 0f) {
-                                        phi_5863_ = -(_e3569);
+                                    let _e3853 = phi_5843_;
+                                    if (_e3565 < 0f) {
+                                        phi_5849_ = -(_e3565);
                                     } else {
-                                        phi_5863_ = _e3569;
+                                        phi_5849_ = _e3565;
                                     }
-                                    let _e3861 = phi_5863_;
-                                    if (_e3570 < 0f) {
-                                        phi_5870_ = -(_e3570);
+                                    let _e3857 = phi_5849_;
+                                    if (_e3566 < 0f) {
+                                        phi_5856_ = -(_e3566);
                                     } else {
-                                        phi_5870_ = _e3570;
+                                        phi_5856_ = _e3566;
                                     }
-                                    let _e3866 = phi_5870_;
-                                    let _e3868 = (((_e3857 + _e3861) + _e3866) * 0.5f);
-                                    if (_e3853 > _e3868) {
-                                        phi_5877_ = _e3853;
+                                    let _e3862 = phi_5856_;
+                                    let _e3864 = (((_e3853 + _e3857) + _e3862) * 0.5f);
+                                    if (_e3849 > _e3864) {
+                                        phi_5863_ = _e3849;
                                     } else {
-                                        phi_5877_ = _e3868;
+                                        phi_5863_ = _e3864;
                                     }
-                                    let _e3871 = phi_5877_;
-                                    let _e3876 = local_4[1u].member_3;
-                                    let _e3889 = ((((_e3573[0] * _e3498) + (_e3573[1] * _e3501)) + (_e3573[2] * _e3504)) * 3f);
-                                    let _e3890 = ((((_e3630[0] * _e3519) + (_e3630[1] * _e3522)) + (_e3630[2] * _e3525)) * 3f);
-                                    if (_e3889 < _e3890) {
-                                        phi_5901_ = _e3889;
+                                    let _e3867 = phi_5863_;
+                                    let _e3872 = local_4[1u].member_3;
+                                    let _e3885 = ((((_e3569[0] * _e3494) + (_e3569[1] * _e3497)) + (_e3569[2] * _e3500)) * 3f);
+                                    let _e3886 = ((((_e3626[0] * _e3515) + (_e3626[1] * _e3518)) + (_e3626[2] * _e3521)) * 3f);
+                                    if (_e3885 < _e3886) {
+                                        phi_5887_ = _e3885;
                                     } else {
-                                        phi_5901_ = _e3890;
+                                        phi_5887_ = _e3886;
                                     }
-                                    let _e3893 = phi_5901_;
-                                    if (_e3604 < _e3627) {
-                                        phi_5906_ = _e3604;
+                                    let _e3889 = phi_5887_;
+                                    if (_e3600 < _e3623) {
+                                        phi_5892_ = _e3600;
                                     } else {
-                                        phi_5906_ = _e3627;
+                                        phi_5892_ = _e3623;
                                     }
-                                    let _e3896 = phi_5906_;
-                                    if (_e3893 < _e3896) {
-                                        phi_5911_ = _e3893;
+                                    let _e3892 = phi_5892_;
+                                    if (_e3889 < _e3892) {
+                                        phi_5897_ = _e3889;
                                     } else {
-                                        phi_5911_ = _e3896;
+                                        phi_5897_ = _e3892;
                                     }
-                                    let _e3899 = phi_5911_;
-                                    if (_e3889 > _e3890) {
-                                        phi_5916_ = _e3889;
+                                    let _e3895 = phi_5897_;
+                                    if (_e3885 > _e3886) {
+                                        phi_5902_ = _e3885;
                                     } else {
-                                        phi_5916_ = _e3890;
+                                        phi_5902_ = _e3886;
                                     }
-                                    let _e3902 = phi_5916_;
-                                    if (_e3604 > _e3627) {
-                                        phi_5921_ = _e3604;
+                                    let _e3898 = phi_5902_;
+                                    if (_e3600 > _e3623) {
+                                        phi_5907_ = _e3600;
                                     } else {
-                                        phi_5921_ = _e3627;
+                                        phi_5907_ = _e3623;
                                     }
-                                    let _e3905 = phi_5921_;
-                                    if (_e3902 > _e3905) {
-                                        phi_5926_ = _e3902;
+                                    let _e3901 = phi_5907_;
+                                    if (_e3898 > _e3901) {
+                                        phi_5912_ = _e3898;
                                     } else {
-                                        phi_5926_ = _e3905;
+                                        phi_5912_ = _e3901;
                                     }
-                                    let _e3908 = phi_5926_;
-                                    let _e3913 = -(_e3908);
-                                    if (_e3899 > _e3913) {
-                                        phi_5936_ = _e3899;
+                                    let _e3904 = phi_5912_;
+                                    let _e3909 = -(_e3904);
+                                    if (_e3895 > _e3909) {
+                                        phi_5922_ = _e3895;
                                     } else {
-                                        phi_5936_ = _e3913;
+                                        phi_5922_ = _e3909;
                                     }
-                                    let _e3916 = phi_5936_;
-                                    if ((_e3916 - ((((((_e3692 * 8f) * _e3802) * (0.000000059604645f * (490f / 64f))) + ((_e3809 * 19f) * ((_e3692 * (_e3746 + _e3800)) + (_e3746 * _e3800)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3692) * ((1f + _e3746) * (1f + _e3800))))) + ((_e1203 * (((_e3871 + (_e3802 * (0.000000059604645f * 4f))) + ((_e3876 * 6f) * (_e3746 + _e3800))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3746) * (1f + _e3800))))) * (3f * 1.0001f)))) > 0f) {
-                                        phi_6912_ = true;
+                                    let _e3912 = phi_5922_;
+                                    if ((_e3912 - ((((((_e3688 * 8f) * _e3798) * (0.000000059604645f * (490f / 64f))) + ((_e3805 * 19f) * ((_e3688 * (_e3742 + _e3796)) + (_e3742 * _e3796)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3688) * ((1f + _e3742) * (1f + _e3796))))) + ((_e1199 * (((_e3867 + (_e3798 * (0.000000059604645f * 4f))) + ((_e3872 * 6f) * (_e3742 + _e3796))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3742) * (1f + _e3796))))) * (3f * 1.0001f)))) > 0f) {
+                                        phi_6898_ = true;
                                     } else {
-                                        let _e3921 = local_4[1u].member_1[0u];
-                                        let _e3927 = local_4[1u].member_1[1u];
-                                        let _e3931 = (_e3921[0] + _e3927[0]);
-                                        let _e3932 = (_e3921[1] + _e3927[1]);
-                                        let _e3933 = (_e3921[2] + _e3927[2]);
-                                        let _e3936 = local_4[1u].member_2[0u];
-                                        let _e3942 = local_4[1u].member_2[1u];
-                                        let _e3946 = (_e3936[0] + _e3942[0]);
-                                        let _e3947 = (_e3936[1] + _e3942[1]);
-                                        let _e3948 = (_e3936[2] + _e3942[2]);
-                                        let _e3951 = ((_e3932 * _e3948) - (_e3933 * _e3947));
-                                        let _e3954 = ((_e3933 * _e3946) - (_e3931 * _e3948));
-                                        let _e3957 = ((_e3931 * _e3947) - (_e3932 * _e3946));
-                                        let _e3960 = local_4[1u].member[0u];
-                                        let _e3966 = local_4[1u].member_1[0u];
-                                        let _e3972 = local_4[1u].member_2[0u];
-                                        let _e3984 = local_4[1u].member[1u];
-                                        let _e3990 = local_4[1u].member_1[1u];
-                                        let _e3996 = local_4[1u].member_2[1u];
-                                        local = array<array<f32, 3>, 4>(_e3960, array<f32, 3>((_e3960[0] - _e3966[0]), (_e3960[1] - _e3966[1]), (_e3960[2] - _e3966[2])), array<f32, 3>((_e3960[0] - _e3972[0]), (_e3960[1] - _e3972[1]), (_e3960[2] - _e3972[2])), _e3960);
-                                        local_1 = array<array<f32, 3>, 4>(_e3984, array<f32, 3>((_e3984[0] - _e3990[0]), (_e3984[1] - _e3990[1]), (_e3984[2] - _e3990[2])), array<f32, 3>((_e3984[0] - _e3996[0]), (_e3984[1] - _e3996[1]), (_e3984[2] - _e3996[2])), _e3984);
-                                        let _e4014 = local_4[1u].member[0u];
-                                        if (_e4014[0] < 0f) {
-                                            phi_6187_ = -(_e4014[0]);
+                                        let _e3917 = local_4[1u].member_1[0u];
+                                        let _e3923 = local_4[1u].member_1[1u];
+                                        let _e3927 = (_e3917[0] + _e3923[0]);
+                                        let _e3928 = (_e3917[1] + _e3923[1]);
+                                        let _e3929 = (_e3917[2] + _e3923[2]);
+                                        let _e3932 = local_4[1u].member_2[0u];
+                                        let _e3938 = local_4[1u].member_2[1u];
+                                        let _e3942 = (_e3932[0] + _e3938[0]);
+                                        let _e3943 = (_e3932[1] + _e3938[1]);
+                                        let _e3944 = (_e3932[2] + _e3938[2]);
+                                        let _e3947 = ((_e3928 * _e3944) - (_e3929 * _e3943));
+                                        let _e3950 = ((_e3929 * _e3942) - (_e3927 * _e3944));
+                                        let _e3953 = ((_e3927 * _e3943) - (_e3928 * _e3942));
+                                        let _e3956 = local_4[1u].member[0u];
+                                        let _e3962 = local_4[1u].member_1[0u];
+                                        let _e3968 = local_4[1u].member_2[0u];
+                                        let _e3980 = local_4[1u].member[1u];
+                                        let _e3986 = local_4[1u].member_1[1u];
+                                        let _e3992 = local_4[1u].member_2[1u];
+                                        local = array<array<f32, 3>, 4>(_e3956, array<f32, 3>((_e3956[0] - _e3962[0]), (_e3956[1] - _e3962[1]), (_e3956[2] - _e3962[2])), array<f32, 3>((_e3956[0] - _e3968[0]), (_e3956[1] - _e3968[1]), (_e3956[2] - _e3968[2])), _e3956);
+                                        local_1 = array<array<f32, 3>, 4>(_e3980, array<f32, 3>((_e3980[0] - _e3986[0]), (_e3980[1] - _e3986[1]), (_e3980[2] - _e3986[2])), array<f32, 3>((_e3980[0] - _e3992[0]), (_e3980[1] - _e3992[1]), (_e3980[2] - _e3992[2])), _e3980);
+                                        let _e4010 = local_4[1u].member[0u];
+                                        if (_e4010[0] < 0f) {
+                                            phi_6173_ = -(_e4010[0]);
                                         } else {
-                                            phi_6187_ = _e4014[0];
+                                            phi_6173_ = _e4010[0];
                                         }
-                                        let _e4021 = phi_6187_;
-                                        if (_e4014[1] < 0f) {
-                                            phi_6194_ = -(_e4014[1]);
+                                        let _e4017 = phi_6173_;
+                                        if (_e4010[1] < 0f) {
+                                            phi_6180_ = -(_e4010[1]);
                                         } else {
-                                            phi_6194_ = _e4014[1];
+                                            phi_6180_ = _e4010[1];
                                         }
-                                        let _e4025 = phi_6194_;
-                                        if (_e4021 > _e4025) {
-                                            phi_6199_ = _e4021;
+                                        let _e4021 = phi_6180_;
+                                        if (_e4017 > _e4021) {
+                                            phi_6185_ = _e4017;
                                         } else {
-                                            phi_6199_ = _e4025;
+                                            phi_6185_ = _e4021;
                                         }
-                                        let _e4028 = phi_6199_;
-                                        if (_e4014[2] < 0f) {
-                                            phi_6206_ = -(_e4014[2]);
+                                        let _e4024 = phi_6185_;
+                                        if (_e4010[2] < 0f) {
+                                            phi_6192_ = -(_e4010[2]);
                                         } else {
-                                            phi_6206_ = _e4014[2];
+                                            phi_6192_ = _e4010[2];
                                         }
-                                        let _e4032 = phi_6206_;
-                                        if (_e4028 > _e4032) {
-                                            phi_6211_ = _e4028;
+                                        let _e4028 = phi_6192_;
+                                        if (_e4024 > _e4028) {
+                                            phi_6197_ = _e4024;
                                         } else {
-                                            phi_6211_ = _e4032;
+                                            phi_6197_ = _e4028;
                                         }
-                                        let _e4035 = phi_6211_;
-                                        let _e4038 = local_4[1u].member[1u];
-                                        if (_e4038[0] < 0f) {
-                                            phi_6224_ = -(_e4038[0]);
+                                        let _e4031 = phi_6197_;
+                                        let _e4034 = local_4[1u].member[1u];
+                                        if (_e4034[0] < 0f) {
+                                            phi_6210_ = -(_e4034[0]);
                                         } else {
-                                            phi_6224_ = _e4038[0];
+                                            phi_6210_ = _e4034[0];
                                         }
-                                        let _e4045 = phi_6224_;
-                                        if (_e4038[1] < 0f) {
-                                            phi_6231_ = -(_e4038[1]);
+                                        let _e4041 = phi_6210_;
+                                        if (_e4034[1] < 0f) {
+                                            phi_6217_ = -(_e4034[1]);
                                         } else {
-                                            phi_6231_ = _e4038[1];
+                                            phi_6217_ = _e4034[1];
                                         }
-                                        let _e4049 = phi_6231_;
-                                        if (_e4045 > _e4049) {
-                                            phi_6236_ = _e4045;
+                                        let _e4045 = phi_6217_;
+                                        if (_e4041 > _e4045) {
+                                            phi_6222_ = _e4041;
                                         } else {
-                                            phi_6236_ = _e4049;
+                                            phi_6222_ = _e4045;
                                         }
-                                        let _e4052 = phi_6236_;
-                                        if (_e4038[2] < 0f) {
-                                            phi_6243_ = -(_e4038[2]);
+                                        let _e4048 = phi_6222_;
+                                        if (_e4034[2] < 0f) {
+                                            phi_6229_ = -(_e4034[2]);
                                         } else {
-                                            phi_6243_ = _e4038[2];
+                                            phi_6229_ = _e4034[2];
                                         }
-                                        let _e4056 = phi_6243_;
-                                        if (_e4052 > _e4056) {
-                                            phi_6248_ = _e4052;
+                                        let _e4052 = phi_6229_;
+                                        if (_e4048 > _e4052) {
+                                            phi_6234_ = _e4048;
                                         } else {
-                                            phi_6248_ = _e4056;
+                                            phi_6234_ = _e4052;
                                         }
-                                        let _e4059 = phi_6248_;
-                                        if (_e4035 > _e4059) {
-                                            phi_6253_ = _e4035;
+                                        let _e4055 = phi_6234_;
+                                        if (_e4031 > _e4055) {
+                                            phi_6239_ = _e4031;
                                         } else {
-                                            phi_6253_ = _e4059;
+                                            phi_6239_ = _e4055;
                                         }
-                                        let _e4062 = phi_6253_;
-                                        let _e4064 = local_4[1u].member_3;
-                                        let _e4068 = local_4[1u].member_1[0u];
-                                        if (_e4068[0] < 0f) {
-                                            phi_6270_ = -(_e4068[0]);
+                                        let _e4058 = phi_6239_;
+                                        let _e4060 = local_4[1u].member_3;
+                                        let _e4064 = local_4[1u].member_1[0u];
+                                        if (_e4064[0] < 0f) {
+                                            phi_6256_ = -(_e4064[0]);
                                         } else {
-                                            phi_6270_ = _e4068[0];
+                                            phi_6256_ = _e4064[0];
                                         }
-                                        let _e4075 = phi_6270_;
-                                        if (_e4068[1] < 0f) {
-                                            phi_6277_ = -(_e4068[1]);
+                                        let _e4071 = phi_6256_;
+                                        if (_e4064[1] < 0f) {
+                                            phi_6263_ = -(_e4064[1]);
                                         } else {
-                                            phi_6277_ = _e4068[1];
+                                            phi_6263_ = _e4064[1];
                                         }
-                                        let _e4079 = phi_6277_;
-                                        if (_e4075 > _e4079) {
-                                            phi_6282_ = _e4075;
+                                        let _e4075 = phi_6263_;
+                                        if (_e4071 > _e4075) {
+                                            phi_6268_ = _e4071;
                                         } else {
-                                            phi_6282_ = _e4079;
+                                            phi_6268_ = _e4075;
                                         }
-                                        let _e4082 = phi_6282_;
-                                        if (_e4068[2] < 0f) {
-                                            phi_6289_ = -(_e4068[2]);
+                                        let _e4078 = phi_6268_;
+                                        if (_e4064[2] < 0f) {
+                                            phi_6275_ = -(_e4064[2]);
                                         } else {
-                                            phi_6289_ = _e4068[2];
+                                            phi_6275_ = _e4064[2];
                                         }
-                                        let _e4086 = phi_6289_;
-                                        if (_e4082 > _e4086) {
-                                            phi_6294_ = _e4082;
+                                        let _e4082 = phi_6275_;
+                                        if (_e4078 > _e4082) {
+                                            phi_6280_ = _e4078;
                                         } else {
-                                            phi_6294_ = _e4086;
+                                            phi_6280_ = _e4082;
                                         }
-                                        let _e4089 = phi_6294_;
-                                        let _e4092 = local_4[1u].member_1[1u];
-                                        if (_e4092[0] < 0f) {
-                                            phi_6308_ = -(_e4092[0]);
+                                        let _e4085 = phi_6280_;
+                                        let _e4088 = local_4[1u].member_1[1u];
+                                        if (_e4088[0] < 0f) {
+                                            phi_6294_ = -(_e4088[0]);
                                         } else {
-                                            phi_6308_ = _e4092[0];
+                                            phi_6294_ = _e4088[0];
                                         }
-                                        let _e4099 = phi_6308_;
-                                        if (_e4092[1] < 0f) {
-                                            phi_6315_ = -(_e4092[1]);
+                                        let _e4095 = phi_6294_;
+                                        if (_e4088[1] < 0f) {
+                                            phi_6301_ = -(_e4088[1]);
                                         } else {
-                                            phi_6315_ = _e4092[1];
+                                            phi_6301_ = _e4088[1];
                                         }
-                                        let _e4103 = phi_6315_;
-                                        if (_e4099 > _e4103) {
-                                            phi_6320_ = _e4099;
+                                        let _e4099 = phi_6301_;
+                                        if (_e4095 > _e4099) {
+                                            phi_6306_ = _e4095;
                                         } else {
-                                            phi_6320_ = _e4103;
+                                            phi_6306_ = _e4099;
                                         }
-                                        let _e4106 = phi_6320_;
-                                        if (_e4092[2] < 0f) {
-                                            phi_6327_ = -(_e4092[2]);
+                                        let _e4102 = phi_6306_;
+                                        if (_e4088[2] < 0f) {
+                                            phi_6313_ = -(_e4088[2]);
                                         } else {
-                                            phi_6327_ = _e4092[2];
+                                            phi_6313_ = _e4088[2];
                                         }
-                                        let _e4110 = phi_6327_;
-                                        if (_e4106 > _e4110) {
-                                            phi_6332_ = _e4106;
+                                        let _e4106 = phi_6313_;
+                                        if (_e4102 > _e4106) {
+                                            phi_6318_ = _e4102;
                                         } else {
-                                            phi_6332_ = _e4110;
+                                            phi_6318_ = _e4106;
                                         }
-                                        let _e4113 = phi_6332_;
-                                        if (_e4089 > _e4113) {
-                                            phi_6337_ = _e4089;
+                                        let _e4109 = phi_6318_;
+                                        if (_e4085 > _e4109) {
+                                            phi_6323_ = _e4085;
                                         } else {
-                                            phi_6337_ = _e4113;
+                                            phi_6323_ = _e4109;
                                         }
-                                        let _e4116 = phi_6337_;
-                                        let _e4118 = local_4[1u].member_3;
-                                        let _e4122 = local_4[1u].member_2[0u];
-                                        if (_e4122[0] < 0f) {
-                                            phi_6354_ = -(_e4122[0]);
+                                        let _e4112 = phi_6323_;
+                                        let _e4114 = local_4[1u].member_3;
+                                        let _e4118 = local_4[1u].member_2[0u];
+                                        if (_e4118[0] < 0f) {
+                                            phi_6340_ = -(_e4118[0]);
                                         } else {
-                                            phi_6354_ = _e4122[0];
+                                            phi_6340_ = _e4118[0];
                                         }
-                                        let _e4129 = phi_6354_;
-                                        if (_e4122[1] < 0f) {
-                                            phi_6361_ = -(_e4122[1]);
+                                        let _e4125 = phi_6340_;
+                                        if (_e4118[1] < 0f) {
+                                            phi_6347_ = -(_e4118[1]);
                                         } else {
-                                            phi_6361_ = _e4122[1];
+                                            phi_6347_ = _e4118[1];
                                         }
-                                        let _e4133 = phi_6361_;
-                                        if (_e4129 > _e4133) {
-                                            phi_6366_ = _e4129;
+                                        let _e4129 = phi_6347_;
+                                        if (_e4125 > _e4129) {
+                                            phi_6352_ = _e4125;
                                         } else {
-                                            phi_6366_ = _e4133;
+                                            phi_6352_ = _e4129;
                                         }
-                                        let _e4136 = phi_6366_;
-                                        if (_e4122[2] < 0f) {
-                                            phi_6373_ = -(_e4122[2]);
+                                        let _e4132 = phi_6352_;
+                                        if (_e4118[2] < 0f) {
+                                            phi_6359_ = -(_e4118[2]);
                                         } else {
-                                            phi_6373_ = _e4122[2];
+                                            phi_6359_ = _e4118[2];
                                         }
-                                        let _e4140 = phi_6373_;
-                                        if (_e4136 > _e4140) {
-                                            phi_6378_ = _e4136;
+                                        let _e4136 = phi_6359_;
+                                        if (_e4132 > _e4136) {
+                                            phi_6364_ = _e4132;
                                         } else {
-                                            phi_6378_ = _e4140;
+                                            phi_6364_ = _e4136;
                                         }
-                                        let _e4143 = phi_6378_;
-                                        let _e4146 = local_4[1u].member_2[1u];
-                                        if (_e4146[0] < 0f) {
-                                            phi_6392_ = -(_e4146[0]);
+                                        let _e4139 = phi_6364_;
+                                        let _e4142 = local_4[1u].member_2[1u];
+                                        if (_e4142[0] < 0f) {
+                                            phi_6378_ = -(_e4142[0]);
                                         } else {
-                                            phi_6392_ = _e4146[0];
+                                            phi_6378_ = _e4142[0];
                                         }
-                                        let _e4153 = phi_6392_;
-                                        if (_e4146[1] < 0f) {
-                                            phi_6399_ = -(_e4146[1]);
+                                        let _e4149 = phi_6378_;
+                                        if (_e4142[1] < 0f) {
+                                            phi_6385_ = -(_e4142[1]);
                                         } else {
-                                            phi_6399_ = _e4146[1];
+                                            phi_6385_ = _e4142[1];
                                         }
-                                        let _e4157 = phi_6399_;
-                                        if (_e4153 > _e4157) {
-                                            phi_6404_ = _e4153;
+                                        let _e4153 = phi_6385_;
+                                        if (_e4149 > _e4153) {
+                                            phi_6390_ = _e4149;
                                         } else {
-                                            phi_6404_ = _e4157;
+                                            phi_6390_ = _e4153;
                                         }
-                                        let _e4160 = phi_6404_;
-                                        if (_e4146[2] < 0f) {
-                                            phi_6411_ = -(_e4146[2]);
+                                        let _e4156 = phi_6390_;
+                                        if (_e4142[2] < 0f) {
+                                            phi_6397_ = -(_e4142[2]);
                                         } else {
-                                            phi_6411_ = _e4146[2];
+                                            phi_6397_ = _e4142[2];
                                         }
-                                        let _e4164 = phi_6411_;
-                                        if (_e4160 > _e4164) {
-                                            phi_6416_ = _e4160;
+                                        let _e4160 = phi_6397_;
+                                        if (_e4156 > _e4160) {
+                                            phi_6402_ = _e4156;
                                         } else {
-                                            phi_6416_ = _e4164;
+                                            phi_6402_ = _e4160;
                                         }
-                                        let _e4167 = phi_6416_;
-                                        if (_e4143 > _e4167) {
-                                            phi_6421_ = _e4143;
+                                        let _e4163 = phi_6402_;
+                                        if (_e4139 > _e4163) {
+                                            phi_6407_ = _e4139;
                                         } else {
-                                            phi_6421_ = _e4167;
+                                            phi_6407_ = _e4163;
                                         }
-                                        let _e4170 = phi_6421_;
-                                        let _e4172 = local_4[1u].member_3;
-                                        let _e4175 = (((_e4062 + _e4064) + (_e4116 + _e4118)) + (_e4170 + _e4172));
-                                        let _e4178 = local_4[1u].member_3;
-                                        let _e4182 = (((_e1203 * 1.0001f) + (_e4178 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                        let _e4185 = ((_e3954 * _e3933) - (_e3957 * _e3932));
-                                        let _e4188 = ((_e3957 * _e3931) - (_e3951 * _e3933));
-                                        let _e4191 = ((_e3951 * _e3932) - (_e3954 * _e3931));
-                                        let _e4193 = local[0u];
-                                        let _e4201 = (((_e4185 * _e4193[0]) + (_e4188 * _e4193[1])) + (_e4191 * _e4193[2]));
-                                        phi_6459_ = type_37(0u, 4u);
-                                        phi_6462_ = _e4201;
-                                        phi_6464_ = _e4201;
+                                        let _e4166 = phi_6407_;
+                                        let _e4168 = local_4[1u].member_3;
+                                        let _e4171 = (((_e4058 + _e4060) + (_e4112 + _e4114)) + (_e4166 + _e4168));
+                                        let _e4174 = local_4[1u].member_3;
+                                        let _e4178 = (((_e1199 * 1.0001f) + (_e4174 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                        let _e4181 = ((_e3950 * _e3929) - (_e3953 * _e3928));
+                                        let _e4184 = ((_e3953 * _e3927) - (_e3947 * _e3929));
+                                        let _e4187 = ((_e3947 * _e3928) - (_e3950 * _e3927));
+                                        let _e4189 = local[0u];
+                                        let _e4197 = (((_e4181 * _e4189[0]) + (_e4184 * _e4189[1])) + (_e4187 * _e4189[2]));
+                                        phi_6445_ = type_37(0u, 4u);
+                                        phi_6448_ = _e4197;
+                                        phi_6450_ = _e4197;
                                         loop {
-                                            let _e4203 = phi_6459_;
-                                            let _e4205 = phi_6462_;
-                                            let _e4207 = phi_6464_;
-                                            local_42 = _e4205;
-                                            local_43 = _e4207;
-                                            local_55 = _e4207;
-                                            if (_e4203.member < _e4203.member_1) {
-                                                phi_6460_ = type_37((_e4203.member + 1u), _e4203.member_1);
-                                                phi_6487_ = type_37(1u, _e4203.member);
+                                            let _e4199 = phi_6445_;
+                                            let _e4201 = phi_6448_;
+                                            let _e4203 = phi_6450_;
+                                            local_42 = _e4201;
+                                            local_43 = _e4203;
+                                            local_55 = _e4203;
+                                            if (_e4199.member < _e4199.member_1) {
+                                                phi_6446_ = type_37((_e4199.member + 1u), _e4199.member_1);
+                                                phi_6473_ = type_37(1u, _e4199.member);
                                             } else {
-                                                phi_6460_ = _e4203;
-                                                phi_6487_ = type_37(0u, type_37().member_1);
+                                                phi_6446_ = _e4199;
+                                                phi_6473_ = type_37(0u, type_37().member_1);
                                             }
-                                            let _e4221 = phi_6460_;
-                                            let _e4223 = phi_6487_;
-                                            let _e4227 = (bitcast<i32>(_e4223.member) != 0i);
-                                            if _e4227 {
-                                                if (_e4223.member_1 < 4u) {
+                                            let _e4217 = phi_6446_;
+                                            let _e4219 = phi_6473_;
+                                            let _e4223 = (bitcast<i32>(_e4219.member) != 0i);
+                                            if _e4223 {
+                                                if (_e4219.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e4230 = local[_e4223.member_1];
-                                                let _e4238 = (((_e4185 * _e4230[0]) + (_e4188 * _e4230[1])) + (_e4191 * _e4230[2]));
-                                                if (_e4223.member_1 < 4u) {
+                                                let _e4226 = local[_e4219.member_1];
+                                                let _e4234 = (((_e4181 * _e4226[0]) + (_e4184 * _e4226[1])) + (_e4187 * _e4226[2]));
+                                                if (_e4219.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e4241 = local_1[_e4223.member_1];
-                                                let _e4249 = (((_e4185 * _e4241[0]) + (_e4188 * _e4241[1])) + (_e4191 * _e4241[2]));
-                                                if (_e4207 < _e4238) {
-                                                    phi_6537_ = _e4207;
+                                                let _e4237 = local_1[_e4219.member_1];
+                                                let _e4245 = (((_e4181 * _e4237[0]) + (_e4184 * _e4237[1])) + (_e4187 * _e4237[2]));
+                                                if (_e4203 < _e4234) {
+                                                    phi_6523_ = _e4203;
                                                 } else {
-                                                    phi_6537_ = _e4238;
+                                                    phi_6523_ = _e4234;
                                                 }
-                                                let _e4252 = phi_6537_;
-                                                if (_e4252 < _e4249) {
-                                                    phi_6542_ = _e4252;
+                                                let _e4248 = phi_6523_;
+                                                if (_e4248 < _e4245) {
+                                                    phi_6528_ = _e4248;
                                                 } else {
-                                                    phi_6542_ = _e4249;
+                                                    phi_6528_ = _e4245;
                                                 }
-                                                let _e4255 = phi_6542_;
-                                                if (_e4205 > _e4238) {
-                                                    phi_6547_ = _e4205;
+                                                let _e4251 = phi_6528_;
+                                                if (_e4201 > _e4234) {
+                                                    phi_6533_ = _e4201;
                                                 } else {
-                                                    phi_6547_ = _e4238;
+                                                    phi_6533_ = _e4234;
                                                 }
-                                                let _e4258 = phi_6547_;
-                                                if (_e4258 > _e4249) {
-                                                    phi_6552_ = _e4258;
+                                                let _e4254 = phi_6533_;
+                                                if (_e4254 > _e4245) {
+                                                    phi_6538_ = _e4254;
                                                 } else {
-                                                    phi_6552_ = _e4249;
+                                                    phi_6538_ = _e4245;
                                                 }
-                                                let _e4261 = phi_6552_;
-                                                phi_6463_ = _e4261;
-                                                phi_6465_ = _e4255;
+                                                let _e4257 = phi_6538_;
+                                                phi_6449_ = _e4257;
+                                                phi_6451_ = _e4251;
                                             } else {
-                                                phi_6463_ = f32();
-                                                phi_6465_ = f32();
+                                                phi_6449_ = f32();
+                                                phi_6451_ = f32();
                                             }
-                                            let _e4263 = phi_6463_;
-                                            let _e4265 = phi_6465_;
+                                            let _e4259 = phi_6449_;
+                                            let _e4261 = phi_6451_;
                                             continue;
                                             continuing {
-                                                phi_6459_ = _e4221;
-                                                phi_6462_ = _e4263;
-                                                phi_6464_ = _e4265;
-                                                break if !(_e4227);
+                                                phi_6445_ = _e4217;
+                                                phi_6448_ = _e4259;
+                                                phi_6450_ = _e4261;
+                                                break if !(_e4223);
                                             }
                                         }
-                                        if (_e4185 < 0f) {
-                                            phi_6558_ = -(_e4185);
+                                        if (_e4181 < 0f) {
+                                            phi_6544_ = -(_e4181);
                                         } else {
-                                            phi_6558_ = _e4185;
+                                            phi_6544_ = _e4181;
                                         }
-                                        let _e4270 = phi_6558_;
-                                        if (_e4188 < 0f) {
-                                            phi_6564_ = -(_e4188);
+                                        let _e4266 = phi_6544_;
+                                        if (_e4184 < 0f) {
+                                            phi_6550_ = -(_e4184);
                                         } else {
-                                            phi_6564_ = _e4188;
+                                            phi_6550_ = _e4184;
                                         }
-                                        let _e4274 = phi_6564_;
-                                        if (_e4191 < 0f) {
-                                            phi_6571_ = -(_e4191);
+                                        let _e4270 = phi_6550_;
+                                        if (_e4187 < 0f) {
+                                            phi_6557_ = -(_e4187);
                                         } else {
-                                            phi_6571_ = _e4191;
+                                            phi_6557_ = _e4187;
                                         }
-                                        let _e4279 = phi_6571_;
-                                        let _e4280 = ((_e4270 + _e4274) + _e4279);
-                                        let _e4285 = local_42;
-                                        let _e4286 = -(_e4285);
-                                        let _e4288 = local_43;
-                                        if (_e4288 > _e4286) {
-                                            let _e5162 = local_55;
-                                            phi_6581_ = _e5162;
+                                        let _e4275 = phi_6557_;
+                                        let _e4276 = ((_e4266 + _e4270) + _e4275);
+                                        let _e4281 = local_42;
+                                        let _e4282 = -(_e4281);
+                                        let _e4284 = local_43;
+                                        if (_e4284 > _e4282) {
+                                            let _e5156 = local_55;
+                                            phi_6567_ = _e5156;
                                         } else {
-                                            phi_6581_ = _e4286;
+                                            phi_6567_ = _e4282;
                                         }
-                                        let _e4291 = phi_6581_;
-                                        let _e4296 = (((_e4291 - ((_e4280 * _e4175) * (0.000000059604645f * 17f))) - (_e4280 * _e4182)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        let _e4299 = ((_e3954 * _e3948) - (_e3957 * _e3947));
-                                        let _e4302 = ((_e3957 * _e3946) - (_e3951 * _e3948));
-                                        let _e4305 = ((_e3951 * _e3947) - (_e3954 * _e3946));
-                                        let _e4307 = local[0u];
-                                        let _e4315 = (((_e4299 * _e4307[0]) + (_e4302 * _e4307[1])) + (_e4305 * _e4307[2]));
-                                        phi_6612_ = type_37(0u, 4u);
-                                        phi_6615_ = _e4315;
-                                        phi_6617_ = _e4315;
+                                        let _e4287 = phi_6567_;
+                                        let _e4292 = (((_e4287 - ((_e4276 * _e4171) * (0.000000059604645f * 17f))) - (_e4276 * _e4178)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        let _e4295 = ((_e3950 * _e3944) - (_e3953 * _e3943));
+                                        let _e4298 = ((_e3953 * _e3942) - (_e3947 * _e3944));
+                                        let _e4301 = ((_e3947 * _e3943) - (_e3950 * _e3942));
+                                        let _e4303 = local[0u];
+                                        let _e4311 = (((_e4295 * _e4303[0]) + (_e4298 * _e4303[1])) + (_e4301 * _e4303[2]));
+                                        phi_6598_ = type_37(0u, 4u);
+                                        phi_6601_ = _e4311;
+                                        phi_6603_ = _e4311;
                                         loop {
-                                            let _e4317 = phi_6612_;
-                                            let _e4319 = phi_6615_;
-                                            let _e4321 = phi_6617_;
-                                            local_44 = _e4319;
-                                            local_45 = _e4321;
-                                            local_56 = _e4321;
-                                            if (_e4317.member < _e4317.member_1) {
-                                                phi_6613_ = type_37((_e4317.member + 1u), _e4317.member_1);
-                                                phi_6640_ = type_37(1u, _e4317.member);
+                                            let _e4313 = phi_6598_;
+                                            let _e4315 = phi_6601_;
+                                            let _e4317 = phi_6603_;
+                                            local_44 = _e4315;
+                                            local_45 = _e4317;
+                                            local_56 = _e4317;
+                                            if (_e4313.member < _e4313.member_1) {
+                                                phi_6599_ = type_37((_e4313.member + 1u), _e4313.member_1);
+                                                phi_6626_ = type_37(1u, _e4313.member);
                                             } else {
-                                                phi_6613_ = _e4317;
-                                                phi_6640_ = type_37(0u, type_37().member_1);
+                                                phi_6599_ = _e4313;
+                                                phi_6626_ = type_37(0u, type_37().member_1);
                                             }
-                                            let _e4335 = phi_6613_;
-                                            let _e4337 = phi_6640_;
-                                            let _e4341 = (bitcast<i32>(_e4337.member) != 0i);
-                                            if _e4341 {
-                                                if (_e4337.member_1 < 4u) {
+                                            let _e4331 = phi_6599_;
+                                            let _e4333 = phi_6626_;
+                                            let _e4337 = (bitcast<i32>(_e4333.member) != 0i);
+                                            if _e4337 {
+                                                if (_e4333.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e4344 = local[_e4337.member_1];
-                                                let _e4352 = (((_e4299 * _e4344[0]) + (_e4302 * _e4344[1])) + (_e4305 * _e4344[2]));
-                                                if (_e4337.member_1 < 4u) {
+                                                let _e4340 = local[_e4333.member_1];
+                                                let _e4348 = (((_e4295 * _e4340[0]) + (_e4298 * _e4340[1])) + (_e4301 * _e4340[2]));
+                                                if (_e4333.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e4355 = local_1[_e4337.member_1];
-                                                let _e4363 = (((_e4299 * _e4355[0]) + (_e4302 * _e4355[1])) + (_e4305 * _e4355[2]));
-                                                if (_e4321 < _e4352) {
-                                                    phi_6690_ = _e4321;
+                                                let _e4351 = local_1[_e4333.member_1];
+                                                let _e4359 = (((_e4295 * _e4351[0]) + (_e4298 * _e4351[1])) + (_e4301 * _e4351[2]));
+                                                if (_e4317 < _e4348) {
+                                                    phi_6676_ = _e4317;
                                                 } else {
-                                                    phi_6690_ = _e4352;
+                                                    phi_6676_ = _e4348;
                                                 }
-                                                let _e4366 = phi_6690_;
-                                                if (_e4366 < _e4363) {
-                                                    phi_6695_ = _e4366;
+                                                let _e4362 = phi_6676_;
+                                                if (_e4362 < _e4359) {
+                                                    phi_6681_ = _e4362;
                                                 } else {
-                                                    phi_6695_ = _e4363;
+                                                    phi_6681_ = _e4359;
                                                 }
-                                                let _e4369 = phi_6695_;
-                                                if (_e4319 > _e4352) {
-                                                    phi_6700_ = _e4319;
+                                                let _e4365 = phi_6681_;
+                                                if (_e4315 > _e4348) {
+                                                    phi_6686_ = _e4315;
                                                 } else {
-                                                    phi_6700_ = _e4352;
+                                                    phi_6686_ = _e4348;
                                                 }
-                                                let _e4372 = phi_6700_;
-                                                if (_e4372 > _e4363) {
-                                                    phi_6705_ = _e4372;
+                                                let _e4368 = phi_6686_;
+                                                if (_e4368 > _e4359) {
+                                                    phi_6691_ = _e4368;
                                                 } else {
-                                                    phi_6705_ = _e4363;
+                                                    phi_6691_ = _e4359;
                                                 }
-                                                let _e4375 = phi_6705_;
-                                                phi_6616_ = _e4375;
-                                                phi_6618_ = _e4369;
+                                                let _e4371 = phi_6691_;
+                                                phi_6602_ = _e4371;
+                                                phi_6604_ = _e4365;
                                             } else {
-                                                phi_6616_ = f32();
-                                                phi_6618_ = f32();
+                                                phi_6602_ = f32();
+                                                phi_6604_ = f32();
                                             }
-                                            let _e4377 = phi_6616_;
-                                            let _e4379 = phi_6618_;
+                                            let _e4373 = phi_6602_;
+                                            let _e4375 = phi_6604_;
                                             continue;
                                             continuing {
-                                                phi_6612_ = _e4335;
-                                                phi_6615_ = _e4377;
-                                                phi_6617_ = _e4379;
-                                                break if !(_e4341);
+                                                phi_6598_ = _e4331;
+                                                phi_6601_ = _e4373;
+                                                phi_6603_ = _e4375;
+                                                break if !(_e4337);
                                             }
                                         }
-                                        if (_e4299 < 0f) {
-                                            phi_6711_ = -(_e4299);
+                                        if (_e4295 < 0f) {
+                                            phi_6697_ = -(_e4295);
                                         } else {
-                                            phi_6711_ = _e4299;
+                                            phi_6697_ = _e4295;
                                         }
-                                        let _e4384 = phi_6711_;
-                                        if (_e4302 < 0f) {
-                                            phi_6717_ = -(_e4302);
+                                        let _e4380 = phi_6697_;
+                                        if (_e4298 < 0f) {
+                                            phi_6703_ = -(_e4298);
                                         } else {
-                                            phi_6717_ = _e4302;
+                                            phi_6703_ = _e4298;
                                         }
-                                        let _e4388 = phi_6717_;
-                                        if (_e4305 < 0f) {
-                                            phi_6724_ = -(_e4305);
+                                        let _e4384 = phi_6703_;
+                                        if (_e4301 < 0f) {
+                                            phi_6710_ = -(_e4301);
                                         } else {
-                                            phi_6724_ = _e4305;
+                                            phi_6710_ = _e4301;
                                         }
-                                        let _e4393 = phi_6724_;
-                                        let _e4394 = ((_e4384 + _e4388) + _e4393);
-                                        let _e4399 = local_44;
-                                        let _e4400 = -(_e4399);
-                                        let _e4402 = local_45;
-                                        if (_e4402 > _e4400) {
-                                            let _e5181 = local_56;
-                                            phi_6734_ = _e5181;
+                                        let _e4389 = phi_6710_;
+                                        let _e4390 = ((_e4380 + _e4384) + _e4389);
+                                        let _e4395 = local_44;
+                                        let _e4396 = -(_e4395);
+                                        let _e4398 = local_45;
+                                        if (_e4398 > _e4396) {
+                                            let _e5175 = local_56;
+                                            phi_6720_ = _e5175;
                                         } else {
-                                            phi_6734_ = _e4400;
+                                            phi_6720_ = _e4396;
                                         }
-                                        let _e4405 = phi_6734_;
-                                        let _e4410 = (((_e4405 - ((_e4394 * _e4175) * (0.000000059604645f * 17f))) - (_e4394 * _e4182)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4296 > _e4410) {
-                                            phi_6744_ = _e4296;
+                                        let _e4401 = phi_6720_;
+                                        let _e4406 = (((_e4401 - ((_e4390 * _e4171) * (0.000000059604645f * 17f))) - (_e4390 * _e4178)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4292 > _e4406) {
+                                            phi_6730_ = _e4292;
                                         } else {
-                                            phi_6744_ = _e4410;
+                                            phi_6730_ = _e4406;
                                         }
-                                        let _e4413 = phi_6744_;
-                                        let _e4414 = (_e3946 - _e3931);
-                                        let _e4415 = (_e3947 - _e3932);
-                                        let _e4416 = (_e3948 - _e3933);
-                                        let _e4419 = ((_e3954 * _e4416) - (_e3957 * _e4415));
-                                        let _e4422 = ((_e3957 * _e4414) - (_e3951 * _e4416));
-                                        let _e4425 = ((_e3951 * _e4415) - (_e3954 * _e4414));
-                                        let _e4427 = local[0u];
-                                        let _e4435 = (((_e4419 * _e4427[0]) + (_e4422 * _e4427[1])) + (_e4425 * _e4427[2]));
-                                        phi_6777_ = type_37(0u, 4u);
-                                        phi_6780_ = _e4435;
-                                        phi_6782_ = _e4435;
+                                        let _e4409 = phi_6730_;
+                                        let _e4410 = (_e3942 - _e3927);
+                                        let _e4411 = (_e3943 - _e3928);
+                                        let _e4412 = (_e3944 - _e3929);
+                                        let _e4415 = ((_e3950 * _e4412) - (_e3953 * _e4411));
+                                        let _e4418 = ((_e3953 * _e4410) - (_e3947 * _e4412));
+                                        let _e4421 = ((_e3947 * _e4411) - (_e3950 * _e4410));
+                                        let _e4423 = local[0u];
+                                        let _e4431 = (((_e4415 * _e4423[0]) + (_e4418 * _e4423[1])) + (_e4421 * _e4423[2]));
+                                        phi_6763_ = type_37(0u, 4u);
+                                        phi_6766_ = _e4431;
+                                        phi_6768_ = _e4431;
                                         loop {
-                                            let _e4437 = phi_6777_;
-                                            let _e4439 = phi_6780_;
-                                            let _e4441 = phi_6782_;
-                                            local_46 = _e4439;
-                                            local_47 = _e4441;
-                                            local_57 = _e4441;
-                                            if (_e4437.member < _e4437.member_1) {
-                                                phi_6778_ = type_37((_e4437.member + 1u), _e4437.member_1);
-                                                phi_6805_ = type_37(1u, _e4437.member);
+                                            let _e4433 = phi_6763_;
+                                            let _e4435 = phi_6766_;
+                                            let _e4437 = phi_6768_;
+                                            local_46 = _e4435;
+                                            local_47 = _e4437;
+                                            local_57 = _e4437;
+                                            if (_e4433.member < _e4433.member_1) {
+                                                phi_6764_ = type_37((_e4433.member + 1u), _e4433.member_1);
+                                                phi_6791_ = type_37(1u, _e4433.member);
                                             } else {
-                                                phi_6778_ = _e4437;
-                                                phi_6805_ = type_37(0u, type_37().member_1);
+                                                phi_6764_ = _e4433;
+                                                phi_6791_ = type_37(0u, type_37().member_1);
                                             }
-                                            let _e4455 = phi_6778_;
-                                            let _e4457 = phi_6805_;
-                                            let _e4461 = (bitcast<i32>(_e4457.member) != 0i);
-                                            if _e4461 {
-                                                if (_e4457.member_1 < 4u) {
+                                            let _e4451 = phi_6764_;
+                                            let _e4453 = phi_6791_;
+                                            let _e4457 = (bitcast<i32>(_e4453.member) != 0i);
+                                            if _e4457 {
+                                                if (_e4453.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e4464 = local[_e4457.member_1];
-                                                let _e4472 = (((_e4419 * _e4464[0]) + (_e4422 * _e4464[1])) + (_e4425 * _e4464[2]));
-                                                if (_e4457.member_1 < 4u) {
+                                                let _e4460 = local[_e4453.member_1];
+                                                let _e4468 = (((_e4415 * _e4460[0]) + (_e4418 * _e4460[1])) + (_e4421 * _e4460[2]));
+                                                if (_e4453.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e4475 = local_1[_e4457.member_1];
-                                                let _e4483 = (((_e4419 * _e4475[0]) + (_e4422 * _e4475[1])) + (_e4425 * _e4475[2]));
-                                                if (_e4441 < _e4472) {
-                                                    phi_6855_ = _e4441;
+                                                let _e4471 = local_1[_e4453.member_1];
+                                                let _e4479 = (((_e4415 * _e4471[0]) + (_e4418 * _e4471[1])) + (_e4421 * _e4471[2]));
+                                                if (_e4437 < _e4468) {
+                                                    phi_6841_ = _e4437;
                                                 } else {
-                                                    phi_6855_ = _e4472;
+                                                    phi_6841_ = _e4468;
                                                 }
-                                                let _e4486 = phi_6855_;
-                                                if (_e4486 < _e4483) {
-                                                    phi_6860_ = _e4486;
+                                                let _e4482 = phi_6841_;
+                                                if (_e4482 < _e4479) {
+                                                    phi_6846_ = _e4482;
                                                 } else {
-                                                    phi_6860_ = _e4483;
+                                                    phi_6846_ = _e4479;
                                                 }
-                                                let _e4489 = phi_6860_;
-                                                if (_e4439 > _e4472) {
-                                                    phi_6865_ = _e4439;
+                                                let _e4485 = phi_6846_;
+                                                if (_e4435 > _e4468) {
+                                                    phi_6851_ = _e4435;
                                                 } else {
-                                                    phi_6865_ = _e4472;
+                                                    phi_6851_ = _e4468;
                                                 }
-                                                let _e4492 = phi_6865_;
-                                                if (_e4492 > _e4483) {
-                                                    phi_6870_ = _e4492;
+                                                let _e4488 = phi_6851_;
+                                                if (_e4488 > _e4479) {
+                                                    phi_6856_ = _e4488;
                                                 } else {
-                                                    phi_6870_ = _e4483;
+                                                    phi_6856_ = _e4479;
                                                 }
-                                                let _e4495 = phi_6870_;
-                                                phi_6781_ = _e4495;
-                                                phi_6783_ = _e4489;
+                                                let _e4491 = phi_6856_;
+                                                phi_6767_ = _e4491;
+                                                phi_6769_ = _e4485;
                                             } else {
-                                                phi_6781_ = f32();
-                                                phi_6783_ = f32();
+                                                phi_6767_ = f32();
+                                                phi_6769_ = f32();
                                             }
-                                            let _e4497 = phi_6781_;
-                                            let _e4499 = phi_6783_;
+                                            let _e4493 = phi_6767_;
+                                            let _e4495 = phi_6769_;
                                             continue;
                                             continuing {
-                                                phi_6777_ = _e4455;
-                                                phi_6780_ = _e4497;
-                                                phi_6782_ = _e4499;
-                                                break if !(_e4461);
+                                                phi_6763_ = _e4451;
+                                                phi_6766_ = _e4493;
+                                                phi_6768_ = _e4495;
+                                                break if !(_e4457);
                                             }
                                         }
-                                        if (_e4419 < 0f) {
-                                            phi_6876_ = -(_e4419);
+                                        if (_e4415 < 0f) {
+                                            phi_6862_ = -(_e4415);
                                         } else {
-                                            phi_6876_ = _e4419;
+                                            phi_6862_ = _e4415;
                                         }
-                                        let _e4504 = phi_6876_;
-                                        if (_e4422 < 0f) {
-                                            phi_6882_ = -(_e4422);
+                                        let _e4500 = phi_6862_;
+                                        if (_e4418 < 0f) {
+                                            phi_6868_ = -(_e4418);
                                         } else {
-                                            phi_6882_ = _e4422;
+                                            phi_6868_ = _e4418;
                                         }
-                                        let _e4508 = phi_6882_;
-                                        if (_e4425 < 0f) {
-                                            phi_6889_ = -(_e4425);
+                                        let _e4504 = phi_6868_;
+                                        if (_e4421 < 0f) {
+                                            phi_6875_ = -(_e4421);
                                         } else {
-                                            phi_6889_ = _e4425;
+                                            phi_6875_ = _e4421;
                                         }
-                                        let _e4513 = phi_6889_;
-                                        let _e4514 = ((_e4504 + _e4508) + _e4513);
-                                        let _e4519 = local_46;
-                                        let _e4520 = -(_e4519);
-                                        let _e4522 = local_47;
-                                        if (_e4522 > _e4520) {
-                                            let _e5201 = local_57;
-                                            phi_6899_ = _e5201;
+                                        let _e4509 = phi_6875_;
+                                        let _e4510 = ((_e4500 + _e4504) + _e4509);
+                                        let _e4515 = local_46;
+                                        let _e4516 = -(_e4515);
+                                        let _e4518 = local_47;
+                                        if (_e4518 > _e4516) {
+                                            let _e5195 = local_57;
+                                            phi_6885_ = _e5195;
                                         } else {
-                                            phi_6899_ = _e4520;
+                                            phi_6885_ = _e4516;
                                         }
-                                        let _e4525 = phi_6899_;
-                                        let _e4530 = (((_e4525 - ((_e4514 * _e4175) * (0.000000059604645f * 17f))) - (_e4514 * _e4182)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4413 > _e4530) {
-                                            phi_6909_ = _e4413;
+                                        let _e4521 = phi_6885_;
+                                        let _e4526 = (((_e4521 - ((_e4510 * _e4171) * (0.000000059604645f * 17f))) - (_e4510 * _e4178)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4409 > _e4526) {
+                                            phi_6895_ = _e4409;
                                         } else {
-                                            phi_6909_ = _e4530;
+                                            phi_6895_ = _e4526;
                                         }
-                                        let _e4533 = phi_6909_;
-                                        phi_6912_ = (_e4533 > 0f);
+                                        let _e4529 = phi_6895_;
+                                        phi_6898_ = (_e4529 > 0f);
                                     }
-                                    let _e4536 = phi_6912_;
-                                    phi_6913_ = _e4536;
+                                    let _e4532 = phi_6898_;
+                                    phi_6899_ = _e4532;
                                 } else {
-                                    phi_6913_ = false;
+                                    phi_6899_ = false;
                                 }
-                                let _e4538 = phi_6913_;
-                                phi_6915_ = !(_e4538);
+                                let _e4534 = phi_6899_;
+                                phi_6901_ = !(_e4534);
                             }
-                            let _e4541 = phi_6915_;
-                            if _e4541 {
-                                let _e4543 = atomicAdd((&counters[3u]), 1u);
-                                kept[_e4543] = _e445;
+                            let _e4537 = phi_6901_;
+                            if _e4537 {
+                                let _e4539 = atomicAdd((&counters[3u]), 1u);
+                                kept[_e4539] = _e445;
                             }
                         }
-                        phi_6923_ = (_e408 + 64u);
-                        phi_6924_ = true;
+                        phi_6909_ = (_e408 + 64u);
+                        phi_6910_ = true;
                     }
-                    let _e4547 = phi_6923_;
-                    let _e4549 = phi_6924_;
-                    phi_650_ = _e4547;
-                    phi_6925_ = _e4549;
+                    let _e4543 = phi_6909_;
+                    let _e4545 = phi_6910_;
+                    phi_650_ = _e4543;
+                    phi_6911_ = _e4545;
                 } else {
                     phi_650_ = u32();
-                    phi_6925_ = false;
+                    phi_6911_ = false;
                 }
-                let _e4551 = phi_650_;
-                let _e4553 = phi_6925_;
+                let _e4547 = phi_650_;
+                let _e4549 = phi_6911_;
                 continue;
                 continuing {
                     phi_646_ = _e437;
-                    phi_649_ = _e4551;
-                    break if !(_e4553);
+                    phi_649_ = _e4547;
+                    break if !(_e4549);
                 }
             }
             workgroupBarrier();
             if (_e93 == 0u) {
-                let _e4557 = atomicLoad((&counters[3u]));
-                if (_e4557 > 0u) {
-                    let _e4560 = atomicAdd((&output.member[0u]), _e4557);
-                    atomicStore((&counters[4u]), _e4560);
+                let _e4553 = atomicLoad((&counters[3u]));
+                if (_e4553 > 0u) {
+                    let _e4556 = atomicAdd((&output.member[0u]), _e4553);
+                    atomicStore((&counters[4u]), _e4556);
                 }
             }
             workgroupBarrier();
-            let _e4563 = atomicLoad((&counters[4u]));
+            let _e4559 = atomicLoad((&counters[4u]));
             if (_e93 == 0u) {
-                let _e4566 = atomicLoad((&counters[5u]));
-                let _e4568 = atomicAdd((&output.member[1u]), _e4566);
+                let _e4562 = atomicLoad((&counters[5u]));
+                let _e4564 = atomicAdd((&output.member[1u]), _e4562);
             }
-            let _e4570 = atomicLoad((&counters[3u]));
-            phi_6955_ = type_35(0i, 16i);
-            phi_6958_ = _e93;
+            let _e4566 = atomicLoad((&counters[3u]));
+            phi_6941_ = type_35(0i, 16i);
+            phi_6944_ = _e93;
             loop {
-                let _e4572 = phi_6955_;
-                let _e4574 = phi_6958_;
-                if (_e4572.member < _e4572.member_1) {
-                    let _e4582 = (_e4572.member + 1i);
-                    if ((false == (_e4582 > _e4572.member)) != false) {
-                        phi_6979_ = true;
+                let _e4568 = phi_6941_;
+                let _e4570 = phi_6944_;
+                if (_e4568.member < _e4568.member_1) {
+                    let _e4578 = (_e4568.member + 1i);
+                    if ((false == (_e4578 > _e4568.member)) != false) {
+                        phi_6965_ = true;
                     } else {
-                        phi_6979_ = false;
+                        phi_6965_ = false;
                     }
-                    let _e4587 = phi_6979_;
-                    if _e4587 {
-                        phi_6985_ = type_36(0u, type_36().member_1);
+                    let _e4583 = phi_6965_;
+                    if _e4583 {
+                        phi_6971_ = type_36(0u, type_36().member_1);
                     } else {
-                        phi_6985_ = type_36(1u, _e4582);
+                        phi_6971_ = type_36(1u, _e4578);
                     }
-                    let _e4593 = phi_6985_;
-                    if (bitcast<i32>(_e4593.member) != 0i) {
+                    let _e4589 = phi_6971_;
+                    if (bitcast<i32>(_e4589.member) != 0i) {
                     } else {
                         return;
                     }
-                    phi_6956_ = type_35(_e4593.member_1, _e4572.member_1);
-                    phi_6999_ = type_36(1u, _e4572.member);
+                    phi_6942_ = type_35(_e4589.member_1, _e4568.member_1);
+                    phi_6985_ = type_36(1u, _e4568.member);
                 } else {
-                    phi_6956_ = _e4572;
-                    phi_6999_ = type_36(0u, type_36().member_1);
+                    phi_6942_ = _e4568;
+                    phi_6985_ = type_36(0u, type_36().member_1);
                 }
-                let _e4603 = phi_6956_;
-                let _e4605 = phi_6999_;
-                if (bitcast<i32>(_e4605.member) != 0i) {
-                    if (_e4574 >= _e4570) {
-                        phi_7105_ = u32();
-                        phi_7106_ = false;
+                let _e4599 = phi_6942_;
+                let _e4601 = phi_6985_;
+                if (bitcast<i32>(_e4601.member) != 0i) {
+                    if (_e4570 >= _e4566) {
+                        phi_7091_ = u32();
+                        phi_7092_ = false;
                     } else {
-                        let _e4611 = kept[_e4574];
-                        let _e4620 = params.member.member_18[0u][0u];
-                        let _e4627 = params.member.member_18[0u][2u];
-                        let _e4630 = leaves.member[(_e4620 + ((_e186 * 32u) + (_e4611 >> bitcast<u32>(5i))))];
-                        let _e4633 = leaves.member[(_e4627 + ((_e189 * 32u) + (_e4611 & 31u)))];
-                        let _e4636 = params.member.member_16;
-                        let _e4637 = (_e4563 + _e4574);
-                        if (_e4637 < _e4636) {
-                            atomicStore((&output.member[(4u + (2u * _e4637))]), _e4630.member_1);
-                            atomicStore((&output.member[((2u * _e4637) + 5u)]), _e4633.member_1);
+                        let _e4607 = kept[_e4570];
+                        let _e4616 = params.member.member_18[0u][0u];
+                        let _e4623 = params.member.member_18[0u][2u];
+                        let _e4626 = leaves.member[(_e4616 + ((_e186 * 32u) + (_e4607 >> bitcast<u32>(5i))))];
+                        let _e4629 = leaves.member[(_e4623 + ((_e189 * 32u) + (_e4607 & 31u)))];
+                        let _e4632 = params.member.member_16;
+                        let _e4633 = (_e4559 + _e4570);
+                        if (_e4633 < _e4632) {
+                            atomicStore((&output.member[(4u + (2u * _e4633))]), _e4626.member_1);
+                            atomicStore((&output.member[((2u * _e4633) + 5u)]), _e4629.member_1);
                         }
-                        phi_7105_ = (_e4574 + 64u);
-                        phi_7106_ = true;
+                        phi_7091_ = (_e4570 + 64u);
+                        phi_7092_ = true;
                     }
-                    let _e4647 = phi_7105_;
-                    let _e4649 = phi_7106_;
-                    phi_6959_ = _e4647;
-                    phi_7107_ = _e4649;
+                    let _e4643 = phi_7091_;
+                    let _e4645 = phi_7092_;
+                    phi_6945_ = _e4643;
+                    phi_7093_ = _e4645;
                 } else {
-                    phi_6959_ = u32();
-                    phi_7107_ = false;
+                    phi_6945_ = u32();
+                    phi_7093_ = false;
                 }
-                let _e4651 = phi_6959_;
-                let _e4653 = phi_7107_;
+                let _e4647 = phi_6945_;
+                let _e4649 = phi_7093_;
                 continue;
                 continuing {
-                    phi_6955_ = _e4603;
-                    phi_6958_ = _e4651;
-                    break if !(_e4653);
+                    phi_6941_ = _e4599;
+                    phi_6944_ = _e4647;
+                    break if !(_e4649);
                 }
             }
             workgroupBarrier();

@@ -136,104 +136,102 @@ fn function_() {
     var phi_629_: type_36;
     var phi_600_: type_35;
     var phi_643_: type_36;
-    var phi_815_: bool;
     var phi_816_: bool;
     var phi_817_: bool;
     var phi_818_: bool;
     var phi_819_: bool;
+    var phi_820_: bool;
+    var phi_824_: bool;
     var phi_780_: bool;
     var phi_781_: bool;
     var phi_782_: bool;
-    var phi_823_: bool;
-    var phi_824_: bool;
-    var phi_828_: bool;
-    var phi_835_: bool;
-    var phi_839_: bool;
-    var phi_840_: bool;
-    var phi_889_: bool;
-    var phi_890_: bool;
-    var phi_900_: bool;
-    var phi_901_: bool;
-    var phi_905_: bool;
-    var phi_906_: bool;
-    var phi_955_: type_37;
-    var phi_958_: bool;
-    var phi_956_: type_37;
-    var phi_981_: type_37;
-    var phi_1038_: type_37;
-    var phi_1041_: array<u32, 2>;
-    var phi_1039_: type_37;
-    var phi_1064_: type_37;
-    var phi_1139_: bool;
-    var phi_1140_: bool;
-    var phi_1144_: array<u32, 2>;
-    var phi_1042_: array<u32, 2>;
-    var phi_1195_: type_37;
-    var phi_1198_: array<u32, 2>;
-    var phi_1196_: type_37;
-    var phi_1221_: type_37;
-    var phi_1297_: bool;
-    var phi_1298_: bool;
-    var phi_1302_: array<u32, 2>;
-    var phi_1199_: array<u32, 2>;
+    var phi_786_: bool;
+    var phi_825_: bool;
+    var phi_829_: bool;
+    var phi_830_: bool;
+    var phi_876_: bool;
+    var phi_886_: bool;
+    var phi_887_: bool;
+    var phi_891_: bool;
+    var phi_892_: bool;
+    var phi_941_: type_37;
+    var phi_944_: bool;
+    var phi_942_: type_37;
+    var phi_967_: type_37;
+    var phi_1024_: type_37;
+    var phi_1027_: array<u32, 2>;
+    var phi_1025_: type_37;
+    var phi_1050_: type_37;
+    var phi_1125_: bool;
+    var phi_1126_: bool;
+    var phi_1130_: array<u32, 2>;
+    var phi_1028_: array<u32, 2>;
+    var phi_1181_: type_37;
+    var phi_1184_: array<u32, 2>;
+    var phi_1182_: type_37;
+    var phi_1207_: type_37;
+    var phi_1283_: bool;
+    var phi_1284_: bool;
+    var phi_1288_: array<u32, 2>;
+    var phi_1185_: array<u32, 2>;
     var local_10: array<u32, 2>;
     var local_11: array<u32, 2>;
     var local_12: array<u32, 2>;
     var local_13: array<u32, 2>;
     var local_14: array<u32, 2>;
     var local_15: array<u32, 2>;
-    var phi_1318_: bool;
-    var phi_1319_: bool;
-    var phi_1370_: type_37;
-    var phi_1373_: array<u32, 2>;
-    var phi_1371_: type_37;
-    var phi_1396_: type_37;
-    var phi_1471_: bool;
-    var phi_1472_: bool;
-    var phi_1476_: array<u32, 2>;
-    var phi_1374_: array<u32, 2>;
-    var phi_1527_: type_37;
-    var phi_1530_: array<u32, 2>;
-    var phi_1528_: type_37;
-    var phi_1553_: type_37;
-    var phi_1629_: bool;
-    var phi_1630_: bool;
-    var phi_1634_: array<u32, 2>;
-    var phi_1531_: array<u32, 2>;
+    var phi_1304_: bool;
+    var phi_1305_: bool;
+    var phi_1356_: type_37;
+    var phi_1359_: array<u32, 2>;
+    var phi_1357_: type_37;
+    var phi_1382_: type_37;
+    var phi_1457_: bool;
+    var phi_1458_: bool;
+    var phi_1462_: array<u32, 2>;
+    var phi_1360_: array<u32, 2>;
+    var phi_1513_: type_37;
+    var phi_1516_: array<u32, 2>;
+    var phi_1514_: type_37;
+    var phi_1539_: type_37;
+    var phi_1615_: bool;
+    var phi_1616_: bool;
+    var phi_1620_: array<u32, 2>;
+    var phi_1517_: array<u32, 2>;
     var local_16: array<u32, 2>;
     var local_17: array<u32, 2>;
     var local_18: array<u32, 2>;
     var local_19: array<u32, 2>;
     var local_20: array<u32, 2>;
     var local_21: array<u32, 2>;
+    var phi_1636_: bool;
+    var phi_1637_: bool;
+    var phi_945_: bool;
+    var phi_1641_: bool;
+    var phi_1642_: bool;
+    var phi_1643_: bool;
+    var phi_1647_: bool;
+    var phi_1648_: bool;
+    var phi_1649_: bool;
     var phi_1650_: bool;
     var phi_1651_: bool;
-    var phi_959_: bool;
     var phi_1655_: bool;
-    var phi_1656_: bool;
-    var phi_1657_: bool;
-    var phi_1661_: bool;
-    var phi_1662_: bool;
-    var phi_1663_: bool;
+    var phi_1663_: u32;
     var phi_1664_: bool;
-    var phi_1665_: bool;
-    var phi_1669_: bool;
-    var phi_1677_: u32;
-    var phi_1678_: bool;
     var phi_603_: u32;
-    var phi_1679_: bool;
-    var phi_1700_: type_35;
-    var phi_1703_: u32;
-    var phi_1724_: bool;
+    var phi_1665_: bool;
+    var phi_1686_: type_35;
+    var phi_1689_: u32;
+    var phi_1710_: bool;
+    var phi_1716_: type_36;
+    var phi_1687_: type_35;
     var phi_1730_: type_36;
-    var phi_1701_: type_35;
-    var phi_1744_: type_36;
-    var phi_1828_: type_37;
-    var phi_1832_: type_37;
-    var phi_1852_: u32;
-    var phi_1853_: bool;
-    var phi_1704_: u32;
-    var phi_1854_: bool;
+    var phi_1814_: type_37;
+    var phi_1818_: type_37;
+    var phi_1838_: u32;
+    var phi_1839_: bool;
+    var phi_1690_: u32;
+    var phi_1840_: bool;
     var local_22: bool;
 
     let _e64 = id_1;
@@ -500,8 +498,8 @@ fn function_() {
                 let _e418 = phi_643_;
                 if (bitcast<i32>(_e418.member) != 0i) {
                     if (_e387 >= _e383) {
-                        phi_1677_ = u32();
-                        phi_1678_ = false;
+                        phi_1663_ = u32();
+                        phi_1664_ = false;
                     } else {
                         let _e424 = hits[_e387];
                         if (_e86[0] < 4u) {
@@ -526,649 +524,640 @@ fn function_() {
                         if ((_e467 & 1u) != 0u) {
                             let _e471 = params.member.member_8;
                             if (_e471 == 0u) {
-                                let _e513 = local_8.member[0u];
-                                let _e516 = local_9.member[0u];
-                                if (_e513 == _e516) {
+                                let _e515 = local_8.member[0u];
+                                let _e518 = local_9.member[0u];
+                                if (_e515 == _e518) {
                                     phi_781_ = bool();
                                     phi_782_ = true;
                                 } else {
-                                    let _e520 = local_8.member[0u];
-                                    let _e523 = local_9.member[1u];
-                                    let _e524 = (_e520 == _e523);
-                                    if _e524 {
+                                    let _e522 = local_8.member[0u];
+                                    let _e525 = local_9.member[1u];
+                                    let _e526 = (_e522 == _e525);
+                                    if _e526 {
                                         phi_780_ = bool();
                                     } else {
-                                        let _e527 = local_8.member[0u];
-                                        let _e530 = local_9.member[2u];
-                                        phi_780_ = (_e527 == _e530);
+                                        let _e529 = local_8.member[0u];
+                                        let _e532 = local_9.member[2u];
+                                        phi_780_ = (_e529 == _e532);
                                     }
-                                    let _e533 = phi_780_;
-                                    phi_781_ = _e533;
-                                    phi_782_ = _e524;
+                                    let _e535 = phi_780_;
+                                    phi_781_ = _e535;
+                                    phi_782_ = _e526;
                                 }
-                                let _e535 = phi_781_;
-                                let _e537 = phi_782_;
-                                phi_823_ = _e535;
-                                phi_824_ = _e537;
+                                let _e537 = phi_781_;
+                                let _e539 = phi_782_;
+                                if _e539 {
+                                    phi_786_ = true;
+                                } else {
+                                    phi_786_ = _e537;
+                                }
+                                let _e541 = phi_786_;
+                                phi_825_ = _e541;
                             } else {
                                 let _e475 = local_8.member[0u];
                                 let _e478 = local_9.member[0u];
                                 if (_e475 == _e478) {
-                                    phi_818_ = bool();
-                                    phi_819_ = true;
+                                    phi_819_ = bool();
+                                    phi_820_ = true;
                                 } else {
                                     let _e482 = local_8.member[0u];
                                     let _e485 = local_9.member[1u];
                                     if (_e482 == _e485) {
-                                        phi_816_ = bool();
-                                        phi_817_ = true;
+                                        phi_817_ = bool();
+                                        phi_818_ = true;
                                     } else {
                                         let _e489 = local_8.member[1u];
                                         let _e492 = local_9.member[0u];
                                         let _e493 = (_e489 == _e492);
                                         if _e493 {
-                                            phi_815_ = bool();
+                                            phi_816_ = bool();
                                         } else {
                                             let _e496 = local_8.member[1u];
                                             let _e499 = local_9.member[1u];
-                                            phi_815_ = (_e496 == _e499);
+                                            phi_816_ = (_e496 == _e499);
                                         }
-                                        let _e502 = phi_815_;
-                                        phi_816_ = _e502;
-                                        phi_817_ = _e493;
+                                        let _e502 = phi_816_;
+                                        phi_817_ = _e502;
+                                        phi_818_ = _e493;
                                     }
-                                    let _e504 = phi_816_;
-                                    let _e506 = phi_817_;
-                                    phi_818_ = _e504;
-                                    phi_819_ = _e506;
+                                    let _e504 = phi_817_;
+                                    let _e506 = phi_818_;
+                                    phi_819_ = _e504;
+                                    phi_820_ = _e506;
                                 }
-                                let _e508 = phi_818_;
-                                let _e510 = phi_819_;
-                                phi_823_ = _e508;
-                                phi_824_ = _e510;
+                                let _e508 = phi_819_;
+                                let _e510 = phi_820_;
+                                if _e510 {
+                                    phi_824_ = true;
+                                } else {
+                                    phi_824_ = _e508;
+                                }
+                                let _e512 = phi_824_;
+                                phi_825_ = _e512;
                             }
-                            let _e539 = phi_823_;
-                            let _e541 = phi_824_;
-                            if _e541 {
-                                phi_828_ = false;
-                            } else {
-                                phi_828_ = true;
-                            }
-                            let _e543 = phi_828_;
+                            let _e543 = phi_825_;
                             if _e543 {
-                                phi_835_ = _e539;
+                                phi_829_ = false;
                             } else {
-                                phi_835_ = true;
+                                phi_829_ = true;
                             }
-                            let _e545 = phi_835_;
-                            if _e545 {
-                                phi_839_ = false;
-                            } else {
-                                phi_839_ = true;
-                            }
-                            let _e547 = phi_839_;
-                            phi_840_ = _e547;
+                            let _e545 = phi_829_;
+                            phi_830_ = _e545;
                         } else {
-                            phi_840_ = true;
+                            phi_830_ = true;
                         }
-                        let _e549 = phi_840_;
-                        if _e549 {
-                            let _e551 = params.member.member_1;
-                            if ((_e551 & 2u) != 0u) {
-                                let _e556 = local_8.member[0u];
-                                let _e558 = bodies.member[_e556];
-                                let _e561 = local_9.member[0u];
-                                let _e563 = bodies.member[_e561];
-                                if ((_e558 / 2u) == (_e563 / 2u)) {
-                                    let _e568 = params.member.member_1;
-                                    if !(((_e568 & 4u) != 0u)) {
-                                        phi_889_ = false;
+                        let _e547 = phi_830_;
+                        if _e547 {
+                            let _e549 = params.member.member_1;
+                            if ((_e549 & 2u) != 0u) {
+                                let _e554 = local_8.member[0u];
+                                let _e556 = bodies.member[_e554];
+                                let _e559 = local_9.member[0u];
+                                let _e561 = bodies.member[_e559];
+                                if ((_e556 / 2u) == (_e561 / 2u)) {
+                                    let _e566 = params.member.member_1;
+                                    phi_876_ = !(((_e566 & 4u) != 0u));
+                                } else {
+                                    phi_876_ = false;
+                                }
+                                let _e571 = phi_876_;
+                                if _e571 {
+                                    phi_887_ = true;
+                                } else {
+                                    if (((_e556 & _e561) & 1u) == 0u) {
+                                        phi_886_ = false;
                                     } else {
-                                        phi_889_ = true;
+                                        phi_886_ = true;
                                     }
-                                    let _e573 = phi_889_;
-                                    phi_890_ = _e573;
-                                } else {
-                                    phi_890_ = true;
+                                    let _e576 = phi_886_;
+                                    phi_887_ = _e576;
                                 }
-                                let _e575 = phi_890_;
-                                if _e575 {
-                                    if (((_e558 & _e563) & 1u) == 0u) {
-                                        phi_900_ = false;
-                                    } else {
-                                        phi_900_ = true;
-                                    }
-                                    let _e580 = phi_900_;
-                                    phi_901_ = _e580;
+                                let _e578 = phi_887_;
+                                if _e578 {
+                                    phi_891_ = false;
                                 } else {
-                                    phi_901_ = true;
+                                    phi_891_ = true;
                                 }
-                                let _e582 = phi_901_;
-                                if _e582 {
-                                    phi_905_ = false;
-                                } else {
-                                    phi_905_ = true;
-                                }
-                                let _e584 = phi_905_;
-                                phi_906_ = _e584;
+                                let _e580 = phi_891_;
+                                phi_892_ = _e580;
                             } else {
-                                phi_906_ = true;
+                                phi_892_ = true;
                             }
-                            let _e586 = phi_906_;
-                            if _e586 {
-                                let _e588 = params.member.member_1;
-                                if ((_e588 & 32u) != 0u) {
-                                    let _e592 = params.member.member_6;
-                                    let _e633 = (((((((_e463.member_1[0] - _e465.member[0]) > _e592) && ((_e465.member_1[0] - _e463.member[0]) > _e592)) && ((_e463.member_1[1] - _e465.member[1]) > _e592)) && ((_e465.member_1[1] - _e463.member[1]) > _e592)) && ((_e463.member_1[2] - _e465.member[2]) > _e592)) && ((_e465.member_1[2] - _e463.member[2]) > _e592));
-                                    if _e633 {
-                                        phi_1655_ = bool();
+                            let _e582 = phi_892_;
+                            if _e582 {
+                                let _e584 = params.member.member_1;
+                                if ((_e584 & 32u) != 0u) {
+                                    let _e588 = params.member.member_6;
+                                    let _e629 = (((((((_e463.member_1[0] - _e465.member[0]) > _e588) && ((_e465.member_1[0] - _e463.member[0]) > _e588)) && ((_e463.member_1[1] - _e465.member[1]) > _e588)) && ((_e465.member_1[1] - _e463.member[1]) > _e588)) && ((_e463.member_1[2] - _e465.member[2]) > _e588)) && ((_e465.member_1[2] - _e463.member[2]) > _e588));
+                                    if _e629 {
+                                        phi_1641_ = bool();
                                     } else {
-                                        phi_955_ = type_37(0u, 3u);
-                                        phi_958_ = true;
+                                        phi_941_ = type_37(0u, 3u);
+                                        phi_944_ = true;
                                         loop {
-                                            let _e637 = phi_955_;
-                                            let _e639 = phi_958_;
-                                            local_22 = _e639;
-                                            if (_e637.member < _e637.member_1) {
-                                                phi_956_ = type_37((_e637.member + 1u), _e637.member_1);
-                                                phi_981_ = type_37(1u, _e637.member);
+                                            let _e633 = phi_941_;
+                                            let _e635 = phi_944_;
+                                            local_22 = _e635;
+                                            if (_e633.member < _e633.member_1) {
+                                                phi_942_ = type_37((_e633.member + 1u), _e633.member_1);
+                                                phi_967_ = type_37(1u, _e633.member);
                                             } else {
-                                                phi_956_ = _e637;
-                                                phi_981_ = type_37(0u, type_37().member_1);
+                                                phi_942_ = _e633;
+                                                phi_967_ = type_37(0u, type_37().member_1);
                                             }
-                                            let _e653 = phi_956_;
-                                            let _e655 = phi_981_;
-                                            let _e659 = (bitcast<i32>(_e655.member) != 0i);
-                                            if _e659 {
-                                                let _e661 = local_8.member[0u];
-                                                let _e663 = keys.member[_e661];
-                                                local_6 = array<array<u32, 2>, 6>(array<u32, 2>(_e663[0][0], _e663[0][1]), array<u32, 2>(_e663[1][0], _e663[1][1]), array<u32, 2>(_e663[2][0], _e663[2][1]), array<u32, 2>(_e663[3][0], _e663[3][1]), array<u32, 2>(_e663[4][0], _e663[4][1]), array<u32, 2>(_e663[5][0], _e663[5][1]));
-                                                if (_e655.member_1 < 6u) {
+                                            let _e649 = phi_942_;
+                                            let _e651 = phi_967_;
+                                            let _e655 = (bitcast<i32>(_e651.member) != 0i);
+                                            if _e655 {
+                                                let _e657 = local_8.member[0u];
+                                                let _e659 = keys.member[_e657];
+                                                local_6 = array<array<u32, 2>, 6>(array<u32, 2>(_e659[0][0], _e659[0][1]), array<u32, 2>(_e659[1][0], _e659[1][1]), array<u32, 2>(_e659[2][0], _e659[2][1]), array<u32, 2>(_e659[3][0], _e659[3][1]), array<u32, 2>(_e659[4][0], _e659[4][1]), array<u32, 2>(_e659[5][0], _e659[5][1]));
+                                                if (_e651.member_1 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e691 = local_6[_e655.member_1];
-                                                phi_1038_ = type_37(1u, 3u);
-                                                phi_1041_ = array<u32, 2>(_e691[0], _e691[1]);
+                                                let _e687 = local_6[_e651.member_1];
+                                                phi_1024_ = type_37(1u, 3u);
+                                                phi_1027_ = array<u32, 2>(_e687[0], _e687[1]);
                                                 loop {
-                                                    let _e696 = phi_1038_;
-                                                    let _e698 = phi_1041_;
-                                                    local_10 = _e698;
-                                                    local_12 = _e698;
-                                                    local_14 = _e698;
-                                                    if (_e696.member < _e696.member_1) {
-                                                        phi_1039_ = type_37((_e696.member + 1u), _e696.member_1);
-                                                        phi_1064_ = type_37(1u, _e696.member);
+                                                    let _e692 = phi_1024_;
+                                                    let _e694 = phi_1027_;
+                                                    local_10 = _e694;
+                                                    local_12 = _e694;
+                                                    local_14 = _e694;
+                                                    if (_e692.member < _e692.member_1) {
+                                                        phi_1025_ = type_37((_e692.member + 1u), _e692.member_1);
+                                                        phi_1050_ = type_37(1u, _e692.member);
                                                     } else {
-                                                        phi_1039_ = _e696;
-                                                        phi_1064_ = type_37(0u, type_37().member_1);
+                                                        phi_1025_ = _e692;
+                                                        phi_1050_ = type_37(0u, type_37().member_1);
                                                     }
-                                                    let _e712 = phi_1039_;
-                                                    let _e714 = phi_1064_;
-                                                    let _e718 = (bitcast<i32>(_e714.member) != 0i);
-                                                    if _e718 {
-                                                        if (_e714.member_1 < 3u) {
+                                                    let _e708 = phi_1025_;
+                                                    let _e710 = phi_1050_;
+                                                    let _e714 = (bitcast<i32>(_e710.member) != 0i);
+                                                    if _e714 {
+                                                        if (_e710.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e721 = local_8.member[_e714.member_1];
-                                                        let _e723 = keys.member[_e721];
-                                                        local_7 = array<array<u32, 2>, 6>(array<u32, 2>(_e723[0][0], _e723[0][1]), array<u32, 2>(_e723[1][0], _e723[1][1]), array<u32, 2>(_e723[2][0], _e723[2][1]), array<u32, 2>(_e723[3][0], _e723[3][1]), array<u32, 2>(_e723[4][0], _e723[4][1]), array<u32, 2>(_e723[5][0], _e723[5][1]));
-                                                        if (_e655.member_1 < 6u) {
+                                                        let _e717 = local_8.member[_e710.member_1];
+                                                        let _e719 = keys.member[_e717];
+                                                        local_7 = array<array<u32, 2>, 6>(array<u32, 2>(_e719[0][0], _e719[0][1]), array<u32, 2>(_e719[1][0], _e719[1][1]), array<u32, 2>(_e719[2][0], _e719[2][1]), array<u32, 2>(_e719[3][0], _e719[3][1]), array<u32, 2>(_e719[4][0], _e719[4][1]), array<u32, 2>(_e719[5][0], _e719[5][1]));
+                                                        if (_e651.member_1 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e751 = local_7[_e655.member_1];
-                                                        if (_e698[1] > _e751[1]) {
-                                                            phi_1140_ = true;
+                                                        let _e747 = local_7[_e651.member_1];
+                                                        if (_e694[1] > _e747[1]) {
+                                                            phi_1126_ = true;
                                                         } else {
-                                                            if (_e698[1] == _e751[1]) {
-                                                                phi_1139_ = (_e698[0] > _e751[0]);
+                                                            if (_e694[1] == _e747[1]) {
+                                                                phi_1125_ = (_e694[0] > _e747[0]);
                                                             } else {
-                                                                phi_1139_ = false;
+                                                                phi_1125_ = false;
                                                             }
-                                                            let _e762 = phi_1139_;
-                                                            phi_1140_ = _e762;
+                                                            let _e758 = phi_1125_;
+                                                            phi_1126_ = _e758;
                                                         }
-                                                        let _e764 = phi_1140_;
-                                                        if _e764 {
-                                                            phi_1144_ = array<u32, 2>(_e751[0], _e751[1]);
+                                                        let _e760 = phi_1126_;
+                                                        if _e760 {
+                                                            phi_1130_ = array<u32, 2>(_e747[0], _e747[1]);
                                                         } else {
-                                                            phi_1144_ = _e698;
+                                                            phi_1130_ = _e694;
                                                         }
-                                                        let _e766 = phi_1144_;
-                                                        phi_1042_ = _e766;
+                                                        let _e762 = phi_1130_;
+                                                        phi_1028_ = _e762;
                                                     } else {
-                                                        phi_1042_ = array<u32, 2>();
+                                                        phi_1028_ = array<u32, 2>();
                                                     }
-                                                    let _e768 = phi_1042_;
+                                                    let _e764 = phi_1028_;
                                                     continue;
                                                     continuing {
-                                                        phi_1038_ = _e712;
-                                                        phi_1041_ = _e768;
-                                                        break if !(_e718);
+                                                        phi_1024_ = _e708;
+                                                        phi_1027_ = _e764;
+                                                        break if !(_e714);
                                                     }
                                                 }
-                                                let _e771 = local_9.member[0u];
-                                                let _e773 = keys.member[_e771];
-                                                local_4 = array<array<u32, 2>, 6>(array<u32, 2>(_e773[0][0], _e773[0][1]), array<u32, 2>(_e773[1][0], _e773[1][1]), array<u32, 2>(_e773[2][0], _e773[2][1]), array<u32, 2>(_e773[3][0], _e773[3][1]), array<u32, 2>(_e773[4][0], _e773[4][1]), array<u32, 2>(_e773[5][0], _e773[5][1]));
-                                                let _e799 = (3u + _e655.member_1);
-                                                if (_e799 < 6u) {
+                                                let _e767 = local_9.member[0u];
+                                                let _e769 = keys.member[_e767];
+                                                local_4 = array<array<u32, 2>, 6>(array<u32, 2>(_e769[0][0], _e769[0][1]), array<u32, 2>(_e769[1][0], _e769[1][1]), array<u32, 2>(_e769[2][0], _e769[2][1]), array<u32, 2>(_e769[3][0], _e769[3][1]), array<u32, 2>(_e769[4][0], _e769[4][1]), array<u32, 2>(_e769[5][0], _e769[5][1]));
+                                                let _e795 = (3u + _e651.member_1);
+                                                if (_e795 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e802 = local_4[_e799];
-                                                phi_1195_ = type_37(1u, 3u);
-                                                phi_1198_ = array<u32, 2>(_e802[0], _e802[1]);
+                                                let _e798 = local_4[_e795];
+                                                phi_1181_ = type_37(1u, 3u);
+                                                phi_1184_ = array<u32, 2>(_e798[0], _e798[1]);
                                                 loop {
-                                                    let _e807 = phi_1195_;
-                                                    let _e809 = phi_1198_;
-                                                    local_11 = _e809;
-                                                    local_13 = _e809;
-                                                    local_15 = _e809;
-                                                    if (_e807.member < _e807.member_1) {
-                                                        phi_1196_ = type_37((_e807.member + 1u), _e807.member_1);
-                                                        phi_1221_ = type_37(1u, _e807.member);
+                                                    let _e803 = phi_1181_;
+                                                    let _e805 = phi_1184_;
+                                                    local_11 = _e805;
+                                                    local_13 = _e805;
+                                                    local_15 = _e805;
+                                                    if (_e803.member < _e803.member_1) {
+                                                        phi_1182_ = type_37((_e803.member + 1u), _e803.member_1);
+                                                        phi_1207_ = type_37(1u, _e803.member);
                                                     } else {
-                                                        phi_1196_ = _e807;
-                                                        phi_1221_ = type_37(0u, type_37().member_1);
+                                                        phi_1182_ = _e803;
+                                                        phi_1207_ = type_37(0u, type_37().member_1);
                                                     }
-                                                    let _e823 = phi_1196_;
-                                                    let _e825 = phi_1221_;
-                                                    let _e829 = (bitcast<i32>(_e825.member) != 0i);
-                                                    if _e829 {
-                                                        if (_e825.member_1 < 3u) {
+                                                    let _e819 = phi_1182_;
+                                                    let _e821 = phi_1207_;
+                                                    let _e825 = (bitcast<i32>(_e821.member) != 0i);
+                                                    if _e825 {
+                                                        if (_e821.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e832 = local_9.member[_e825.member_1];
-                                                        let _e834 = keys.member[_e832];
-                                                        local_5 = array<array<u32, 2>, 6>(array<u32, 2>(_e834[0][0], _e834[0][1]), array<u32, 2>(_e834[1][0], _e834[1][1]), array<u32, 2>(_e834[2][0], _e834[2][1]), array<u32, 2>(_e834[3][0], _e834[3][1]), array<u32, 2>(_e834[4][0], _e834[4][1]), array<u32, 2>(_e834[5][0], _e834[5][1]));
-                                                        let _e860 = (3u + _e655.member_1);
-                                                        if (_e860 < 6u) {
+                                                        let _e828 = local_9.member[_e821.member_1];
+                                                        let _e830 = keys.member[_e828];
+                                                        local_5 = array<array<u32, 2>, 6>(array<u32, 2>(_e830[0][0], _e830[0][1]), array<u32, 2>(_e830[1][0], _e830[1][1]), array<u32, 2>(_e830[2][0], _e830[2][1]), array<u32, 2>(_e830[3][0], _e830[3][1]), array<u32, 2>(_e830[4][0], _e830[4][1]), array<u32, 2>(_e830[5][0], _e830[5][1]));
+                                                        let _e856 = (3u + _e651.member_1);
+                                                        if (_e856 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e863 = local_5[_e860];
-                                                        if (_e863[1] > _e809[1]) {
-                                                            phi_1298_ = true;
+                                                        let _e859 = local_5[_e856];
+                                                        if (_e859[1] > _e805[1]) {
+                                                            phi_1284_ = true;
                                                         } else {
-                                                            if (_e863[1] == _e809[1]) {
-                                                                phi_1297_ = (_e863[0] > _e809[0]);
+                                                            if (_e859[1] == _e805[1]) {
+                                                                phi_1283_ = (_e859[0] > _e805[0]);
                                                             } else {
-                                                                phi_1297_ = false;
+                                                                phi_1283_ = false;
                                                             }
-                                                            let _e874 = phi_1297_;
-                                                            phi_1298_ = _e874;
+                                                            let _e870 = phi_1283_;
+                                                            phi_1284_ = _e870;
                                                         }
-                                                        let _e876 = phi_1298_;
-                                                        if _e876 {
-                                                            phi_1302_ = array<u32, 2>(_e863[0], _e863[1]);
+                                                        let _e872 = phi_1284_;
+                                                        if _e872 {
+                                                            phi_1288_ = array<u32, 2>(_e859[0], _e859[1]);
                                                         } else {
-                                                            phi_1302_ = _e809;
+                                                            phi_1288_ = _e805;
                                                         }
-                                                        let _e878 = phi_1302_;
-                                                        phi_1199_ = _e878;
+                                                        let _e874 = phi_1288_;
+                                                        phi_1185_ = _e874;
                                                     } else {
-                                                        phi_1199_ = array<u32, 2>();
+                                                        phi_1185_ = array<u32, 2>();
                                                     }
-                                                    let _e880 = phi_1199_;
+                                                    let _e876 = phi_1185_;
                                                     continue;
                                                     continuing {
-                                                        phi_1195_ = _e823;
-                                                        phi_1198_ = _e880;
-                                                        break if !(_e829);
+                                                        phi_1181_ = _e819;
+                                                        phi_1184_ = _e876;
+                                                        break if !(_e825);
                                                     }
                                                 }
-                                                let _e883 = local_10;
-                                                let _e886 = local_11;
-                                                if (_e883[1] > _e886[1]) {
-                                                    phi_1319_ = true;
+                                                let _e879 = local_10;
+                                                let _e882 = local_11;
+                                                if (_e879[1] > _e882[1]) {
+                                                    phi_1305_ = true;
                                                 } else {
-                                                    let _e890 = local_12;
-                                                    let _e893 = local_13;
-                                                    if (_e890[1] == _e893[1]) {
-                                                        let _e897 = local_14;
-                                                        let _e900 = local_15;
-                                                        phi_1318_ = (_e897[0] > _e900[0]);
+                                                    let _e886 = local_12;
+                                                    let _e889 = local_13;
+                                                    if (_e886[1] == _e889[1]) {
+                                                        let _e893 = local_14;
+                                                        let _e896 = local_15;
+                                                        phi_1304_ = (_e893[0] > _e896[0]);
                                                     } else {
-                                                        phi_1318_ = false;
+                                                        phi_1304_ = false;
                                                     }
-                                                    let _e904 = phi_1318_;
-                                                    phi_1319_ = _e904;
+                                                    let _e900 = phi_1304_;
+                                                    phi_1305_ = _e900;
                                                 }
-                                                let _e906 = phi_1319_;
-                                                let _e909 = local_9.member[0u];
-                                                let _e911 = keys.member[_e909];
-                                                local_2 = array<array<u32, 2>, 6>(array<u32, 2>(_e911[0][0], _e911[0][1]), array<u32, 2>(_e911[1][0], _e911[1][1]), array<u32, 2>(_e911[2][0], _e911[2][1]), array<u32, 2>(_e911[3][0], _e911[3][1]), array<u32, 2>(_e911[4][0], _e911[4][1]), array<u32, 2>(_e911[5][0], _e911[5][1]));
-                                                if (_e655.member_1 < 6u) {
+                                                let _e902 = phi_1305_;
+                                                let _e905 = local_9.member[0u];
+                                                let _e907 = keys.member[_e905];
+                                                local_2 = array<array<u32, 2>, 6>(array<u32, 2>(_e907[0][0], _e907[0][1]), array<u32, 2>(_e907[1][0], _e907[1][1]), array<u32, 2>(_e907[2][0], _e907[2][1]), array<u32, 2>(_e907[3][0], _e907[3][1]), array<u32, 2>(_e907[4][0], _e907[4][1]), array<u32, 2>(_e907[5][0], _e907[5][1]));
+                                                if (_e651.member_1 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e939 = local_2[_e655.member_1];
-                                                phi_1370_ = type_37(1u, 3u);
-                                                phi_1373_ = array<u32, 2>(_e939[0], _e939[1]);
+                                                let _e935 = local_2[_e651.member_1];
+                                                phi_1356_ = type_37(1u, 3u);
+                                                phi_1359_ = array<u32, 2>(_e935[0], _e935[1]);
                                                 loop {
-                                                    let _e944 = phi_1370_;
-                                                    let _e946 = phi_1373_;
-                                                    local_16 = _e946;
-                                                    local_18 = _e946;
-                                                    local_20 = _e946;
-                                                    if (_e944.member < _e944.member_1) {
-                                                        phi_1371_ = type_37((_e944.member + 1u), _e944.member_1);
-                                                        phi_1396_ = type_37(1u, _e944.member);
+                                                    let _e940 = phi_1356_;
+                                                    let _e942 = phi_1359_;
+                                                    local_16 = _e942;
+                                                    local_18 = _e942;
+                                                    local_20 = _e942;
+                                                    if (_e940.member < _e940.member_1) {
+                                                        phi_1357_ = type_37((_e940.member + 1u), _e940.member_1);
+                                                        phi_1382_ = type_37(1u, _e940.member);
                                                     } else {
-                                                        phi_1371_ = _e944;
-                                                        phi_1396_ = type_37(0u, type_37().member_1);
+                                                        phi_1357_ = _e940;
+                                                        phi_1382_ = type_37(0u, type_37().member_1);
                                                     }
-                                                    let _e960 = phi_1371_;
-                                                    let _e962 = phi_1396_;
-                                                    let _e966 = (bitcast<i32>(_e962.member) != 0i);
-                                                    if _e966 {
-                                                        if (_e962.member_1 < 3u) {
+                                                    let _e956 = phi_1357_;
+                                                    let _e958 = phi_1382_;
+                                                    let _e962 = (bitcast<i32>(_e958.member) != 0i);
+                                                    if _e962 {
+                                                        if (_e958.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e969 = local_9.member[_e962.member_1];
-                                                        let _e971 = keys.member[_e969];
-                                                        local_3 = array<array<u32, 2>, 6>(array<u32, 2>(_e971[0][0], _e971[0][1]), array<u32, 2>(_e971[1][0], _e971[1][1]), array<u32, 2>(_e971[2][0], _e971[2][1]), array<u32, 2>(_e971[3][0], _e971[3][1]), array<u32, 2>(_e971[4][0], _e971[4][1]), array<u32, 2>(_e971[5][0], _e971[5][1]));
-                                                        if (_e655.member_1 < 6u) {
+                                                        let _e965 = local_9.member[_e958.member_1];
+                                                        let _e967 = keys.member[_e965];
+                                                        local_3 = array<array<u32, 2>, 6>(array<u32, 2>(_e967[0][0], _e967[0][1]), array<u32, 2>(_e967[1][0], _e967[1][1]), array<u32, 2>(_e967[2][0], _e967[2][1]), array<u32, 2>(_e967[3][0], _e967[3][1]), array<u32, 2>(_e967[4][0], _e967[4][1]), array<u32, 2>(_e967[5][0], _e967[5][1]));
+                                                        if (_e651.member_1 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e999 = local_3[_e655.member_1];
-                                                        if (_e946[1] > _e999[1]) {
-                                                            phi_1472_ = true;
+                                                        let _e995 = local_3[_e651.member_1];
+                                                        if (_e942[1] > _e995[1]) {
+                                                            phi_1458_ = true;
                                                         } else {
-                                                            if (_e946[1] == _e999[1]) {
-                                                                phi_1471_ = (_e946[0] > _e999[0]);
+                                                            if (_e942[1] == _e995[1]) {
+                                                                phi_1457_ = (_e942[0] > _e995[0]);
                                                             } else {
-                                                                phi_1471_ = false;
+                                                                phi_1457_ = false;
                                                             }
-                                                            let _e1010 = phi_1471_;
-                                                            phi_1472_ = _e1010;
+                                                            let _e1006 = phi_1457_;
+                                                            phi_1458_ = _e1006;
                                                         }
-                                                        let _e1012 = phi_1472_;
-                                                        if _e1012 {
-                                                            phi_1476_ = array<u32, 2>(_e999[0], _e999[1]);
+                                                        let _e1008 = phi_1458_;
+                                                        if _e1008 {
+                                                            phi_1462_ = array<u32, 2>(_e995[0], _e995[1]);
                                                         } else {
-                                                            phi_1476_ = _e946;
+                                                            phi_1462_ = _e942;
                                                         }
-                                                        let _e1014 = phi_1476_;
-                                                        phi_1374_ = _e1014;
+                                                        let _e1010 = phi_1462_;
+                                                        phi_1360_ = _e1010;
                                                     } else {
-                                                        phi_1374_ = array<u32, 2>();
+                                                        phi_1360_ = array<u32, 2>();
                                                     }
-                                                    let _e1016 = phi_1374_;
+                                                    let _e1012 = phi_1360_;
                                                     continue;
                                                     continuing {
-                                                        phi_1370_ = _e960;
-                                                        phi_1373_ = _e1016;
-                                                        break if !(_e966);
+                                                        phi_1356_ = _e956;
+                                                        phi_1359_ = _e1012;
+                                                        break if !(_e962);
                                                     }
                                                 }
-                                                let _e1019 = local_8.member[0u];
-                                                let _e1021 = keys.member[_e1019];
-                                                local = array<array<u32, 2>, 6>(array<u32, 2>(_e1021[0][0], _e1021[0][1]), array<u32, 2>(_e1021[1][0], _e1021[1][1]), array<u32, 2>(_e1021[2][0], _e1021[2][1]), array<u32, 2>(_e1021[3][0], _e1021[3][1]), array<u32, 2>(_e1021[4][0], _e1021[4][1]), array<u32, 2>(_e1021[5][0], _e1021[5][1]));
-                                                let _e1047 = (3u + _e655.member_1);
-                                                if (_e1047 < 6u) {
+                                                let _e1015 = local_8.member[0u];
+                                                let _e1017 = keys.member[_e1015];
+                                                local = array<array<u32, 2>, 6>(array<u32, 2>(_e1017[0][0], _e1017[0][1]), array<u32, 2>(_e1017[1][0], _e1017[1][1]), array<u32, 2>(_e1017[2][0], _e1017[2][1]), array<u32, 2>(_e1017[3][0], _e1017[3][1]), array<u32, 2>(_e1017[4][0], _e1017[4][1]), array<u32, 2>(_e1017[5][0], _e1017[5][1]));
+                                                let _e1043 = (3u + _e651.member_1);
+                                                if (_e1043 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1050 = local[_e1047];
-                                                phi_1527_ = type_37(1u, 3u);
-                                                phi_1530_ = array<u32, 2>(_e1050[0], _e1050[1]);
+                                                let _e1046 = local[_e1043];
+                                                phi_1513_ = type_37(1u, 3u);
+                                                phi_1516_ = array<u32, 2>(_e1046[0], _e1046[1]);
                                                 loop {
-                                                    let _e1055 = phi_1527_;
-                                                    let _e1057 = phi_1530_;
-                                                    local_17 = _e1057;
-                                                    local_19 = _e1057;
-                                                    local_21 = _e1057;
-                                                    if (_e1055.member < _e1055.member_1) {
-                                                        phi_1528_ = type_37((_e1055.member + 1u), _e1055.member_1);
-                                                        phi_1553_ = type_37(1u, _e1055.member);
+                                                    let _e1051 = phi_1513_;
+                                                    let _e1053 = phi_1516_;
+                                                    local_17 = _e1053;
+                                                    local_19 = _e1053;
+                                                    local_21 = _e1053;
+                                                    if (_e1051.member < _e1051.member_1) {
+                                                        phi_1514_ = type_37((_e1051.member + 1u), _e1051.member_1);
+                                                        phi_1539_ = type_37(1u, _e1051.member);
                                                     } else {
-                                                        phi_1528_ = _e1055;
-                                                        phi_1553_ = type_37(0u, type_37().member_1);
+                                                        phi_1514_ = _e1051;
+                                                        phi_1539_ = type_37(0u, type_37().member_1);
                                                     }
-                                                    let _e1071 = phi_1528_;
-                                                    let _e1073 = phi_1553_;
-                                                    let _e1077 = (bitcast<i32>(_e1073.member) != 0i);
-                                                    if _e1077 {
-                                                        if (_e1073.member_1 < 3u) {
+                                                    let _e1067 = phi_1514_;
+                                                    let _e1069 = phi_1539_;
+                                                    let _e1073 = (bitcast<i32>(_e1069.member) != 0i);
+                                                    if _e1073 {
+                                                        if (_e1069.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1080 = local_8.member[_e1073.member_1];
-                                                        let _e1082 = keys.member[_e1080];
-                                                        local_1 = array<array<u32, 2>, 6>(array<u32, 2>(_e1082[0][0], _e1082[0][1]), array<u32, 2>(_e1082[1][0], _e1082[1][1]), array<u32, 2>(_e1082[2][0], _e1082[2][1]), array<u32, 2>(_e1082[3][0], _e1082[3][1]), array<u32, 2>(_e1082[4][0], _e1082[4][1]), array<u32, 2>(_e1082[5][0], _e1082[5][1]));
-                                                        let _e1108 = (3u + _e655.member_1);
-                                                        if (_e1108 < 6u) {
+                                                        let _e1076 = local_8.member[_e1069.member_1];
+                                                        let _e1078 = keys.member[_e1076];
+                                                        local_1 = array<array<u32, 2>, 6>(array<u32, 2>(_e1078[0][0], _e1078[0][1]), array<u32, 2>(_e1078[1][0], _e1078[1][1]), array<u32, 2>(_e1078[2][0], _e1078[2][1]), array<u32, 2>(_e1078[3][0], _e1078[3][1]), array<u32, 2>(_e1078[4][0], _e1078[4][1]), array<u32, 2>(_e1078[5][0], _e1078[5][1]));
+                                                        let _e1104 = (3u + _e651.member_1);
+                                                        if (_e1104 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1111 = local_1[_e1108];
-                                                        if (_e1111[1] > _e1057[1]) {
-                                                            phi_1630_ = true;
+                                                        let _e1107 = local_1[_e1104];
+                                                        if (_e1107[1] > _e1053[1]) {
+                                                            phi_1616_ = true;
                                                         } else {
-                                                            if (_e1111[1] == _e1057[1]) {
-                                                                phi_1629_ = (_e1111[0] > _e1057[0]);
+                                                            if (_e1107[1] == _e1053[1]) {
+                                                                phi_1615_ = (_e1107[0] > _e1053[0]);
                                                             } else {
-                                                                phi_1629_ = false;
+                                                                phi_1615_ = false;
                                                             }
-                                                            let _e1122 = phi_1629_;
-                                                            phi_1630_ = _e1122;
+                                                            let _e1118 = phi_1615_;
+                                                            phi_1616_ = _e1118;
                                                         }
-                                                        let _e1124 = phi_1630_;
-                                                        if _e1124 {
-                                                            phi_1634_ = array<u32, 2>(_e1111[0], _e1111[1]);
+                                                        let _e1120 = phi_1616_;
+                                                        if _e1120 {
+                                                            phi_1620_ = array<u32, 2>(_e1107[0], _e1107[1]);
                                                         } else {
-                                                            phi_1634_ = _e1057;
+                                                            phi_1620_ = _e1053;
                                                         }
-                                                        let _e1126 = phi_1634_;
-                                                        phi_1531_ = _e1126;
+                                                        let _e1122 = phi_1620_;
+                                                        phi_1517_ = _e1122;
                                                     } else {
-                                                        phi_1531_ = array<u32, 2>();
+                                                        phi_1517_ = array<u32, 2>();
                                                     }
-                                                    let _e1128 = phi_1531_;
+                                                    let _e1124 = phi_1517_;
                                                     continue;
                                                     continuing {
-                                                        phi_1527_ = _e1071;
-                                                        phi_1530_ = _e1128;
-                                                        break if !(_e1077);
+                                                        phi_1513_ = _e1067;
+                                                        phi_1516_ = _e1124;
+                                                        break if !(_e1073);
                                                     }
                                                 }
-                                                let _e1131 = local_16;
-                                                let _e1134 = local_17;
-                                                if (_e1131[1] > _e1134[1]) {
-                                                    phi_1651_ = true;
+                                                let _e1127 = local_16;
+                                                let _e1130 = local_17;
+                                                if (_e1127[1] > _e1130[1]) {
+                                                    phi_1637_ = true;
                                                 } else {
-                                                    let _e1138 = local_18;
-                                                    let _e1141 = local_19;
-                                                    if (_e1138[1] == _e1141[1]) {
-                                                        let _e1145 = local_20;
-                                                        let _e1148 = local_21;
-                                                        phi_1650_ = (_e1145[0] > _e1148[0]);
+                                                    let _e1134 = local_18;
+                                                    let _e1137 = local_19;
+                                                    if (_e1134[1] == _e1137[1]) {
+                                                        let _e1141 = local_20;
+                                                        let _e1144 = local_21;
+                                                        phi_1636_ = (_e1141[0] > _e1144[0]);
                                                     } else {
-                                                        phi_1650_ = false;
+                                                        phi_1636_ = false;
                                                     }
-                                                    let _e1152 = phi_1650_;
-                                                    phi_1651_ = _e1152;
+                                                    let _e1148 = phi_1636_;
+                                                    phi_1637_ = _e1148;
                                                 }
-                                                let _e1154 = phi_1651_;
-                                                phi_959_ = (_e639 && (!(_e906) && !(_e1154)));
+                                                let _e1150 = phi_1637_;
+                                                phi_945_ = (_e635 && (!(_e902) && !(_e1150)));
                                             } else {
-                                                phi_959_ = bool();
+                                                phi_945_ = bool();
                                             }
-                                            let _e1159 = phi_959_;
+                                            let _e1155 = phi_945_;
                                             continue;
                                             continuing {
-                                                phi_955_ = _e653;
-                                                phi_958_ = _e1159;
-                                                break if !(_e659);
+                                                phi_941_ = _e649;
+                                                phi_944_ = _e1155;
+                                                break if !(_e655);
                                             }
                                         }
-                                        let _e1411 = local_22;
-                                        phi_1655_ = _e1411;
+                                        let _e1405 = local_22;
+                                        phi_1641_ = _e1405;
                                     }
-                                    let _e1162 = phi_1655_;
-                                    phi_1656_ = _e1162;
-                                    phi_1657_ = _e633;
+                                    let _e1158 = phi_1641_;
+                                    phi_1642_ = _e1158;
+                                    phi_1643_ = _e629;
                                 } else {
-                                    phi_1656_ = bool();
-                                    phi_1657_ = true;
+                                    phi_1642_ = bool();
+                                    phi_1643_ = true;
                                 }
-                                let _e1164 = phi_1656_;
-                                let _e1166 = phi_1657_;
-                                if _e1166 {
-                                    phi_1661_ = false;
+                                let _e1160 = phi_1642_;
+                                let _e1162 = phi_1643_;
+                                if _e1162 {
+                                    phi_1647_ = false;
                                 } else {
-                                    phi_1661_ = true;
+                                    phi_1647_ = true;
                                 }
-                                let _e1168 = phi_1661_;
-                                phi_1662_ = _e1164;
-                                phi_1663_ = _e1168;
+                                let _e1164 = phi_1647_;
+                                phi_1648_ = _e1160;
+                                phi_1649_ = _e1164;
                             } else {
-                                phi_1662_ = false;
-                                phi_1663_ = true;
+                                phi_1648_ = false;
+                                phi_1649_ = true;
                             }
-                            let _e1170 = phi_1662_;
-                            let _e1172 = phi_1663_;
-                            phi_1664_ = _e1170;
-                            phi_1665_ = _e1172;
+                            let _e1166 = phi_1648_;
+                            let _e1168 = phi_1649_;
+                            phi_1650_ = _e1166;
+                            phi_1651_ = _e1168;
                         } else {
-                            phi_1664_ = false;
-                            phi_1665_ = true;
+                            phi_1650_ = false;
+                            phi_1651_ = true;
                         }
-                        let _e1174 = phi_1664_;
-                        let _e1176 = phi_1665_;
-                        if _e1176 {
-                            phi_1669_ = _e1174;
+                        let _e1170 = phi_1650_;
+                        let _e1172 = phi_1651_;
+                        if _e1172 {
+                            phi_1655_ = _e1170;
                         } else {
-                            phi_1669_ = true;
+                            phi_1655_ = true;
                         }
-                        let _e1178 = phi_1669_;
-                        if _e1178 {
-                            let _e1180 = atomicAdd((&counters[3u]), 1u);
-                            kept[_e1180] = _e424;
+                        let _e1174 = phi_1655_;
+                        if _e1174 {
+                            let _e1176 = atomicAdd((&counters[3u]), 1u);
+                            kept[_e1176] = _e424;
                         }
-                        phi_1677_ = (_e387 + 64u);
-                        phi_1678_ = true;
+                        phi_1663_ = (_e387 + 64u);
+                        phi_1664_ = true;
                     }
-                    let _e1184 = phi_1677_;
-                    let _e1186 = phi_1678_;
-                    phi_603_ = _e1184;
-                    phi_1679_ = _e1186;
+                    let _e1180 = phi_1663_;
+                    let _e1182 = phi_1664_;
+                    phi_603_ = _e1180;
+                    phi_1665_ = _e1182;
                 } else {
                     phi_603_ = u32();
-                    phi_1679_ = false;
+                    phi_1665_ = false;
                 }
-                let _e1188 = phi_603_;
-                let _e1190 = phi_1679_;
+                let _e1184 = phi_603_;
+                let _e1186 = phi_1665_;
                 continue;
                 continuing {
                     phi_599_ = _e416;
-                    phi_602_ = _e1188;
-                    break if !(_e1190);
+                    phi_602_ = _e1184;
+                    break if !(_e1186);
                 }
             }
             workgroupBarrier();
             if (_e66 == 0u) {
-                let _e1194 = atomicLoad((&counters[3u]));
-                if (_e1194 > 0u) {
-                    let _e1197 = atomicAdd((&output.member[0u]), _e1194);
-                    atomicStore((&counters[4u]), _e1197);
+                let _e1190 = atomicLoad((&counters[3u]));
+                if (_e1190 > 0u) {
+                    let _e1193 = atomicAdd((&output.member[0u]), _e1190);
+                    atomicStore((&counters[4u]), _e1193);
                 }
             }
             workgroupBarrier();
-            let _e1200 = atomicLoad((&counters[4u]));
-            let _e1202 = atomicLoad((&counters[3u]));
-            phi_1700_ = type_35(0i, 16i);
-            phi_1703_ = _e66;
+            let _e1196 = atomicLoad((&counters[4u]));
+            let _e1198 = atomicLoad((&counters[3u]));
+            phi_1686_ = type_35(0i, 16i);
+            phi_1689_ = _e66;
             loop {
-                let _e1204 = phi_1700_;
-                let _e1206 = phi_1703_;
-                if (_e1204.member < _e1204.member_1) {
-                    let _e1214 = (_e1204.member + 1i);
-                    if ((false == (_e1214 > _e1204.member)) != false) {
-                        phi_1724_ = true;
+                let _e1200 = phi_1686_;
+                let _e1202 = phi_1689_;
+                if (_e1200.member < _e1200.member_1) {
+                    let _e1210 = (_e1200.member + 1i);
+                    if ((false == (_e1210 > _e1200.member)) != false) {
+                        phi_1710_ = true;
                     } else {
-                        phi_1724_ = false;
+                        phi_1710_ = false;
                     }
-                    let _e1219 = phi_1724_;
-                    if _e1219 {
-                        phi_1730_ = type_36(0u, type_36().member_1);
+                    let _e1215 = phi_1710_;
+                    if _e1215 {
+                        phi_1716_ = type_36(0u, type_36().member_1);
                     } else {
-                        phi_1730_ = type_36(1u, _e1214);
+                        phi_1716_ = type_36(1u, _e1210);
                     }
-                    let _e1225 = phi_1730_;
-                    if (bitcast<i32>(_e1225.member) != 0i) {
+                    let _e1221 = phi_1716_;
+                    if (bitcast<i32>(_e1221.member) != 0i) {
                     } else {
                         return;
                     }
-                    phi_1701_ = type_35(_e1225.member_1, _e1204.member_1);
-                    phi_1744_ = type_36(1u, _e1204.member);
+                    phi_1687_ = type_35(_e1221.member_1, _e1200.member_1);
+                    phi_1730_ = type_36(1u, _e1200.member);
                 } else {
-                    phi_1701_ = _e1204;
-                    phi_1744_ = type_36(0u, type_36().member_1);
+                    phi_1687_ = _e1200;
+                    phi_1730_ = type_36(0u, type_36().member_1);
                 }
-                let _e1235 = phi_1701_;
-                let _e1237 = phi_1744_;
-                if (bitcast<i32>(_e1237.member) != 0i) {
-                    if (_e1206 >= _e1202) {
-                        phi_1852_ = u32();
-                        phi_1853_ = false;
+                let _e1231 = phi_1687_;
+                let _e1233 = phi_1730_;
+                if (bitcast<i32>(_e1233.member) != 0i) {
+                    if (_e1202 >= _e1198) {
+                        phi_1838_ = u32();
+                        phi_1839_ = false;
                     } else {
-                        let _e1243 = kept[_e1206];
+                        let _e1239 = kept[_e1202];
                         if (_e86[0] < 4u) {
                         } else {
                             return;
                         }
-                        let _e1253 = params.member.member_18[0u][_e86[0]];
+                        let _e1249 = params.member.member_18[0u][_e86[0]];
                         if (_e86[1] < 4u) {
                         } else {
                             return;
                         }
-                        let _e1261 = params.member.member_18[0u][_e86[1]];
-                        let _e1264 = leaves.member[(_e1253 + ((_e165 * 32u) + (_e1243 >> bitcast<u32>(5i))))];
-                        let _e1267 = leaves.member[(_e1261 + ((_e168 * 32u) + (_e1243 & 31u)))];
-                        let _e1270 = params.member.member_8;
-                        if (_e1270 == 0u) {
-                            phi_1832_ = type_37(_e1264.member_1, _e1267.member_1);
+                        let _e1257 = params.member.member_18[0u][_e86[1]];
+                        let _e1260 = leaves.member[(_e1249 + ((_e165 * 32u) + (_e1239 >> bitcast<u32>(5i))))];
+                        let _e1263 = leaves.member[(_e1257 + ((_e168 * 32u) + (_e1239 & 31u)))];
+                        let _e1266 = params.member.member_8;
+                        if (_e1266 == 0u) {
+                            phi_1818_ = type_37(_e1260.member_1, _e1263.member_1);
                         } else {
-                            if (_e1264.member_1 < _e1267.member_1) {
-                                phi_1828_ = type_37(_e1264.member_1, _e1267.member_1);
+                            if (_e1260.member_1 < _e1263.member_1) {
+                                phi_1814_ = type_37(_e1260.member_1, _e1263.member_1);
                             } else {
-                                phi_1828_ = type_37(_e1267.member_1, _e1264.member_1);
+                                phi_1814_ = type_37(_e1263.member_1, _e1260.member_1);
                             }
-                            let _e1276 = phi_1828_;
-                            phi_1832_ = _e1276;
+                            let _e1272 = phi_1814_;
+                            phi_1818_ = _e1272;
                         }
-                        let _e1279 = phi_1832_;
-                        let _e1281 = params.member.member_16;
-                        let _e1282 = (_e1200 + _e1206);
-                        if (_e1282 < _e1281) {
-                            atomicStore((&output.member[(4u + (2u * _e1282))]), _e1279.member);
-                            atomicStore((&output.member[((2u * _e1282) + 5u)]), _e1279.member_1);
+                        let _e1275 = phi_1818_;
+                        let _e1277 = params.member.member_16;
+                        let _e1278 = (_e1196 + _e1202);
+                        if (_e1278 < _e1277) {
+                            atomicStore((&output.member[(4u + (2u * _e1278))]), _e1275.member);
+                            atomicStore((&output.member[((2u * _e1278) + 5u)]), _e1275.member_1);
                         }
-                        phi_1852_ = (_e1206 + 64u);
-                        phi_1853_ = true;
+                        phi_1838_ = (_e1202 + 64u);
+                        phi_1839_ = true;
                     }
-                    let _e1294 = phi_1852_;
-                    let _e1296 = phi_1853_;
-                    phi_1704_ = _e1294;
-                    phi_1854_ = _e1296;
+                    let _e1290 = phi_1838_;
+                    let _e1292 = phi_1839_;
+                    phi_1690_ = _e1290;
+                    phi_1840_ = _e1292;
                 } else {
-                    phi_1704_ = u32();
-                    phi_1854_ = false;
+                    phi_1690_ = u32();
+                    phi_1840_ = false;
                 }
-                let _e1298 = phi_1704_;
-                let _e1300 = phi_1854_;
+                let _e1294 = phi_1690_;
+                let _e1296 = phi_1840_;
                 continue;
                 continuing {
-                    phi_1700_ = _e1235;
-                    phi_1703_ = _e1298;
-                    break if !(_e1300);
+                    phi_1686_ = _e1231;
+                    phi_1689_ = _e1294;
+                    break if !(_e1296);
                 }
             }
             workgroupBarrier();

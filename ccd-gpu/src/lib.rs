@@ -1,4 +1,5 @@
 //! Continuous collision detection on the GPU: the host side of the kernels of `ccd-core`, over wgpu.
+mod broad;
 mod device;
 mod error;
 mod levels;
@@ -11,6 +12,7 @@ mod tail;
 mod tree;
 mod upload;
 
+pub use broad::{BroadPhase, Sorter};
 pub use device::{Device, DeviceOptions, Info, Path};
 pub use error::Error;
 pub use list::List;

@@ -335,7 +335,7 @@ fn contact(touch: &Touch) -> Contact {
 }
 
 /// Records with `work`, submits, and returns the stages.
-fn submit(device: &Device, bench: &mut Bench, work: impl FnOnce(&mut Recorder)) -> Result<Vec<&'static str>, Error> {
+pub(crate) fn submit(device: &Device, bench: &mut Bench, work: impl FnOnce(&mut Recorder)) -> Result<Vec<&'static str>, Error> {
     device.guarded("a frame", 0, || {
         let mut encoder = device.wgpu().create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("ccd") });
         let mut recorder = bench.record(&mut encoder);

@@ -112,6 +112,9 @@ mod build {
             .current_dir(root.join("ccd-shaders"))
             .env("RUSTUP_TOOLCHAIN", toolchain)
             .env("RUST_MIN_STACK", "33554432")
+            // Jump threading copies code into the branches that lead to it, also a barrier into branches that threads take differently.
+            // (rust-gpu switches off the other pass itself; the last list counts.)
+            .env("RUSTGPU_RUSTFLAGS", "-Zmir-enable-passes=-GVN,-JumpThreading")
             .env("CARGO_TARGET_DIR", root.join("target/shaders/builder"))
             // Set by the outer cargo for its own toolchain.
             .env_remove("CARGO")
@@ -138,7 +141,9 @@ mod build {
                 .map_err(|e| format!("{name}: naga: {}", e.emit_to_string("")))?;
             let wgsl = naga::back::wgsl::write_string(&module, &info, naga::back::wgsl::WriterFlags::empty())
                 .map_err(|e| format!("{name}: WGSL: {e}"))?;
-            kernels.push(describe(&name, &module));
+            let row = describe(&name, &module, &spirv);
+            check_barriers(&name, &row)?;
+            kernels.push(row);
             products.insert(format!("{name}.spv"), spirv);
             products.insert(format!("{name}.wgsl"), wgsl.into_bytes());
         }
@@ -148,8 +153,34 @@ mod build {
         Ok(products)
     }
 
+    /// Barriers as written in ccd-shaders. A copy of one may stand where not all threads of a workgroup come by, and no validator sees that.
+    const BARRIERS: [(&str, u64); 10] = [
+        ("scene_bounds", 1),
+        ("sort_count", 2),
+        ("sort_scan", 3),
+        ("sort_scatter", 7),
+        ("fit_leaves", 1),
+        ("fit_level", 1),
+        ("node_pairs", 6),
+        ("list_candidates", 6),
+        ("filter_vertex_face", 6),
+        ("filter_edge_edge", 6),
+    ];
+
+    fn check_barriers(name: &str, row: &Value) -> Result<(), String> {
+        // In `f32` the kernels append to two lists.
+        let decide = if name.ends_with("_wide") { 3 } else { 7 };
+        let written = match BARRIERS.iter().find(|(kernel, _)| *kernel == name) {
+            Some((_, n)) => *n,
+            None if name.starts_with("decide") => decide,
+            None => 0,
+        };
+        let found = row["barriers"].as_u64().unwrap_or(0);
+        if found == written { Ok(()) } else { Err(format!("{name} has {found} barriers, its source {written}: a compiler copied or dropped one")) }
+    }
+
     /// Workgroup size, bindings, bytes of workgroup memory, and whether `f64` is needed.
-    fn describe(name: &str, module: &naga::Module) -> Value {
+    fn describe(name: &str, module: &naga::Module, spirv: &[u8]) -> Value {
         let entry = &module.entry_points[0];
         let mut bindings = BTreeMap::new();
         let mut shared = 0;
@@ -165,7 +196,18 @@ mod build {
         }
         let wide = module.types.iter().any(|(_, ty)| ty.inner.scalar().is_some_and(|s| s.width == 8));
         json!({ "name": name, "entry": entry.name, "workgroup": entry.workgroup_size[0], "bindings": bindings.into_values().collect::<Vec<_>>(),
-            "shared_bytes": shared, "wide": wide })
+            "shared_bytes": shared, "wide": wide, "barriers": count_barriers(spirv) })
+    }
+
+    fn count_barriers(spirv: &[u8]) -> usize {
+        const OP_CONTROL_BARRIER: u32 = 224;
+        let words: Vec<u32> = spirv.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
+        let (mut at, mut n) = (5, 0);
+        while at < words.len() {
+            n += (words[at] & 0xffff == OP_CONTROL_BARRIER) as usize;
+            at += (words[at] >> 16).max(1) as usize;
+        }
+        n
     }
 
     fn write(root: &Path, products: &BTreeMap<String, Vec<u8>>) -> Result<(), String> {
