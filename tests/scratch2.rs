@@ -13,10 +13,10 @@ fn show(m: &mut Vec<(String, Vec<f64>)>) { let mut sum = 0.0; for (n, v) in m { 
 fn scratch() {
     let dir = ccd_testkit::data::data_dir().unwrap();
     let reps: usize = std::env::var("REPS").ok().and_then(|v| v.parse().ok()).unwrap_or(1);
-    for path in [Some(Path::Passthrough)] { for narrow in [false] {
+    for path in [Some(Path::Passthrough)] { for narrow in [true, false] {
     let device = Device::open(&DeviceOptions { path, narrow, ..Default::default() }).unwrap();
     println!("{}", device.info());
-    for (name, t0, t1) in [("rod-twist", "3036", "3037")] {
+    for (name, t0, t1) in [("cloth-funnel", "227", "228"), ] {
         let f = |t: &str| ccd::io::read_frame(&dir.join(format!("scenes/{name}/frames/{t}.ply")));
         let (Ok(a), Ok(b)) = (f(t0), f(t1)) else { println!("no {name}"); continue };
         let mesh = a.mesh().unwrap();

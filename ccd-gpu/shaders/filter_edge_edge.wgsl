@@ -47,41 +47,31 @@ struct type_26 {
 }
 
 struct type_35 {
-    member: i32,
-    member_1: i32,
-}
-
-struct type_36 {
-    member: u32,
-    member_1: i32,
-}
-
-struct type_37 {
     member: u32,
     member_1: u32,
 }
 
-struct type_46 {
+struct type_44 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
 }
 
-struct type_49 {
-    member: array<type_46>,
+struct type_47 {
+    member: array<type_44>,
 }
 
-struct type_65 {
+struct type_63 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-struct type_72 {
+struct type_70 {
     member: array<array<f32, 3>, 2>,
     member_1: array<array<f32, 3>, 2>,
     member_2: array<array<f32, 3>, 2>,
     member_3: f32,
 }
 
-struct type_80 {
+struct type_78 {
     member: array<atomic<u32>>,
 }
 
@@ -93,32 +83,32 @@ var<storage> params: type_13;
 @group(0) @binding(1) 
 var<storage> nodes: type_17;
 var<workgroup> counters: array<atomic<u32>, 8>;
-var<workgroup> sides: array<type_6, 64>;
-var<workgroup> names: array<u32, 64>;
+var<workgroup> firsts: array<u32, 8>;
+var<workgroup> columns: array<type_6, 128>;
+var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 1024>;
 @group(0) @binding(2) 
 var<storage> leaves: type_26;
 @group(0) @binding(3) 
 var<storage> bodies: type_21;
 @group(0) @binding(4) 
-var<storage> keys: type_65;
-var<workgroup> kept: array<u32, 1024>;
+var<storage> keys: type_63;
 @group(0) @binding(5) 
-var<storage> paths: type_49;
+var<storage> paths: type_47;
 @group(0) @binding(6) 
 var<storage> input: type_21;
 @group(0) @binding(7) 
-var<storage, read_write> output: type_80;
+var<storage, read_write> output: type_78;
 
 fn function_() {
     var local: array<array<f32, 3>, 4>;
     var local_1: array<array<f32, 3>, 4>;
     var local_2: array<array<f32, 3>, 4>;
     var local_3: array<array<f32, 3>, 4>;
-    var local_4: array<type_72, 2>;
+    var local_4: array<type_70, 2>;
     var local_5: array<array<f32, 3>, 4>;
     var local_6: array<array<f32, 3>, 4>;
-    var local_7: type_72;
+    var local_7: type_70;
     var local_8: array<array<u32, 2>, 6>;
     var local_9: array<array<u32, 2>, 6>;
     var local_10: array<array<u32, 2>, 6>;
@@ -127,3927 +117,4651 @@ fn function_() {
     var local_13: array<array<u32, 2>, 6>;
     var local_14: array<array<u32, 2>, 6>;
     var local_15: array<array<u32, 2>, 6>;
-    var local_16: type_23;
-    var local_17: type_23;
-    var phi_225_: u32;
-    var phi_252_: u32;
-    var phi_253_: u32;
-    var phi_260_: u32;
-    var phi_281_: u32;
-    var phi_282_: u32;
-    var phi_285_: type_37;
-    var phi_286_: type_37;
-    var phi_309_: type_37;
-    var phi_361_: array<u32, 2>;
-    var phi_369_: u32;
-    var phi_370_: u32;
-    var phi_375_: u32;
-    var phi_376_: u32;
-    var phi_494_: u32;
-    var phi_525_: bool;
-    var phi_530_: type_37;
-    var phi_533_: u32;
-    var phi_531_: type_37;
-    var phi_556_: type_37;
-    var phi_626_: bool;
-    var phi_627_: bool;
-    var phi_639_: u32;
-    var phi_640_: bool;
-    var phi_534_: u32;
-    var phi_641_: bool;
-    var phi_646_: type_35;
-    var phi_649_: u32;
-    var phi_670_: bool;
-    var phi_676_: type_36;
-    var phi_647_: type_35;
-    var phi_690_: type_36;
-    var phi_863_: bool;
-    var phi_864_: bool;
-    var phi_865_: bool;
-    var phi_866_: bool;
-    var phi_867_: bool;
-    var phi_871_: bool;
-    var phi_827_: bool;
-    var phi_828_: bool;
-    var phi_829_: bool;
-    var phi_833_: bool;
-    var phi_872_: bool;
-    var phi_876_: bool;
-    var phi_877_: bool;
-    var phi_923_: bool;
-    var phi_933_: bool;
-    var phi_934_: bool;
-    var phi_938_: bool;
-    var phi_939_: bool;
-    var phi_988_: type_37;
+    var local_16: array<array<u32, 2>, 6>;
+    var local_17: array<array<u32, 2>, 6>;
+    var local_18: array<array<u32, 2>, 6>;
+    var local_19: array<array<u32, 2>, 6>;
+    var local_20: array<array<u32, 2>, 6>;
+    var local_21: array<array<u32, 2>, 6>;
+    var local_22: array<array<u32, 2>, 6>;
+    var local_23: array<array<u32, 2>, 6>;
+    var local_24: type_23;
+    var local_25: type_23;
+    var local_26: type_23;
+    var local_27: type_23;
+    var phi_232_: u32;
+    var phi_270_: u32;
+    var phi_271_: u32;
+    var phi_278_: u32;
+    var phi_294_: u32;
+    var phi_315_: u32;
+    var phi_316_: u32;
+    var phi_319_: type_35;
+    var phi_320_: type_35;
+    var phi_343_: type_35;
+    var phi_381_: u32;
+    var phi_382_: u32;
+    var phi_389_: u32;
+    var phi_399_: u32;
+    var phi_478_: array<u32, 2>;
+    var phi_672_: bool;
+    var phi_673_: bool;
+    var phi_677_: type_6;
+    var phi_690_: type_35;
+    var phi_693_: u32;
+    var phi_691_: type_35;
+    var phi_716_: type_35;
+    var phi_782_: bool;
+    var phi_783_: bool;
+    var phi_784_: bool;
+    var phi_788_: bool;
+    var phi_806_: u32;
+    var phi_807_: u32;
+    var phi_808_: u32;
+    var phi_694_: u32;
+    var phi_811_: type_35;
+    var phi_814_: u32;
+    var phi_812_: type_35;
+    var phi_837_: type_35;
+    var phi_983_: bool;
+    var phi_984_: bool;
+    var phi_985_: bool;
+    var phi_986_: bool;
+    var phi_987_: bool;
     var phi_991_: bool;
-    var phi_989_: type_37;
-    var phi_1014_: type_37;
-    var phi_1071_: type_37;
-    var phi_1074_: array<u32, 2>;
-    var phi_1072_: type_37;
-    var phi_1097_: type_37;
-    var phi_1172_: bool;
-    var phi_1173_: bool;
-    var phi_1177_: array<u32, 2>;
-    var phi_1075_: array<u32, 2>;
-    var phi_1228_: type_37;
-    var phi_1231_: array<u32, 2>;
-    var phi_1229_: type_37;
-    var phi_1254_: type_37;
-    var phi_1330_: bool;
-    var phi_1331_: bool;
-    var phi_1335_: array<u32, 2>;
-    var phi_1232_: array<u32, 2>;
-    var local_18: array<u32, 2>;
-    var local_19: array<u32, 2>;
-    var local_20: array<u32, 2>;
-    var local_21: array<u32, 2>;
-    var local_22: array<u32, 2>;
-    var local_23: array<u32, 2>;
-    var phi_1351_: bool;
-    var phi_1352_: bool;
-    var phi_1403_: type_37;
-    var phi_1406_: array<u32, 2>;
-    var phi_1404_: type_37;
-    var phi_1429_: type_37;
-    var phi_1504_: bool;
-    var phi_1505_: bool;
-    var phi_1509_: array<u32, 2>;
-    var phi_1407_: array<u32, 2>;
-    var phi_1560_: type_37;
-    var phi_1563_: array<u32, 2>;
-    var phi_1561_: type_37;
-    var phi_1586_: type_37;
-    var phi_1662_: bool;
-    var phi_1663_: bool;
-    var phi_1667_: array<u32, 2>;
-    var phi_1564_: array<u32, 2>;
-    var local_24: array<u32, 2>;
-    var local_25: array<u32, 2>;
-    var local_26: array<u32, 2>;
-    var local_27: array<u32, 2>;
+    var phi_947_: bool;
+    var phi_948_: bool;
+    var phi_949_: bool;
+    var phi_953_: bool;
+    var phi_992_: bool;
+    var phi_996_: bool;
+    var phi_997_: bool;
+    var phi_1043_: bool;
+    var phi_1053_: bool;
+    var phi_1054_: bool;
+    var phi_1058_: bool;
+    var phi_1059_: bool;
+    var phi_1108_: type_35;
+    var phi_1111_: bool;
+    var phi_1109_: type_35;
+    var phi_1134_: type_35;
+    var phi_1191_: type_35;
+    var phi_1194_: array<u32, 2>;
+    var phi_1192_: type_35;
+    var phi_1217_: type_35;
+    var phi_1292_: bool;
+    var phi_1293_: bool;
+    var phi_1297_: array<u32, 2>;
+    var phi_1195_: array<u32, 2>;
+    var phi_1348_: type_35;
+    var phi_1351_: array<u32, 2>;
+    var phi_1349_: type_35;
+    var phi_1374_: type_35;
+    var phi_1450_: bool;
+    var phi_1451_: bool;
+    var phi_1455_: array<u32, 2>;
+    var phi_1352_: array<u32, 2>;
     var local_28: array<u32, 2>;
     var local_29: array<u32, 2>;
-    var phi_1683_: bool;
-    var phi_1684_: bool;
-    var phi_992_: bool;
-    var phi_1688_: bool;
-    var phi_1689_: bool;
-    var phi_1690_: bool;
-    var phi_1694_: bool;
-    var phi_1695_: bool;
-    var phi_1696_: bool;
-    var phi_1697_: bool;
-    var phi_1698_: bool;
-    var phi_1702_: bool;
-    var phi_1748_: type_23;
-    var phi_1749_: type_23;
-    var phi_2138_: f32;
-    var phi_2145_: f32;
-    var phi_2150_: f32;
-    var phi_2157_: f32;
-    var phi_2162_: f32;
-    var phi_2175_: f32;
-    var phi_2182_: f32;
-    var phi_2187_: f32;
-    var phi_2194_: f32;
-    var phi_2199_: f32;
-    var phi_2204_: f32;
-    var phi_2221_: f32;
-    var phi_2228_: f32;
-    var phi_2233_: f32;
-    var phi_2240_: f32;
-    var phi_2245_: f32;
-    var phi_2259_: f32;
-    var phi_2266_: f32;
-    var phi_2271_: f32;
-    var phi_2278_: f32;
-    var phi_2283_: f32;
-    var phi_2288_: f32;
-    var phi_2305_: f32;
-    var phi_2312_: f32;
-    var phi_2317_: f32;
-    var phi_2324_: f32;
-    var phi_2329_: f32;
-    var phi_2343_: f32;
-    var phi_2350_: f32;
-    var phi_2355_: f32;
-    var phi_2362_: f32;
-    var phi_2367_: f32;
-    var phi_2372_: f32;
-    var phi_2403_: f32;
-    var phi_2409_: f32;
-    var phi_2416_: f32;
-    var phi_2423_: f32;
-    var phi_2429_: f32;
-    var phi_2436_: f32;
-    var phi_2442_: f32;
-    var phi_2448_: f32;
-    var phi_2454_: f32;
-    var phi_2461_: f32;
-    var phi_2468_: f32;
-    var phi_2492_: f32;
-    var phi_2497_: f32;
-    var phi_2502_: f32;
-    var phi_2507_: f32;
-    var phi_2512_: f32;
-    var phi_2517_: f32;
-    var phi_2527_: f32;
-    var phi_2778_: f32;
-    var phi_2785_: f32;
-    var phi_2790_: f32;
-    var phi_2797_: f32;
-    var phi_2802_: f32;
-    var phi_2815_: f32;
-    var phi_2822_: f32;
-    var phi_2827_: f32;
-    var phi_2834_: f32;
-    var phi_2839_: f32;
-    var phi_2844_: f32;
-    var phi_2861_: f32;
-    var phi_2868_: f32;
-    var phi_2873_: f32;
-    var phi_2880_: f32;
-    var phi_2885_: f32;
-    var phi_2899_: f32;
-    var phi_2906_: f32;
-    var phi_2911_: f32;
-    var phi_2918_: f32;
-    var phi_2923_: f32;
-    var phi_2928_: f32;
-    var phi_2945_: f32;
-    var phi_2952_: f32;
-    var phi_2957_: f32;
-    var phi_2964_: f32;
-    var phi_2969_: f32;
-    var phi_2983_: f32;
-    var phi_2990_: f32;
-    var phi_2995_: f32;
-    var phi_3002_: f32;
-    var phi_3007_: f32;
-    var phi_3012_: f32;
-    var phi_3050_: type_37;
-    var phi_3053_: f32;
-    var phi_3055_: f32;
-    var phi_3051_: type_37;
-    var phi_3078_: type_37;
-    var phi_3128_: f32;
-    var phi_3133_: f32;
-    var phi_3138_: f32;
-    var phi_3143_: f32;
-    var phi_3054_: f32;
-    var phi_3056_: f32;
-    var phi_3149_: f32;
-    var phi_3155_: f32;
-    var phi_3162_: f32;
-    var local_30: f32;
-    var local_31: f32;
-    var phi_3172_: f32;
-    var phi_3203_: type_37;
-    var phi_3206_: f32;
-    var phi_3208_: f32;
-    var phi_3204_: type_37;
-    var phi_3231_: type_37;
-    var phi_3281_: f32;
-    var phi_3286_: f32;
-    var phi_3291_: f32;
-    var phi_3296_: f32;
-    var phi_3207_: f32;
-    var phi_3209_: f32;
-    var phi_3302_: f32;
-    var phi_3308_: f32;
-    var phi_3315_: f32;
-    var local_32: f32;
-    var local_33: f32;
-    var phi_3325_: f32;
-    var phi_3335_: f32;
-    var phi_3503_: bool;
-    var phi_3960_: f32;
-    var phi_3967_: f32;
-    var phi_3972_: f32;
-    var phi_3979_: f32;
-    var phi_3984_: f32;
-    var phi_3997_: f32;
-    var phi_4004_: f32;
-    var phi_4009_: f32;
-    var phi_4016_: f32;
-    var phi_4021_: f32;
-    var phi_4026_: f32;
-    var phi_4043_: f32;
-    var phi_4050_: f32;
-    var phi_4055_: f32;
-    var phi_4062_: f32;
-    var phi_4067_: f32;
+    var local_30: array<u32, 2>;
+    var local_31: array<u32, 2>;
+    var local_32: array<u32, 2>;
+    var local_33: array<u32, 2>;
+    var phi_1471_: bool;
+    var phi_1472_: bool;
+    var phi_1523_: type_35;
+    var phi_1526_: array<u32, 2>;
+    var phi_1524_: type_35;
+    var phi_1549_: type_35;
+    var phi_1624_: bool;
+    var phi_1625_: bool;
+    var phi_1629_: array<u32, 2>;
+    var phi_1527_: array<u32, 2>;
+    var phi_1680_: type_35;
+    var phi_1683_: array<u32, 2>;
+    var phi_1681_: type_35;
+    var phi_1706_: type_35;
+    var phi_1782_: bool;
+    var phi_1783_: bool;
+    var phi_1787_: array<u32, 2>;
+    var phi_1684_: array<u32, 2>;
+    var local_34: array<u32, 2>;
+    var local_35: array<u32, 2>;
+    var local_36: array<u32, 2>;
+    var local_37: array<u32, 2>;
+    var local_38: array<u32, 2>;
+    var local_39: array<u32, 2>;
+    var phi_1803_: bool;
+    var phi_1804_: bool;
+    var phi_1112_: bool;
+    var phi_1808_: bool;
+    var phi_1809_: bool;
+    var phi_1810_: bool;
+    var phi_1814_: bool;
+    var phi_1815_: bool;
+    var phi_1816_: bool;
+    var phi_1817_: bool;
+    var phi_1818_: bool;
+    var phi_1822_: bool;
+    var phi_1842_: type_35;
+    var phi_1869_: u32;
+    var phi_1870_: bool;
+    var phi_815_: u32;
+    var phi_1871_: bool;
+    var phi_1878_: u32;
+    var phi_1881_: type_35;
+    var phi_1882_: type_35;
+    var phi_1905_: type_35;
+    var phi_2059_: bool;
+    var phi_2060_: bool;
+    var phi_2061_: bool;
+    var phi_2062_: bool;
+    var phi_2063_: bool;
+    var phi_2067_: bool;
+    var phi_2023_: bool;
+    var phi_2024_: bool;
+    var phi_2025_: bool;
+    var phi_2029_: bool;
+    var phi_2068_: bool;
+    var phi_2072_: bool;
+    var phi_2073_: bool;
+    var phi_2119_: bool;
+    var phi_2129_: bool;
+    var phi_2130_: bool;
+    var phi_2134_: bool;
+    var phi_2135_: bool;
+    var phi_2184_: type_35;
+    var phi_2187_: bool;
+    var phi_2185_: type_35;
+    var phi_2210_: type_35;
+    var phi_2267_: type_35;
+    var phi_2270_: array<u32, 2>;
+    var phi_2268_: type_35;
+    var phi_2293_: type_35;
+    var phi_2368_: bool;
+    var phi_2369_: bool;
+    var phi_2373_: array<u32, 2>;
+    var phi_2271_: array<u32, 2>;
+    var phi_2424_: type_35;
+    var phi_2427_: array<u32, 2>;
+    var phi_2425_: type_35;
+    var phi_2450_: type_35;
+    var phi_2526_: bool;
+    var phi_2527_: bool;
+    var phi_2531_: array<u32, 2>;
+    var phi_2428_: array<u32, 2>;
+    var local_40: array<u32, 2>;
+    var local_41: array<u32, 2>;
+    var local_42: array<u32, 2>;
+    var local_43: array<u32, 2>;
+    var local_44: array<u32, 2>;
+    var local_45: array<u32, 2>;
+    var phi_2547_: bool;
+    var phi_2548_: bool;
+    var phi_2599_: type_35;
+    var phi_2602_: array<u32, 2>;
+    var phi_2600_: type_35;
+    var phi_2625_: type_35;
+    var phi_2700_: bool;
+    var phi_2701_: bool;
+    var phi_2705_: array<u32, 2>;
+    var phi_2603_: array<u32, 2>;
+    var phi_2756_: type_35;
+    var phi_2759_: array<u32, 2>;
+    var phi_2757_: type_35;
+    var phi_2782_: type_35;
+    var phi_2858_: bool;
+    var phi_2859_: bool;
+    var phi_2863_: array<u32, 2>;
+    var phi_2760_: array<u32, 2>;
+    var local_46: array<u32, 2>;
+    var local_47: array<u32, 2>;
+    var local_48: array<u32, 2>;
+    var local_49: array<u32, 2>;
+    var local_50: array<u32, 2>;
+    var local_51: array<u32, 2>;
+    var phi_2879_: bool;
+    var phi_2880_: bool;
+    var phi_2188_: bool;
+    var phi_2884_: bool;
+    var phi_2885_: bool;
+    var phi_2886_: bool;
+    var phi_2890_: bool;
+    var phi_2891_: bool;
+    var phi_2892_: bool;
+    var phi_2893_: bool;
+    var phi_2894_: bool;
+    var phi_2898_: bool;
+    var phi_2944_: type_23;
+    var phi_2945_: type_23;
+    var phi_3334_: f32;
+    var phi_3341_: f32;
+    var phi_3346_: f32;
+    var phi_3353_: f32;
+    var phi_3358_: f32;
+    var phi_3371_: f32;
+    var phi_3378_: f32;
+    var phi_3383_: f32;
+    var phi_3390_: f32;
+    var phi_3395_: f32;
+    var phi_3400_: f32;
+    var phi_3417_: f32;
+    var phi_3424_: f32;
+    var phi_3429_: f32;
+    var phi_3436_: f32;
+    var phi_3441_: f32;
+    var phi_3455_: f32;
+    var phi_3462_: f32;
+    var phi_3467_: f32;
+    var phi_3474_: f32;
+    var phi_3479_: f32;
+    var phi_3484_: f32;
+    var phi_3501_: f32;
+    var phi_3508_: f32;
+    var phi_3513_: f32;
+    var phi_3520_: f32;
+    var phi_3525_: f32;
+    var phi_3539_: f32;
+    var phi_3546_: f32;
+    var phi_3551_: f32;
+    var phi_3558_: f32;
+    var phi_3563_: f32;
+    var phi_3568_: f32;
+    var phi_3599_: f32;
+    var phi_3605_: f32;
+    var phi_3612_: f32;
+    var phi_3619_: f32;
+    var phi_3625_: f32;
+    var phi_3632_: f32;
+    var phi_3638_: f32;
+    var phi_3644_: f32;
+    var phi_3650_: f32;
+    var phi_3657_: f32;
+    var phi_3664_: f32;
+    var phi_3688_: f32;
+    var phi_3693_: f32;
+    var phi_3698_: f32;
+    var phi_3703_: f32;
+    var phi_3708_: f32;
+    var phi_3713_: f32;
+    var phi_3723_: f32;
+    var phi_3974_: f32;
+    var phi_3981_: f32;
+    var phi_3986_: f32;
+    var phi_3993_: f32;
+    var phi_3998_: f32;
+    var phi_4011_: f32;
+    var phi_4018_: f32;
+    var phi_4023_: f32;
+    var phi_4030_: f32;
+    var phi_4035_: f32;
+    var phi_4040_: f32;
+    var phi_4057_: f32;
+    var phi_4064_: f32;
+    var phi_4069_: f32;
+    var phi_4076_: f32;
     var phi_4081_: f32;
-    var phi_4088_: f32;
-    var phi_4093_: f32;
-    var phi_4100_: f32;
-    var phi_4105_: f32;
-    var phi_4110_: f32;
-    var phi_4127_: f32;
-    var phi_4134_: f32;
-    var phi_4139_: f32;
-    var phi_4146_: f32;
-    var phi_4151_: f32;
+    var phi_4095_: f32;
+    var phi_4102_: f32;
+    var phi_4107_: f32;
+    var phi_4114_: f32;
+    var phi_4119_: f32;
+    var phi_4124_: f32;
+    var phi_4141_: f32;
+    var phi_4148_: f32;
+    var phi_4153_: f32;
+    var phi_4160_: f32;
     var phi_4165_: f32;
-    var phi_4172_: f32;
-    var phi_4177_: f32;
-    var phi_4184_: f32;
-    var phi_4189_: f32;
-    var phi_4194_: f32;
-    var phi_4225_: f32;
-    var phi_4231_: f32;
-    var phi_4238_: f32;
-    var phi_4245_: f32;
+    var phi_4179_: f32;
+    var phi_4186_: f32;
+    var phi_4191_: f32;
+    var phi_4198_: f32;
+    var phi_4203_: f32;
+    var phi_4208_: f32;
+    var phi_4246_: type_35;
+    var phi_4249_: f32;
     var phi_4251_: f32;
-    var phi_4258_: f32;
-    var phi_4264_: f32;
-    var phi_4270_: f32;
-    var phi_4276_: f32;
-    var phi_4283_: f32;
-    var phi_4290_: f32;
-    var phi_4314_: f32;
-    var phi_4319_: f32;
+    var phi_4247_: type_35;
+    var phi_4274_: type_35;
     var phi_4324_: f32;
     var phi_4329_: f32;
     var phi_4334_: f32;
     var phi_4339_: f32;
-    var phi_4349_: f32;
-    var phi_4600_: f32;
-    var phi_4607_: f32;
-    var phi_4612_: f32;
-    var phi_4619_: f32;
-    var phi_4624_: f32;
-    var phi_4637_: f32;
-    var phi_4644_: f32;
-    var phi_4649_: f32;
-    var phi_4656_: f32;
-    var phi_4661_: f32;
-    var phi_4666_: f32;
-    var phi_4683_: f32;
-    var phi_4690_: f32;
-    var phi_4695_: f32;
-    var phi_4702_: f32;
-    var phi_4707_: f32;
-    var phi_4721_: f32;
-    var phi_4728_: f32;
-    var phi_4733_: f32;
-    var phi_4740_: f32;
-    var phi_4745_: f32;
-    var phi_4750_: f32;
-    var phi_4767_: f32;
-    var phi_4774_: f32;
-    var phi_4779_: f32;
-    var phi_4786_: f32;
-    var phi_4791_: f32;
-    var phi_4805_: f32;
-    var phi_4812_: f32;
-    var phi_4817_: f32;
-    var phi_4824_: f32;
-    var phi_4829_: f32;
-    var phi_4834_: f32;
-    var phi_4872_: type_37;
-    var phi_4875_: f32;
-    var phi_4877_: f32;
-    var phi_4873_: type_37;
-    var phi_4900_: type_37;
-    var phi_4950_: f32;
-    var phi_4955_: f32;
-    var phi_4960_: f32;
-    var phi_4965_: f32;
-    var phi_4876_: f32;
-    var phi_4878_: f32;
-    var phi_4971_: f32;
-    var phi_4977_: f32;
-    var phi_4984_: f32;
-    var local_34: f32;
-    var local_35: f32;
-    var phi_4994_: f32;
-    var phi_5025_: type_37;
-    var phi_5028_: f32;
-    var phi_5030_: f32;
-    var phi_5026_: type_37;
-    var phi_5053_: type_37;
-    var phi_5103_: f32;
-    var phi_5108_: f32;
-    var phi_5113_: f32;
-    var phi_5118_: f32;
-    var phi_5029_: f32;
-    var phi_5031_: f32;
-    var phi_5124_: f32;
-    var phi_5130_: f32;
-    var phi_5137_: f32;
-    var local_36: f32;
-    var local_37: f32;
-    var phi_5147_: f32;
-    var phi_5157_: f32;
-    var phi_5325_: bool;
-    var phi_5571_: f32;
-    var phi_5578_: f32;
-    var phi_5583_: f32;
-    var phi_5590_: f32;
-    var phi_5595_: f32;
-    var phi_5608_: f32;
-    var phi_5615_: f32;
-    var phi_5620_: f32;
-    var phi_5627_: f32;
-    var phi_5632_: f32;
-    var phi_5637_: f32;
-    var phi_5654_: f32;
-    var phi_5661_: f32;
-    var phi_5666_: f32;
-    var phi_5673_: f32;
-    var phi_5678_: f32;
-    var phi_5692_: f32;
-    var phi_5699_: f32;
-    var phi_5704_: f32;
-    var phi_5711_: f32;
-    var phi_5716_: f32;
-    var phi_5721_: f32;
-    var phi_5738_: f32;
-    var phi_5745_: f32;
-    var phi_5750_: f32;
-    var phi_5757_: f32;
-    var phi_5762_: f32;
-    var phi_5776_: f32;
-    var phi_5783_: f32;
-    var phi_5788_: f32;
-    var phi_5795_: f32;
-    var phi_5800_: f32;
-    var phi_5805_: f32;
-    var phi_5836_: f32;
-    var phi_5842_: f32;
-    var phi_5849_: f32;
-    var phi_5856_: f32;
+    var phi_4250_: f32;
+    var phi_4252_: f32;
+    var phi_4345_: f32;
+    var phi_4351_: f32;
+    var phi_4358_: f32;
+    var local_52: f32;
+    var local_53: f32;
+    var phi_4368_: f32;
+    var phi_4399_: type_35;
+    var phi_4402_: f32;
+    var phi_4404_: f32;
+    var phi_4400_: type_35;
+    var phi_4427_: type_35;
+    var phi_4477_: f32;
+    var phi_4482_: f32;
+    var phi_4487_: f32;
+    var phi_4492_: f32;
+    var phi_4403_: f32;
+    var phi_4405_: f32;
+    var phi_4498_: f32;
+    var phi_4504_: f32;
+    var phi_4511_: f32;
+    var local_54: f32;
+    var local_55: f32;
+    var phi_4521_: f32;
+    var phi_4531_: f32;
+    var phi_4699_: bool;
+    var phi_5156_: f32;
+    var phi_5163_: f32;
+    var phi_5168_: f32;
+    var phi_5175_: f32;
+    var phi_5180_: f32;
+    var phi_5193_: f32;
+    var phi_5200_: f32;
+    var phi_5205_: f32;
+    var phi_5212_: f32;
+    var phi_5217_: f32;
+    var phi_5222_: f32;
+    var phi_5239_: f32;
+    var phi_5246_: f32;
+    var phi_5251_: f32;
+    var phi_5258_: f32;
+    var phi_5263_: f32;
+    var phi_5277_: f32;
+    var phi_5284_: f32;
+    var phi_5289_: f32;
+    var phi_5296_: f32;
+    var phi_5301_: f32;
+    var phi_5306_: f32;
+    var phi_5323_: f32;
+    var phi_5330_: f32;
+    var phi_5335_: f32;
+    var phi_5342_: f32;
+    var phi_5347_: f32;
+    var phi_5361_: f32;
+    var phi_5368_: f32;
+    var phi_5373_: f32;
+    var phi_5380_: f32;
+    var phi_5385_: f32;
+    var phi_5390_: f32;
+    var phi_5421_: f32;
+    var phi_5427_: f32;
+    var phi_5434_: f32;
+    var phi_5441_: f32;
+    var phi_5447_: f32;
+    var phi_5454_: f32;
+    var phi_5460_: f32;
+    var phi_5466_: f32;
+    var phi_5472_: f32;
+    var phi_5479_: f32;
+    var phi_5486_: f32;
+    var phi_5510_: f32;
+    var phi_5515_: f32;
+    var phi_5520_: f32;
+    var phi_5525_: f32;
+    var phi_5530_: f32;
+    var phi_5535_: f32;
+    var phi_5545_: f32;
+    var phi_5796_: f32;
+    var phi_5803_: f32;
+    var phi_5808_: f32;
+    var phi_5815_: f32;
+    var phi_5820_: f32;
+    var phi_5833_: f32;
+    var phi_5840_: f32;
+    var phi_5845_: f32;
+    var phi_5852_: f32;
+    var phi_5857_: f32;
     var phi_5862_: f32;
-    var phi_5869_: f32;
-    var phi_5875_: f32;
-    var phi_5881_: f32;
-    var phi_5887_: f32;
-    var phi_5894_: f32;
-    var phi_5901_: f32;
-    var phi_5925_: f32;
-    var phi_5930_: f32;
-    var phi_5935_: f32;
-    var phi_5940_: f32;
-    var phi_5945_: f32;
-    var phi_5950_: f32;
-    var phi_5960_: f32;
-    var phi_6211_: f32;
-    var phi_6218_: f32;
-    var phi_6223_: f32;
-    var phi_6230_: f32;
-    var phi_6235_: f32;
-    var phi_6248_: f32;
-    var phi_6255_: f32;
-    var phi_6260_: f32;
-    var phi_6267_: f32;
-    var phi_6272_: f32;
-    var phi_6277_: f32;
-    var phi_6294_: f32;
-    var phi_6301_: f32;
-    var phi_6306_: f32;
-    var phi_6313_: f32;
-    var phi_6318_: f32;
-    var phi_6332_: f32;
-    var phi_6339_: f32;
-    var phi_6344_: f32;
-    var phi_6351_: f32;
-    var phi_6356_: f32;
-    var phi_6361_: f32;
-    var phi_6378_: f32;
-    var phi_6385_: f32;
-    var phi_6390_: f32;
-    var phi_6397_: f32;
-    var phi_6402_: f32;
-    var phi_6416_: f32;
-    var phi_6423_: f32;
-    var phi_6428_: f32;
-    var phi_6435_: f32;
-    var phi_6440_: f32;
-    var phi_6445_: f32;
-    var phi_6483_: type_37;
-    var phi_6486_: f32;
-    var phi_6488_: f32;
-    var phi_6484_: type_37;
-    var phi_6511_: type_37;
-    var phi_6561_: f32;
-    var phi_6566_: f32;
-    var phi_6571_: f32;
-    var phi_6576_: f32;
-    var phi_6487_: f32;
-    var phi_6489_: f32;
-    var phi_6582_: f32;
-    var phi_6588_: f32;
-    var phi_6595_: f32;
-    var local_38: f32;
-    var local_39: f32;
-    var phi_6605_: f32;
-    var phi_6636_: type_37;
-    var phi_6639_: f32;
-    var phi_6641_: f32;
-    var phi_6637_: type_37;
-    var phi_6664_: type_37;
-    var phi_6714_: f32;
-    var phi_6719_: f32;
-    var phi_6724_: f32;
-    var phi_6729_: f32;
-    var phi_6640_: f32;
-    var phi_6642_: f32;
-    var phi_6735_: f32;
-    var phi_6741_: f32;
-    var phi_6748_: f32;
-    var local_40: f32;
-    var local_41: f32;
-    var phi_6758_: f32;
-    var phi_6768_: f32;
-    var phi_6936_: bool;
-    var phi_6937_: bool;
-    var phi_6939_: bool;
-    var phi_6947_: u32;
-    var phi_6948_: bool;
-    var phi_650_: u32;
-    var phi_6949_: bool;
-    var phi_6979_: type_35;
-    var phi_6982_: u32;
-    var phi_7003_: bool;
-    var phi_7009_: type_36;
-    var phi_6980_: type_35;
-    var phi_7023_: type_36;
-    var phi_7105_: type_37;
-    var phi_7129_: u32;
-    var phi_7130_: bool;
-    var phi_6983_: u32;
-    var phi_7131_: bool;
-    var local_42: bool;
-    var local_43: f32;
-    var local_44: f32;
-    var local_45: f32;
-    var local_46: f32;
-    var local_47: f32;
-    var local_48: f32;
+    var phi_5879_: f32;
+    var phi_5886_: f32;
+    var phi_5891_: f32;
+    var phi_5898_: f32;
+    var phi_5903_: f32;
+    var phi_5917_: f32;
+    var phi_5924_: f32;
+    var phi_5929_: f32;
+    var phi_5936_: f32;
+    var phi_5941_: f32;
+    var phi_5946_: f32;
+    var phi_5963_: f32;
+    var phi_5970_: f32;
+    var phi_5975_: f32;
+    var phi_5982_: f32;
+    var phi_5987_: f32;
+    var phi_6001_: f32;
+    var phi_6008_: f32;
+    var phi_6013_: f32;
+    var phi_6020_: f32;
+    var phi_6025_: f32;
+    var phi_6030_: f32;
+    var phi_6068_: type_35;
+    var phi_6071_: f32;
+    var phi_6073_: f32;
+    var phi_6069_: type_35;
+    var phi_6096_: type_35;
+    var phi_6146_: f32;
+    var phi_6151_: f32;
+    var phi_6156_: f32;
+    var phi_6161_: f32;
+    var phi_6072_: f32;
+    var phi_6074_: f32;
+    var phi_6167_: f32;
+    var phi_6173_: f32;
+    var phi_6180_: f32;
+    var local_56: f32;
+    var local_57: f32;
+    var phi_6190_: f32;
+    var phi_6221_: type_35;
+    var phi_6224_: f32;
+    var phi_6226_: f32;
+    var phi_6222_: type_35;
+    var phi_6249_: type_35;
+    var phi_6299_: f32;
+    var phi_6304_: f32;
+    var phi_6309_: f32;
+    var phi_6314_: f32;
+    var phi_6225_: f32;
+    var phi_6227_: f32;
+    var phi_6320_: f32;
+    var phi_6326_: f32;
+    var phi_6333_: f32;
+    var local_58: f32;
+    var local_59: f32;
+    var phi_6343_: f32;
+    var phi_6353_: f32;
+    var phi_6521_: bool;
+    var phi_6767_: f32;
+    var phi_6774_: f32;
+    var phi_6779_: f32;
+    var phi_6786_: f32;
+    var phi_6791_: f32;
+    var phi_6804_: f32;
+    var phi_6811_: f32;
+    var phi_6816_: f32;
+    var phi_6823_: f32;
+    var phi_6828_: f32;
+    var phi_6833_: f32;
+    var phi_6850_: f32;
+    var phi_6857_: f32;
+    var phi_6862_: f32;
+    var phi_6869_: f32;
+    var phi_6874_: f32;
+    var phi_6888_: f32;
+    var phi_6895_: f32;
+    var phi_6900_: f32;
+    var phi_6907_: f32;
+    var phi_6912_: f32;
+    var phi_6917_: f32;
+    var phi_6934_: f32;
+    var phi_6941_: f32;
+    var phi_6946_: f32;
+    var phi_6953_: f32;
+    var phi_6958_: f32;
+    var phi_6972_: f32;
+    var phi_6979_: f32;
+    var phi_6984_: f32;
+    var phi_6991_: f32;
+    var phi_6996_: f32;
+    var phi_7001_: f32;
+    var phi_7032_: f32;
+    var phi_7038_: f32;
+    var phi_7045_: f32;
+    var phi_7052_: f32;
+    var phi_7058_: f32;
+    var phi_7065_: f32;
+    var phi_7071_: f32;
+    var phi_7077_: f32;
+    var phi_7083_: f32;
+    var phi_7090_: f32;
+    var phi_7097_: f32;
+    var phi_7121_: f32;
+    var phi_7126_: f32;
+    var phi_7131_: f32;
+    var phi_7136_: f32;
+    var phi_7141_: f32;
+    var phi_7146_: f32;
+    var phi_7156_: f32;
+    var phi_7407_: f32;
+    var phi_7414_: f32;
+    var phi_7419_: f32;
+    var phi_7426_: f32;
+    var phi_7431_: f32;
+    var phi_7444_: f32;
+    var phi_7451_: f32;
+    var phi_7456_: f32;
+    var phi_7463_: f32;
+    var phi_7468_: f32;
+    var phi_7473_: f32;
+    var phi_7490_: f32;
+    var phi_7497_: f32;
+    var phi_7502_: f32;
+    var phi_7509_: f32;
+    var phi_7514_: f32;
+    var phi_7528_: f32;
+    var phi_7535_: f32;
+    var phi_7540_: f32;
+    var phi_7547_: f32;
+    var phi_7552_: f32;
+    var phi_7557_: f32;
+    var phi_7574_: f32;
+    var phi_7581_: f32;
+    var phi_7586_: f32;
+    var phi_7593_: f32;
+    var phi_7598_: f32;
+    var phi_7612_: f32;
+    var phi_7619_: f32;
+    var phi_7624_: f32;
+    var phi_7631_: f32;
+    var phi_7636_: f32;
+    var phi_7641_: f32;
+    var phi_7679_: type_35;
+    var phi_7682_: f32;
+    var phi_7684_: f32;
+    var phi_7680_: type_35;
+    var phi_7707_: type_35;
+    var phi_7757_: f32;
+    var phi_7762_: f32;
+    var phi_7767_: f32;
+    var phi_7772_: f32;
+    var phi_7683_: f32;
+    var phi_7685_: f32;
+    var phi_7778_: f32;
+    var phi_7784_: f32;
+    var phi_7791_: f32;
+    var local_60: f32;
+    var local_61: f32;
+    var phi_7801_: f32;
+    var phi_7832_: type_35;
+    var phi_7835_: f32;
+    var phi_7837_: f32;
+    var phi_7833_: type_35;
+    var phi_7860_: type_35;
+    var phi_7910_: f32;
+    var phi_7915_: f32;
+    var phi_7920_: f32;
+    var phi_7925_: f32;
+    var phi_7836_: f32;
+    var phi_7838_: f32;
+    var phi_7931_: f32;
+    var phi_7937_: f32;
+    var phi_7944_: f32;
+    var local_62: f32;
+    var local_63: f32;
+    var phi_7954_: f32;
+    var phi_7964_: f32;
+    var phi_8132_: bool;
+    var phi_8133_: bool;
+    var phi_8135_: bool;
+    var phi_8145_: bool;
+    var phi_8146_: bool;
+    var phi_8178_: type_35;
+    var phi_8179_: type_35;
+    var phi_8202_: type_35;
+    var phi_8225_: u32;
+    var phi_8279_: type_35;
+    var phi_8300_: bool;
+    var phi_8301_: bool;
+    var local_64: u32;
+    var local_65: bool;
+    var local_66: bool;
+    var local_67: f32;
+    var local_68: f32;
+    var local_69: f32;
+    var local_70: f32;
+    var local_71: f32;
+    var local_72: f32;
 
-    let _e91 = id_1;
-    let _e92 = n_1;
-    let _e93 = lane_1;
-    let _e106 = ((_e91.y * _e92.x) + _e91.x);
-    let _e109 = (_e92.x * _e92.y);
-    let _e111 = params.member.member_15;
-    let _e113 = input.member[0u];
-    if (_e111 < _e113) {
-        phi_225_ = _e111;
+    let _e108 = id_1;
+    let _e109 = n_1;
+    let _e110 = lane_1;
+    let _e123 = ((_e108.y * _e109.x) + _e108.x);
+    let _e126 = (_e109.x * _e109.y);
+    let _e128 = params.member.member_15;
+    let _e130 = input.member[0u];
+    if (_e128 < _e130) {
+        phi_232_ = _e128;
     } else {
-        phi_225_ = _e113;
+        phi_232_ = _e130;
     }
-    let _e116 = phi_225_;
-    let _e118 = params.member.member_12;
-    if (_e116 > _e118) {
-        let _e121 = params.member.member_12;
-        let _e122 = (_e116 - _e121);
-        let _e124 = params.member.member_13;
-        if (_e124 == 0u) {
+    let _e133 = phi_232_;
+    let _e134 = (_e110 / 32u);
+    let _e135 = (_e110 % 32u);
+    let _e137 = params.member.member_12;
+    if (_e133 > _e137) {
+        let _e140 = params.member.member_12;
+        let _e141 = (_e133 - _e140);
+        let _e143 = params.member.member_13;
+        if (_e143 == 0u) {
             return;
         }
-        let _e126 = (_e122 / _e124);
-        if (_e124 == 0u) {
+        let _e145 = (_e141 / _e143);
+        if (_e143 == 0u) {
             return;
         }
-        if ((_e122 % _e124) > 0u) {
-            phi_252_ = (_e126 + 1u);
+        if ((_e141 % _e143) > 0u) {
+            phi_270_ = (_e145 + 1u);
         } else {
-            phi_252_ = _e126;
+            phi_270_ = _e145;
         }
-        let _e132 = phi_252_;
-        phi_253_ = _e132;
+        let _e151 = phi_270_;
+        phi_271_ = _e151;
     } else {
-        phi_253_ = 0u;
+        phi_271_ = 0u;
     }
-    let _e134 = phi_253_;
-    let _e136 = params.member.member_14;
-    if (_e136 < _e134) {
-        phi_260_ = _e136;
+    let _e153 = phi_271_;
+    let _e155 = params.member.member_14;
+    if (_e155 < _e153) {
+        phi_278_ = _e155;
     } else {
-        phi_260_ = _e134;
+        phi_278_ = _e153;
     }
-    let _e139 = phi_260_;
-    if (_e139 > _e106) {
-        let _e141 = (_e139 - _e106);
-        if (_e109 == 0u) {
+    let _e158 = phi_278_;
+    let _e159 = (_e158 / 4u);
+    if ((_e158 % 4u) > 0u) {
+        phi_294_ = (_e159 + 1u);
+    } else {
+        phi_294_ = _e159;
+    }
+    let _e164 = phi_294_;
+    if (_e164 > _e123) {
+        let _e166 = (_e164 - _e123);
+        if (_e126 == 0u) {
             return;
         }
-        let _e143 = (_e141 / _e109);
-        if (_e109 == 0u) {
+        let _e168 = (_e166 / _e126);
+        if (_e126 == 0u) {
             return;
         }
-        if ((_e141 % _e109) > 0u) {
-            phi_281_ = (_e143 + 1u);
+        if ((_e166 % _e126) > 0u) {
+            phi_315_ = (_e168 + 1u);
         } else {
-            phi_281_ = _e143;
+            phi_315_ = _e168;
         }
-        let _e149 = phi_281_;
-        phi_282_ = _e149;
+        let _e174 = phi_315_;
+        phi_316_ = _e174;
     } else {
-        phi_282_ = 0u;
+        phi_316_ = 0u;
     }
-    let _e151 = phi_282_;
-    phi_285_ = type_37(0u, _e151);
+    let _e176 = phi_316_;
+    phi_319_ = type_35(0u, _e176);
     loop {
-        let _e154 = phi_285_;
-        if (_e154.member < _e154.member_1) {
-            phi_286_ = type_37((_e154.member + 1u), _e154.member_1);
-            phi_309_ = type_37(1u, _e154.member);
+        let _e179 = phi_319_;
+        if (_e179.member < _e179.member_1) {
+            phi_320_ = type_35((_e179.member + 1u), _e179.member_1);
+            phi_343_ = type_35(1u, _e179.member);
         } else {
-            phi_286_ = _e154;
-            phi_309_ = type_37(0u, type_37().member_1);
+            phi_320_ = _e179;
+            phi_343_ = type_35(0u, type_35().member_1);
         }
-        let _e168 = phi_286_;
-        let _e170 = phi_309_;
-        let _e174 = (bitcast<i32>(_e170.member) != 0i);
-        if _e174 {
-            let _e176 = params.member.member_12;
-            let _e180 = params.member.member_13;
-            let _e183 = (2u * (_e176 + ((_e106 + (_e170.member_1 * _e109)) * _e180)));
-            let _e186 = input.member[(4u + _e183)];
-            let _e189 = input.member[(_e183 + 5u)];
-            if (_e93 < 8u) {
-                atomicStore((&counters[_e93]), 0u);
-            }
-            workgroupBarrier();
-            let _e193 = params.member.member_8;
-            if (_e193 == 0u) {
-                phi_361_ = array<u32, 2>(0u, 2u);
-            } else {
-                phi_361_ = array<u32, 2>(1u, 1u);
-            }
-            let _e196 = phi_361_;
-            let _e199 = (_e93 / 32u);
-            if (_e199 == 0u) {
-                phi_369_ = _e196[0];
-                phi_370_ = _e186;
-            } else {
-                phi_369_ = _e196[1];
-                phi_370_ = _e189;
-            }
-            let _e202 = phi_369_;
-            let _e204 = phi_370_;
-            if (_e199 == 0u) {
-                phi_375_ = _e189;
-                phi_376_ = _e196[1];
-            } else {
-                phi_375_ = _e186;
-                phi_376_ = _e196[0];
-            }
-            let _e207 = phi_375_;
-            let _e209 = phi_376_;
-            let _e211 = params.member.member_9;
-            let _e212 = (_e211 - 1u);
-            if (_e212 < 8u) {
-            } else {
-                return;
-            }
-            if (_e202 < 4u) {
-            } else {
-                return;
-            }
-            let _e221 = params.member.member_18[_e212][_e202];
-            let _e224 = nodes.member[(_e221 + ((_e204 * 32u) + (_e93 % 32u)))];
-            let _e226 = params.member.member_9;
-            if (_e226 < 8u) {
-            } else {
-                return;
-            }
-            if (_e209 < 4u) {
-            } else {
-                return;
-            }
-            let _e232 = params.member.member_18[_e226][_e209];
-            let _e235 = nodes.member[(_e232 + _e207)];
-            if ((((((_e224.member[0] <= _e235.member_1[0]) && (_e235.member[0] <= _e224.member_1[0])) && (_e224.member[1] <= _e235.member_1[1])) && (_e235.member[1] <= _e224.member_1[1])) && (_e224.member[2] <= _e235.member_1[2])) && (_e235.member[2] <= _e224.member_1[2])) {
-                let _e273 = atomicAdd((&counters[_e199]), 1u);
-                let _e274 = ((_e199 * 32u) + _e273);
-                sides[_e274] = type_6(array<f32, 3>(_e224.member[0], _e224.member[1], _e224.member[2]), array<f32, 3>(_e224.member_1[0], _e224.member_1[1], _e224.member_1[2]));
-                names[_e274] = (_e93 % 32u);
-            }
-            workgroupBarrier();
-            let _e290 = atomicLoad((&counters[0u]));
-            let _e292 = atomicLoad((&counters[1u]));
-            if (_e290 <= 1u) {
-                phi_494_ = 0u;
-            } else {
-                let _e294 = (_e290 - 1u);
-                phi_494_ = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e294)), 32u, (_e294 == 0u)));
-            }
-            let _e302 = phi_494_;
-            let _e307 = (_e93 & ((1u << bitcast<u32>((_e302 & 31u))) - 1u));
-            if (_e307 < _e290) {
-                let _e310 = sides[_e307];
-                let _e320 = names[_e307];
-                let _e322 = params.member.member_8;
-                if (_e322 == 1u) {
-                    phi_525_ = (_e186 == _e189);
+        let _e193 = phi_320_;
+        let _e195 = phi_343_;
+        let _e199 = (bitcast<i32>(_e195.member) != 0i);
+        if _e199 {
+            let _e203 = (((_e123 + (_e195.member_1 * _e126)) * 4u) + _e134);
+            let _e205 = params.member.member_12;
+            if (_e133 > _e205) {
+                let _e208 = params.member.member_12;
+                let _e209 = (_e133 - _e208);
+                let _e211 = params.member.member_13;
+                if (_e211 == 0u) {
+                    return;
+                }
+                let _e213 = (_e209 / _e211);
+                if (_e211 == 0u) {
+                    return;
+                }
+                if ((_e209 % _e211) > 0u) {
+                    phi_381_ = (_e213 + 1u);
                 } else {
-                    phi_525_ = false;
+                    phi_381_ = _e213;
                 }
-                let _e326 = phi_525_;
-                phi_530_ = type_37(0u, 32u);
-                phi_533_ = (_e93 >> bitcast<u32>((_e302 & 31u)));
-                loop {
-                    let _e331 = phi_530_;
-                    let _e333 = phi_533_;
-                    if (_e331.member < _e331.member_1) {
-                        phi_531_ = type_37((_e331.member + 1u), _e331.member_1);
-                        phi_556_ = type_37(1u, _e331.member);
-                    } else {
-                        phi_531_ = _e331;
-                        phi_556_ = type_37(0u, type_37().member_1);
-                    }
-                    let _e347 = phi_531_;
-                    let _e349 = phi_556_;
-                    if (bitcast<i32>(_e349.member) != 0i) {
-                        if (_e333 >= _e292) {
-                            phi_639_ = u32();
-                            phi_640_ = false;
-                        } else {
-                            let _e356 = sides[(32u + _e333)];
-                            if ((((((_e310.member[0] <= _e356.member_1[0]) && (_e356.member[0] <= _e310.member_1[0])) && (_e310.member[1] <= _e356.member_1[1])) && (_e356.member[1] <= _e310.member_1[1])) && (_e310.member[2] <= _e356.member_1[2])) && (_e356.member[2] <= _e310.member_1[2])) {
-                                let _e378 = names[(32u + _e333)];
-                                if _e326 {
-                                    if (_e320 < _e378) {
-                                        phi_626_ = true;
-                                    } else {
-                                        phi_626_ = false;
-                                    }
-                                    let _e381 = phi_626_;
-                                    phi_627_ = _e381;
-                                } else {
-                                    phi_627_ = true;
-                                }
-                                let _e383 = phi_627_;
-                                if _e383 {
-                                    let _e385 = atomicAdd((&counters[2u]), 1u);
-                                    hits[_e385] = ((_e320 << bitcast<u32>(5i)) | _e378);
-                                }
-                            }
-                            phi_639_ = (_e333 + (64u >> bitcast<u32>((_e302 & 31u))));
-                            phi_640_ = true;
-                        }
-                        let _e395 = phi_639_;
-                        let _e397 = phi_640_;
-                        phi_534_ = _e395;
-                        phi_641_ = _e397;
-                    } else {
-                        phi_534_ = u32();
-                        phi_641_ = false;
-                    }
-                    let _e399 = phi_534_;
-                    let _e401 = phi_641_;
-                    continue;
-                    continuing {
-                        phi_530_ = _e347;
-                        phi_533_ = _e399;
-                        break if !(_e401);
-                    }
+                let _e219 = phi_381_;
+                phi_382_ = _e219;
+            } else {
+                phi_382_ = 0u;
+            }
+            let _e221 = phi_382_;
+            let _e223 = params.member.member_14;
+            if (_e223 < _e221) {
+                phi_389_ = _e223;
+            } else {
+                phi_389_ = _e221;
+            }
+            let _e226 = phi_389_;
+            let _e227 = (_e203 < _e226);
+            let _e229 = params.member.member_12;
+            if _e227 {
+                let _e231 = params.member.member_13;
+                phi_399_ = (_e203 * _e231);
+            } else {
+                phi_399_ = 0u;
+            }
+            let _e234 = phi_399_;
+            let _e236 = (2u * (_e229 + _e234));
+            let _e239 = input.member[(4u + _e236)];
+            let _e242 = input.member[(_e236 + 5u)];
+            if (_e110 < 8u) {
+                atomicStore((&counters[_e110]), 0u);
+            }
+            workgroupBarrier();
+            let _e249 = params.member.member_18[0u][1u];
+            let _e250 = (_e249 + (_e239 * 32u));
+            let _e255 = params.member.member_18[0u][1u];
+            let _e256 = (_e255 + (_e242 * 32u));
+            if (_e135 == 0u) {
+                firsts[(2u * _e134)] = _e250;
+                firsts[((2u * _e134) + 1u)] = _e256;
+            }
+            let _e264 = params.member.member_8;
+            if (_e264 == 0u) {
+                phi_478_ = array<u32, 2>(0u, 2u);
+            } else {
+                phi_478_ = array<u32, 2>(1u, 1u);
+            }
+            let _e267 = phi_478_;
+            let _e270 = (_e110 / 32u);
+            let _e271 = (_e110 % 32u);
+            let _e273 = params.member.member_9;
+            if (_e273 < 8u) {
+            } else {
+                return;
+            }
+            if (_e267[0] < 4u) {
+            } else {
+                return;
+            }
+            let _e279 = params.member.member_18[_e273][_e267[0]];
+            let _e282 = nodes.member[(_e279 + _e239)];
+            let _e284 = params.member.member_9;
+            if (_e284 < 8u) {
+            } else {
+                return;
+            }
+            if (_e267[1] < 4u) {
+            } else {
+                return;
+            }
+            let _e290 = params.member.member_18[_e284][_e267[1]];
+            let _e293 = nodes.member[(_e290 + _e242)];
+            let _e295 = params.member.member_9;
+            let _e296 = (_e295 - 1u);
+            if (_e296 < 8u) {
+            } else {
+                return;
+            }
+            if (_e267[0] < 4u) {
+            } else {
+                return;
+            }
+            let _e304 = params.member.member_18[_e296][_e267[0]];
+            let _e307 = nodes.member[(_e304 + ((_e239 * 32u) + _e271))];
+            let _e309 = params.member.member_9;
+            let _e310 = (_e309 - 1u);
+            if (_e310 < 8u) {
+            } else {
+                return;
+            }
+            if (_e267[1] < 4u) {
+            } else {
+                return;
+            }
+            let _e318 = params.member.member_18[_e310][_e267[1]];
+            let _e321 = nodes.member[(_e318 + ((_e242 * 32u) + _e271))];
+            if _e227 {
+                if ((((((_e321.member[0] <= _e282.member_1[0]) && (_e282.member[0] <= _e321.member_1[0])) && (_e321.member[1] <= _e282.member_1[1])) && (_e282.member[1] <= _e321.member_1[1])) && (_e321.member[2] <= _e282.member_1[2])) && (_e282.member[2] <= _e321.member_1[2])) {
+                    let _e359 = atomicAdd((&counters[_e270]), 1u);
+                    let _e360 = ((_e270 * 32u) + _e359);
+                    columns[_e360] = type_6(array<f32, 3>(_e321.member[0], _e321.member[1], _e321.member[2]), array<f32, 3>(_e321.member_1[0], _e321.member_1[1], _e321.member_1[2]));
+                    names[_e360] = _e271;
                 }
             }
             workgroupBarrier();
-            let _e404 = atomicLoad((&counters[2u]));
-            phi_646_ = type_35(0i, 16i);
-            phi_649_ = _e93;
+            if _e227 {
+                if ((((((_e307.member[0] <= _e293.member_1[0]) && (_e293.member[0] <= _e307.member_1[0])) && (_e307.member[1] <= _e293.member_1[1])) && (_e293.member[1] <= _e307.member_1[1])) && (_e307.member[2] <= _e293.member_1[2])) && (_e293.member[2] <= _e307.member_1[2])) {
+                    phi_672_ = false;
+                } else {
+                    phi_672_ = true;
+                }
+                let _e410 = phi_672_;
+                phi_673_ = _e410;
+            } else {
+                phi_673_ = true;
+            }
+            let _e412 = phi_673_;
+            if _e412 {
+                phi_677_ = type_6(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            } else {
+                phi_677_ = _e307;
+            }
+            let _e414 = phi_677_;
+            let _e416 = (_e110 / 32u);
+            let _e417 = (_e110 % 32u);
+            let _e419 = atomicLoad((&counters[_e416]));
+            phi_690_ = type_35(0u, _e419);
+            phi_693_ = 0u;
             loop {
-                let _e406 = phi_646_;
-                let _e408 = phi_649_;
-                if (_e406.member < _e406.member_1) {
-                    let _e416 = (_e406.member + 1i);
-                    if ((false == (_e416 > _e406.member)) != false) {
-                        phi_670_ = true;
-                    } else {
-                        phi_670_ = false;
-                    }
-                    let _e421 = phi_670_;
-                    if _e421 {
-                        phi_676_ = type_36(0u, type_36().member_1);
-                    } else {
-                        phi_676_ = type_36(1u, _e416);
-                    }
-                    let _e427 = phi_676_;
-                    if (bitcast<i32>(_e427.member) != 0i) {
-                    } else {
-                        return;
-                    }
-                    phi_647_ = type_35(_e427.member_1, _e406.member_1);
-                    phi_690_ = type_36(1u, _e406.member);
+                let _e422 = phi_690_;
+                let _e424 = phi_693_;
+                local_64 = _e424;
+                if (_e422.member < _e422.member_1) {
+                    phi_691_ = type_35((_e422.member + 1u), _e422.member_1);
+                    phi_716_ = type_35(1u, _e422.member);
                 } else {
-                    phi_647_ = _e406;
-                    phi_690_ = type_36(0u, type_36().member_1);
+                    phi_691_ = _e422;
+                    phi_716_ = type_35(0u, type_35().member_1);
                 }
-                let _e437 = phi_647_;
-                let _e439 = phi_690_;
-                if (bitcast<i32>(_e439.member) != 0i) {
-                    if (_e408 >= _e404) {
-                        phi_6947_ = u32();
-                        phi_6948_ = false;
+                let _e438 = phi_691_;
+                let _e440 = phi_716_;
+                let _e444 = (bitcast<i32>(_e440.member) != 0i);
+                if _e444 {
+                    let _e448 = names[((_e416 * 32u) + _e440.member_1)];
+                    let _e452 = columns[((_e416 * 32u) + _e440.member_1)];
+                    if ((((((_e414.member[0] <= _e452.member_1[0]) && (_e452.member[0] <= _e414.member_1[0])) && (_e414.member[1] <= _e452.member_1[1])) && (_e452.member[1] <= _e414.member_1[1])) && (_e414.member[2] <= _e452.member_1[2])) && (_e452.member[2] <= _e414.member_1[2])) {
+                        if (_e239 == _e242) {
+                            let _e484 = (_e417 < _e448);
+                            if _e484 {
+                                phi_782_ = bool();
+                            } else {
+                                phi_782_ = false;
+                            }
+                            let _e486 = phi_782_;
+                            phi_783_ = _e486;
+                            phi_784_ = _e484;
+                        } else {
+                            phi_783_ = bool();
+                            phi_784_ = true;
+                        }
+                        let _e488 = phi_783_;
+                        let _e490 = phi_784_;
+                        if _e490 {
+                            phi_788_ = true;
+                        } else {
+                            phi_788_ = _e488;
+                        }
+                        let _e492 = phi_788_;
+                        if _e492 {
+                            let _e494 = atomicAdd((&counters[4u]), 1u);
+                            if (_e494 < 1024u) {
+                                hits[_e494] = (((_e416 << bitcast<u32>(10i)) | (_e417 << bitcast<u32>(5i))) | _e448);
+                                phi_806_ = _e424;
+                            } else {
+                                phi_806_ = (_e424 | (1u << bitcast<u32>((_e440.member_1 & 31u))));
+                            }
+                            let _e508 = phi_806_;
+                            phi_807_ = _e508;
+                        } else {
+                            phi_807_ = _e424;
+                        }
+                        let _e510 = phi_807_;
+                        phi_808_ = _e510;
                     } else {
-                        let _e445 = hits[_e408];
-                        let _e454 = params.member.member_18[0u][1u];
-                        let _e455 = (_e454 + ((_e186 * 32u) + (_e445 >> bitcast<u32>(5i))));
-                        let _e461 = params.member.member_18[0u][1u];
-                        let _e462 = (_e461 + ((_e189 * 32u) + (_e445 & 31u)));
-                        let _e464 = leaves.member[_e455];
-                        let _e466 = leaves.member[_e462];
-                        local_16 = type_23(array<u32, 3>(_e464.member[0], _e464.member[1], _e464.member[2]), _e464.member_1);
-                        local_17 = type_23(array<u32, 3>(_e466.member[0], _e466.member[1], _e466.member[2]), _e466.member_1);
-                        let _e482 = nodes.member[_e455];
-                        let _e484 = nodes.member[_e462];
-                        let _e486 = params.member.member_1;
-                        if ((_e486 & 1u) != 0u) {
-                            let _e490 = params.member.member_8;
-                            if (_e490 == 0u) {
-                                let _e534 = local_16.member[0u];
-                                let _e537 = local_17.member[0u];
-                                if (_e534 == _e537) {
-                                    phi_828_ = bool();
-                                    phi_829_ = true;
-                                } else {
-                                    let _e541 = local_16.member[0u];
-                                    let _e544 = local_17.member[1u];
-                                    let _e545 = (_e541 == _e544);
-                                    if _e545 {
-                                        phi_827_ = bool();
-                                    } else {
-                                        let _e548 = local_16.member[0u];
-                                        let _e551 = local_17.member[2u];
-                                        phi_827_ = (_e548 == _e551);
-                                    }
-                                    let _e554 = phi_827_;
-                                    phi_828_ = _e554;
-                                    phi_829_ = _e545;
-                                }
-                                let _e556 = phi_828_;
-                                let _e558 = phi_829_;
-                                if _e558 {
-                                    phi_833_ = true;
-                                } else {
-                                    phi_833_ = _e556;
-                                }
-                                let _e560 = phi_833_;
-                                phi_872_ = _e560;
-                            } else {
-                                let _e494 = local_16.member[0u];
-                                let _e497 = local_17.member[0u];
-                                if (_e494 == _e497) {
-                                    phi_866_ = bool();
-                                    phi_867_ = true;
-                                } else {
-                                    let _e501 = local_16.member[0u];
-                                    let _e504 = local_17.member[1u];
-                                    if (_e501 == _e504) {
-                                        phi_864_ = bool();
-                                        phi_865_ = true;
-                                    } else {
-                                        let _e508 = local_16.member[1u];
-                                        let _e511 = local_17.member[0u];
-                                        let _e512 = (_e508 == _e511);
-                                        if _e512 {
-                                            phi_863_ = bool();
-                                        } else {
-                                            let _e515 = local_16.member[1u];
-                                            let _e518 = local_17.member[1u];
-                                            phi_863_ = (_e515 == _e518);
-                                        }
-                                        let _e521 = phi_863_;
-                                        phi_864_ = _e521;
-                                        phi_865_ = _e512;
-                                    }
-                                    let _e523 = phi_864_;
-                                    let _e525 = phi_865_;
-                                    phi_866_ = _e523;
-                                    phi_867_ = _e525;
-                                }
-                                let _e527 = phi_866_;
-                                let _e529 = phi_867_;
-                                if _e529 {
-                                    phi_871_ = true;
-                                } else {
-                                    phi_871_ = _e527;
-                                }
-                                let _e531 = phi_871_;
-                                phi_872_ = _e531;
-                            }
-                            let _e562 = phi_872_;
-                            if _e562 {
-                                phi_876_ = false;
-                            } else {
-                                phi_876_ = true;
-                            }
-                            let _e564 = phi_876_;
-                            phi_877_ = _e564;
-                        } else {
-                            phi_877_ = true;
-                        }
-                        let _e566 = phi_877_;
-                        if _e566 {
-                            let _e568 = params.member.member_1;
-                            if ((_e568 & 2u) != 0u) {
-                                let _e573 = local_16.member[0u];
-                                let _e575 = bodies.member[_e573];
-                                let _e578 = local_17.member[0u];
-                                let _e580 = bodies.member[_e578];
-                                if ((_e575 / 2u) == (_e580 / 2u)) {
-                                    let _e585 = params.member.member_1;
-                                    phi_923_ = !(((_e585 & 4u) != 0u));
-                                } else {
-                                    phi_923_ = false;
-                                }
-                                let _e590 = phi_923_;
-                                if _e590 {
-                                    phi_934_ = true;
-                                } else {
-                                    if (((_e575 & _e580) & 1u) == 0u) {
-                                        phi_933_ = false;
-                                    } else {
-                                        phi_933_ = true;
-                                    }
-                                    let _e595 = phi_933_;
-                                    phi_934_ = _e595;
-                                }
-                                let _e597 = phi_934_;
-                                if _e597 {
-                                    phi_938_ = false;
-                                } else {
-                                    phi_938_ = true;
-                                }
-                                let _e599 = phi_938_;
-                                phi_939_ = _e599;
-                            } else {
-                                phi_939_ = true;
-                            }
-                            let _e601 = phi_939_;
-                            if _e601 {
-                                let _e603 = params.member.member_1;
-                                if ((_e603 & 32u) != 0u) {
-                                    let _e607 = params.member.member_6;
-                                    let _e648 = (((((((_e482.member_1[0] - _e484.member[0]) > _e607) && ((_e484.member_1[0] - _e482.member[0]) > _e607)) && ((_e482.member_1[1] - _e484.member[1]) > _e607)) && ((_e484.member_1[1] - _e482.member[1]) > _e607)) && ((_e482.member_1[2] - _e484.member[2]) > _e607)) && ((_e484.member_1[2] - _e482.member[2]) > _e607));
-                                    if _e648 {
-                                        phi_1688_ = bool();
-                                    } else {
-                                        phi_988_ = type_37(0u, 3u);
-                                        phi_991_ = true;
-                                        loop {
-                                            let _e652 = phi_988_;
-                                            let _e654 = phi_991_;
-                                            local_42 = _e654;
-                                            if (_e652.member < _e652.member_1) {
-                                                phi_989_ = type_37((_e652.member + 1u), _e652.member_1);
-                                                phi_1014_ = type_37(1u, _e652.member);
-                                            } else {
-                                                phi_989_ = _e652;
-                                                phi_1014_ = type_37(0u, type_37().member_1);
-                                            }
-                                            let _e668 = phi_989_;
-                                            let _e670 = phi_1014_;
-                                            let _e674 = (bitcast<i32>(_e670.member) != 0i);
-                                            if _e674 {
-                                                let _e676 = local_16.member[0u];
-                                                let _e678 = keys.member[_e676];
-                                                local_14 = array<array<u32, 2>, 6>(array<u32, 2>(_e678[0][0], _e678[0][1]), array<u32, 2>(_e678[1][0], _e678[1][1]), array<u32, 2>(_e678[2][0], _e678[2][1]), array<u32, 2>(_e678[3][0], _e678[3][1]), array<u32, 2>(_e678[4][0], _e678[4][1]), array<u32, 2>(_e678[5][0], _e678[5][1]));
-                                                if (_e670.member_1 < 6u) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e706 = local_14[_e670.member_1];
-                                                phi_1071_ = type_37(1u, 3u);
-                                                phi_1074_ = array<u32, 2>(_e706[0], _e706[1]);
-                                                loop {
-                                                    let _e711 = phi_1071_;
-                                                    let _e713 = phi_1074_;
-                                                    local_18 = _e713;
-                                                    local_20 = _e713;
-                                                    local_22 = _e713;
-                                                    if (_e711.member < _e711.member_1) {
-                                                        phi_1072_ = type_37((_e711.member + 1u), _e711.member_1);
-                                                        phi_1097_ = type_37(1u, _e711.member);
-                                                    } else {
-                                                        phi_1072_ = _e711;
-                                                        phi_1097_ = type_37(0u, type_37().member_1);
-                                                    }
-                                                    let _e727 = phi_1072_;
-                                                    let _e729 = phi_1097_;
-                                                    let _e733 = (bitcast<i32>(_e729.member) != 0i);
-                                                    if _e733 {
-                                                        if (_e729.member_1 < 3u) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e736 = local_16.member[_e729.member_1];
-                                                        let _e738 = keys.member[_e736];
-                                                        local_15 = array<array<u32, 2>, 6>(array<u32, 2>(_e738[0][0], _e738[0][1]), array<u32, 2>(_e738[1][0], _e738[1][1]), array<u32, 2>(_e738[2][0], _e738[2][1]), array<u32, 2>(_e738[3][0], _e738[3][1]), array<u32, 2>(_e738[4][0], _e738[4][1]), array<u32, 2>(_e738[5][0], _e738[5][1]));
-                                                        if (_e670.member_1 < 6u) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e766 = local_15[_e670.member_1];
-                                                        if (_e713[1] > _e766[1]) {
-                                                            phi_1173_ = true;
-                                                        } else {
-                                                            if (_e713[1] == _e766[1]) {
-                                                                phi_1172_ = (_e713[0] > _e766[0]);
-                                                            } else {
-                                                                phi_1172_ = false;
-                                                            }
-                                                            let _e777 = phi_1172_;
-                                                            phi_1173_ = _e777;
-                                                        }
-                                                        let _e779 = phi_1173_;
-                                                        if _e779 {
-                                                            phi_1177_ = array<u32, 2>(_e766[0], _e766[1]);
-                                                        } else {
-                                                            phi_1177_ = _e713;
-                                                        }
-                                                        let _e781 = phi_1177_;
-                                                        phi_1075_ = _e781;
-                                                    } else {
-                                                        phi_1075_ = array<u32, 2>();
-                                                    }
-                                                    let _e783 = phi_1075_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_1071_ = _e727;
-                                                        phi_1074_ = _e783;
-                                                        break if !(_e733);
-                                                    }
-                                                }
-                                                let _e786 = local_17.member[0u];
-                                                let _e788 = keys.member[_e786];
-                                                local_12 = array<array<u32, 2>, 6>(array<u32, 2>(_e788[0][0], _e788[0][1]), array<u32, 2>(_e788[1][0], _e788[1][1]), array<u32, 2>(_e788[2][0], _e788[2][1]), array<u32, 2>(_e788[3][0], _e788[3][1]), array<u32, 2>(_e788[4][0], _e788[4][1]), array<u32, 2>(_e788[5][0], _e788[5][1]));
-                                                let _e814 = (3u + _e670.member_1);
-                                                if (_e814 < 6u) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e817 = local_12[_e814];
-                                                phi_1228_ = type_37(1u, 3u);
-                                                phi_1231_ = array<u32, 2>(_e817[0], _e817[1]);
-                                                loop {
-                                                    let _e822 = phi_1228_;
-                                                    let _e824 = phi_1231_;
-                                                    local_19 = _e824;
-                                                    local_21 = _e824;
-                                                    local_23 = _e824;
-                                                    if (_e822.member < _e822.member_1) {
-                                                        phi_1229_ = type_37((_e822.member + 1u), _e822.member_1);
-                                                        phi_1254_ = type_37(1u, _e822.member);
-                                                    } else {
-                                                        phi_1229_ = _e822;
-                                                        phi_1254_ = type_37(0u, type_37().member_1);
-                                                    }
-                                                    let _e838 = phi_1229_;
-                                                    let _e840 = phi_1254_;
-                                                    let _e844 = (bitcast<i32>(_e840.member) != 0i);
-                                                    if _e844 {
-                                                        if (_e840.member_1 < 3u) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e847 = local_17.member[_e840.member_1];
-                                                        let _e849 = keys.member[_e847];
-                                                        local_13 = array<array<u32, 2>, 6>(array<u32, 2>(_e849[0][0], _e849[0][1]), array<u32, 2>(_e849[1][0], _e849[1][1]), array<u32, 2>(_e849[2][0], _e849[2][1]), array<u32, 2>(_e849[3][0], _e849[3][1]), array<u32, 2>(_e849[4][0], _e849[4][1]), array<u32, 2>(_e849[5][0], _e849[5][1]));
-                                                        let _e875 = (3u + _e670.member_1);
-                                                        if (_e875 < 6u) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e878 = local_13[_e875];
-                                                        if (_e878[1] > _e824[1]) {
-                                                            phi_1331_ = true;
-                                                        } else {
-                                                            if (_e878[1] == _e824[1]) {
-                                                                phi_1330_ = (_e878[0] > _e824[0]);
-                                                            } else {
-                                                                phi_1330_ = false;
-                                                            }
-                                                            let _e889 = phi_1330_;
-                                                            phi_1331_ = _e889;
-                                                        }
-                                                        let _e891 = phi_1331_;
-                                                        if _e891 {
-                                                            phi_1335_ = array<u32, 2>(_e878[0], _e878[1]);
-                                                        } else {
-                                                            phi_1335_ = _e824;
-                                                        }
-                                                        let _e893 = phi_1335_;
-                                                        phi_1232_ = _e893;
-                                                    } else {
-                                                        phi_1232_ = array<u32, 2>();
-                                                    }
-                                                    let _e895 = phi_1232_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_1228_ = _e838;
-                                                        phi_1231_ = _e895;
-                                                        break if !(_e844);
-                                                    }
-                                                }
-                                                let _e898 = local_18;
-                                                let _e901 = local_19;
-                                                if (_e898[1] > _e901[1]) {
-                                                    phi_1352_ = true;
-                                                } else {
-                                                    let _e905 = local_20;
-                                                    let _e908 = local_21;
-                                                    if (_e905[1] == _e908[1]) {
-                                                        let _e912 = local_22;
-                                                        let _e915 = local_23;
-                                                        phi_1351_ = (_e912[0] > _e915[0]);
-                                                    } else {
-                                                        phi_1351_ = false;
-                                                    }
-                                                    let _e919 = phi_1351_;
-                                                    phi_1352_ = _e919;
-                                                }
-                                                let _e921 = phi_1352_;
-                                                let _e924 = local_17.member[0u];
-                                                let _e926 = keys.member[_e924];
-                                                local_10 = array<array<u32, 2>, 6>(array<u32, 2>(_e926[0][0], _e926[0][1]), array<u32, 2>(_e926[1][0], _e926[1][1]), array<u32, 2>(_e926[2][0], _e926[2][1]), array<u32, 2>(_e926[3][0], _e926[3][1]), array<u32, 2>(_e926[4][0], _e926[4][1]), array<u32, 2>(_e926[5][0], _e926[5][1]));
-                                                if (_e670.member_1 < 6u) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e954 = local_10[_e670.member_1];
-                                                phi_1403_ = type_37(1u, 3u);
-                                                phi_1406_ = array<u32, 2>(_e954[0], _e954[1]);
-                                                loop {
-                                                    let _e959 = phi_1403_;
-                                                    let _e961 = phi_1406_;
-                                                    local_24 = _e961;
-                                                    local_26 = _e961;
-                                                    local_28 = _e961;
-                                                    if (_e959.member < _e959.member_1) {
-                                                        phi_1404_ = type_37((_e959.member + 1u), _e959.member_1);
-                                                        phi_1429_ = type_37(1u, _e959.member);
-                                                    } else {
-                                                        phi_1404_ = _e959;
-                                                        phi_1429_ = type_37(0u, type_37().member_1);
-                                                    }
-                                                    let _e975 = phi_1404_;
-                                                    let _e977 = phi_1429_;
-                                                    let _e981 = (bitcast<i32>(_e977.member) != 0i);
-                                                    if _e981 {
-                                                        if (_e977.member_1 < 3u) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e984 = local_17.member[_e977.member_1];
-                                                        let _e986 = keys.member[_e984];
-                                                        local_11 = array<array<u32, 2>, 6>(array<u32, 2>(_e986[0][0], _e986[0][1]), array<u32, 2>(_e986[1][0], _e986[1][1]), array<u32, 2>(_e986[2][0], _e986[2][1]), array<u32, 2>(_e986[3][0], _e986[3][1]), array<u32, 2>(_e986[4][0], _e986[4][1]), array<u32, 2>(_e986[5][0], _e986[5][1]));
-                                                        if (_e670.member_1 < 6u) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e1014 = local_11[_e670.member_1];
-                                                        if (_e961[1] > _e1014[1]) {
-                                                            phi_1505_ = true;
-                                                        } else {
-                                                            if (_e961[1] == _e1014[1]) {
-                                                                phi_1504_ = (_e961[0] > _e1014[0]);
-                                                            } else {
-                                                                phi_1504_ = false;
-                                                            }
-                                                            let _e1025 = phi_1504_;
-                                                            phi_1505_ = _e1025;
-                                                        }
-                                                        let _e1027 = phi_1505_;
-                                                        if _e1027 {
-                                                            phi_1509_ = array<u32, 2>(_e1014[0], _e1014[1]);
-                                                        } else {
-                                                            phi_1509_ = _e961;
-                                                        }
-                                                        let _e1029 = phi_1509_;
-                                                        phi_1407_ = _e1029;
-                                                    } else {
-                                                        phi_1407_ = array<u32, 2>();
-                                                    }
-                                                    let _e1031 = phi_1407_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_1403_ = _e975;
-                                                        phi_1406_ = _e1031;
-                                                        break if !(_e981);
-                                                    }
-                                                }
-                                                let _e1034 = local_16.member[0u];
-                                                let _e1036 = keys.member[_e1034];
-                                                local_8 = array<array<u32, 2>, 6>(array<u32, 2>(_e1036[0][0], _e1036[0][1]), array<u32, 2>(_e1036[1][0], _e1036[1][1]), array<u32, 2>(_e1036[2][0], _e1036[2][1]), array<u32, 2>(_e1036[3][0], _e1036[3][1]), array<u32, 2>(_e1036[4][0], _e1036[4][1]), array<u32, 2>(_e1036[5][0], _e1036[5][1]));
-                                                let _e1062 = (3u + _e670.member_1);
-                                                if (_e1062 < 6u) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e1065 = local_8[_e1062];
-                                                phi_1560_ = type_37(1u, 3u);
-                                                phi_1563_ = array<u32, 2>(_e1065[0], _e1065[1]);
-                                                loop {
-                                                    let _e1070 = phi_1560_;
-                                                    let _e1072 = phi_1563_;
-                                                    local_25 = _e1072;
-                                                    local_27 = _e1072;
-                                                    local_29 = _e1072;
-                                                    if (_e1070.member < _e1070.member_1) {
-                                                        phi_1561_ = type_37((_e1070.member + 1u), _e1070.member_1);
-                                                        phi_1586_ = type_37(1u, _e1070.member);
-                                                    } else {
-                                                        phi_1561_ = _e1070;
-                                                        phi_1586_ = type_37(0u, type_37().member_1);
-                                                    }
-                                                    let _e1086 = phi_1561_;
-                                                    let _e1088 = phi_1586_;
-                                                    let _e1092 = (bitcast<i32>(_e1088.member) != 0i);
-                                                    if _e1092 {
-                                                        if (_e1088.member_1 < 3u) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e1095 = local_16.member[_e1088.member_1];
-                                                        let _e1097 = keys.member[_e1095];
-                                                        local_9 = array<array<u32, 2>, 6>(array<u32, 2>(_e1097[0][0], _e1097[0][1]), array<u32, 2>(_e1097[1][0], _e1097[1][1]), array<u32, 2>(_e1097[2][0], _e1097[2][1]), array<u32, 2>(_e1097[3][0], _e1097[3][1]), array<u32, 2>(_e1097[4][0], _e1097[4][1]), array<u32, 2>(_e1097[5][0], _e1097[5][1]));
-                                                        let _e1123 = (3u + _e670.member_1);
-                                                        if (_e1123 < 6u) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e1126 = local_9[_e1123];
-                                                        if (_e1126[1] > _e1072[1]) {
-                                                            phi_1663_ = true;
-                                                        } else {
-                                                            if (_e1126[1] == _e1072[1]) {
-                                                                phi_1662_ = (_e1126[0] > _e1072[0]);
-                                                            } else {
-                                                                phi_1662_ = false;
-                                                            }
-                                                            let _e1137 = phi_1662_;
-                                                            phi_1663_ = _e1137;
-                                                        }
-                                                        let _e1139 = phi_1663_;
-                                                        if _e1139 {
-                                                            phi_1667_ = array<u32, 2>(_e1126[0], _e1126[1]);
-                                                        } else {
-                                                            phi_1667_ = _e1072;
-                                                        }
-                                                        let _e1141 = phi_1667_;
-                                                        phi_1564_ = _e1141;
-                                                    } else {
-                                                        phi_1564_ = array<u32, 2>();
-                                                    }
-                                                    let _e1143 = phi_1564_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_1560_ = _e1086;
-                                                        phi_1563_ = _e1143;
-                                                        break if !(_e1092);
-                                                    }
-                                                }
-                                                let _e1146 = local_24;
-                                                let _e1149 = local_25;
-                                                if (_e1146[1] > _e1149[1]) {
-                                                    phi_1684_ = true;
-                                                } else {
-                                                    let _e1153 = local_26;
-                                                    let _e1156 = local_27;
-                                                    if (_e1153[1] == _e1156[1]) {
-                                                        let _e1160 = local_28;
-                                                        let _e1163 = local_29;
-                                                        phi_1683_ = (_e1160[0] > _e1163[0]);
-                                                    } else {
-                                                        phi_1683_ = false;
-                                                    }
-                                                    let _e1167 = phi_1683_;
-                                                    phi_1684_ = _e1167;
-                                                }
-                                                let _e1169 = phi_1684_;
-                                                phi_992_ = (_e654 && (!(_e921) && !(_e1169)));
-                                            } else {
-                                                phi_992_ = bool();
-                                            }
-                                            let _e1174 = phi_992_;
-                                            continue;
-                                            continuing {
-                                                phi_988_ = _e668;
-                                                phi_991_ = _e1174;
-                                                break if !(_e674);
-                                            }
-                                        }
-                                        let _e4433 = local_42;
-                                        phi_1688_ = _e4433;
-                                    }
-                                    let _e1177 = phi_1688_;
-                                    phi_1689_ = _e1177;
-                                    phi_1690_ = _e648;
-                                } else {
-                                    phi_1689_ = bool();
-                                    phi_1690_ = true;
-                                }
-                                let _e1179 = phi_1689_;
-                                let _e1181 = phi_1690_;
-                                if _e1181 {
-                                    phi_1694_ = false;
-                                } else {
-                                    phi_1694_ = true;
-                                }
-                                let _e1183 = phi_1694_;
-                                phi_1695_ = _e1179;
-                                phi_1696_ = _e1183;
-                            } else {
-                                phi_1695_ = false;
-                                phi_1696_ = true;
-                            }
-                            let _e1185 = phi_1695_;
-                            let _e1187 = phi_1696_;
-                            phi_1697_ = _e1185;
-                            phi_1698_ = _e1187;
-                        } else {
-                            phi_1697_ = false;
-                            phi_1698_ = true;
-                        }
-                        let _e1189 = phi_1697_;
-                        let _e1191 = phi_1698_;
-                        if _e1191 {
-                            phi_1702_ = _e1189;
-                        } else {
-                            phi_1702_ = true;
-                        }
-                        let _e1193 = phi_1702_;
-                        if _e1193 {
-                            let _e1195 = atomicAdd((&counters[5u]), 1u);
-                            let _e1197 = local_16.member_1;
-                            let _e1199 = local_17.member_1;
-                            if (_e1197 < _e1199) {
-                                phi_1748_ = _e466;
-                                phi_1749_ = _e464;
-                            } else {
-                                phi_1748_ = _e464;
-                                phi_1749_ = _e466;
-                            }
-                            let _e1202 = phi_1748_;
-                            let _e1204 = phi_1749_;
-                            let _e1206 = params.member.member_4;
-                            let _e1208 = params.member.member_5;
-                            let _e1218 = paths.member[_e1204.member[0]];
-                            let _e1220 = paths.member[_e1204.member[1]];
-                            let _e1226 = paths.member[_e1202.member[0]];
-                            let _e1228 = paths.member[_e1202.member[1]];
-                            local_7 = type_72(array<array<f32, 3>, 2>(array<f32, 3>((_e1226.member[0] - _e1218.member[0]), (_e1226.member[1] - _e1218.member[1]), (_e1226.member[2] - _e1218.member[2])), array<f32, 3>((_e1226.member_1[0] - _e1218.member_1[0]), (_e1226.member_1[1] - _e1218.member_1[1]), (_e1226.member_1[2] - _e1218.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1220.member[0] - _e1218.member[0]), (_e1220.member[1] - _e1218.member[1]), (_e1220.member[2] - _e1218.member[2])), array<f32, 3>((_e1220.member_1[0] - _e1218.member_1[0]), (_e1220.member_1[1] - _e1218.member_1[1]), (_e1220.member_1[2] - _e1218.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1226.member[0] - _e1228.member[0]), (_e1226.member[1] - _e1228.member[1]), (_e1226.member[2] - _e1228.member[2])), array<f32, 3>((_e1226.member_1[0] - _e1228.member_1[0]), (_e1226.member_1[1] - _e1228.member_1[1]), (_e1226.member_1[2] - _e1228.member_1[2]))), (_e1206 + _e1206));
-                            let _e1288 = local_7.member_1[0u];
-                            let _e1294 = local_7.member_2[0u];
-                            let _e1300 = ((_e1288[1] * _e1294[2]) - (_e1288[2] * _e1294[1]));
-                            let _e1303 = ((_e1288[2] * _e1294[0]) - (_e1288[0] * _e1294[2]));
-                            let _e1306 = ((_e1288[0] * _e1294[1]) - (_e1288[1] * _e1294[0]));
-                            let _e1309 = local_7.member_1[1u];
-                            let _e1315 = local_7.member_2[1u];
-                            let _e1321 = ((_e1309[1] * _e1315[2]) - (_e1309[2] * _e1315[1]));
-                            let _e1324 = ((_e1309[2] * _e1315[0]) - (_e1309[0] * _e1315[2]));
-                            let _e1327 = ((_e1309[0] * _e1315[1]) - (_e1309[1] * _e1315[0]));
-                            let _e1330 = local_7.member_1[0u];
-                            let _e1336 = local_7.member_2[1u];
-                            let _e1351 = local_7.member_1[1u];
-                            let _e1357 = local_7.member_2[0u];
-                            let _e1370 = (((_e1330[1] * _e1336[2]) - (_e1330[2] * _e1336[1])) + ((_e1351[1] * _e1357[2]) - (_e1351[2] * _e1357[1])));
-                            let _e1371 = (((_e1330[2] * _e1336[0]) - (_e1330[0] * _e1336[2])) + ((_e1351[2] * _e1357[0]) - (_e1351[0] * _e1357[2])));
-                            let _e1372 = (((_e1330[0] * _e1336[1]) - (_e1330[1] * _e1336[0])) + ((_e1351[0] * _e1357[1]) - (_e1351[1] * _e1357[0])));
-                            let _e1375 = local_7.member[0u];
-                            let _e1386 = local_7.member[1u];
-                            let _e1397 = local_7.member[0u];
-                            let _e1406 = ((((_e1386[0] * _e1300) + (_e1386[1] * _e1303)) + (_e1386[2] * _e1306)) + (((_e1397[0] * _e1370) + (_e1397[1] * _e1371)) + (_e1397[2] * _e1372)));
-                            let _e1409 = local_7.member[0u];
-                            let _e1420 = local_7.member[1u];
-                            let _e1429 = ((((_e1409[0] * _e1321) + (_e1409[1] * _e1324)) + (_e1409[2] * _e1327)) + (((_e1420[0] * _e1370) + (_e1420[1] * _e1371)) + (_e1420[2] * _e1372)));
-                            let _e1432 = local_7.member[1u];
-                            let _e1443 = local_7.member[0u];
-                            if (_e1443[0] < 0f) {
-                                phi_2138_ = -(_e1443[0]);
-                            } else {
-                                phi_2138_ = _e1443[0];
-                            }
-                            let _e1450 = phi_2138_;
-                            if (_e1443[1] < 0f) {
-                                phi_2145_ = -(_e1443[1]);
-                            } else {
-                                phi_2145_ = _e1443[1];
-                            }
-                            let _e1454 = phi_2145_;
-                            if (_e1450 > _e1454) {
-                                phi_2150_ = _e1450;
-                            } else {
-                                phi_2150_ = _e1454;
-                            }
-                            let _e1457 = phi_2150_;
-                            if (_e1443[2] < 0f) {
-                                phi_2157_ = -(_e1443[2]);
-                            } else {
-                                phi_2157_ = _e1443[2];
-                            }
-                            let _e1461 = phi_2157_;
-                            if (_e1457 > _e1461) {
-                                phi_2162_ = _e1457;
-                            } else {
-                                phi_2162_ = _e1461;
-                            }
-                            let _e1464 = phi_2162_;
-                            let _e1467 = local_7.member[1u];
-                            if (_e1467[0] < 0f) {
-                                phi_2175_ = -(_e1467[0]);
-                            } else {
-                                phi_2175_ = _e1467[0];
-                            }
-                            let _e1474 = phi_2175_;
-                            if (_e1467[1] < 0f) {
-                                phi_2182_ = -(_e1467[1]);
-                            } else {
-                                phi_2182_ = _e1467[1];
-                            }
-                            let _e1478 = phi_2182_;
-                            if (_e1474 > _e1478) {
-                                phi_2187_ = _e1474;
-                            } else {
-                                phi_2187_ = _e1478;
-                            }
-                            let _e1481 = phi_2187_;
-                            if (_e1467[2] < 0f) {
-                                phi_2194_ = -(_e1467[2]);
-                            } else {
-                                phi_2194_ = _e1467[2];
-                            }
-                            let _e1485 = phi_2194_;
-                            if (_e1481 > _e1485) {
-                                phi_2199_ = _e1481;
-                            } else {
-                                phi_2199_ = _e1485;
-                            }
-                            let _e1488 = phi_2199_;
-                            if (_e1464 > _e1488) {
-                                phi_2204_ = _e1464;
-                            } else {
-                                phi_2204_ = _e1488;
-                            }
-                            let _e1491 = phi_2204_;
-                            let _e1493 = local_7.member_3;
-                            let _e1494 = (_e1491 + _e1493);
-                            let _e1497 = local_7.member_1[0u];
-                            if (_e1497[0] < 0f) {
-                                phi_2221_ = -(_e1497[0]);
-                            } else {
-                                phi_2221_ = _e1497[0];
-                            }
-                            let _e1504 = phi_2221_;
-                            if (_e1497[1] < 0f) {
-                                phi_2228_ = -(_e1497[1]);
-                            } else {
-                                phi_2228_ = _e1497[1];
-                            }
-                            let _e1508 = phi_2228_;
-                            if (_e1504 > _e1508) {
-                                phi_2233_ = _e1504;
-                            } else {
-                                phi_2233_ = _e1508;
-                            }
-                            let _e1511 = phi_2233_;
-                            if (_e1497[2] < 0f) {
-                                phi_2240_ = -(_e1497[2]);
-                            } else {
-                                phi_2240_ = _e1497[2];
-                            }
-                            let _e1515 = phi_2240_;
-                            if (_e1511 > _e1515) {
-                                phi_2245_ = _e1511;
-                            } else {
-                                phi_2245_ = _e1515;
-                            }
-                            let _e1518 = phi_2245_;
-                            let _e1521 = local_7.member_1[1u];
-                            if (_e1521[0] < 0f) {
-                                phi_2259_ = -(_e1521[0]);
-                            } else {
-                                phi_2259_ = _e1521[0];
-                            }
-                            let _e1528 = phi_2259_;
-                            if (_e1521[1] < 0f) {
-                                phi_2266_ = -(_e1521[1]);
-                            } else {
-                                phi_2266_ = _e1521[1];
-                            }
-                            let _e1532 = phi_2266_;
-                            if (_e1528 > _e1532) {
-                                phi_2271_ = _e1528;
-                            } else {
-                                phi_2271_ = _e1532;
-                            }
-                            let _e1535 = phi_2271_;
-                            if (_e1521[2] < 0f) {
-                                phi_2278_ = -(_e1521[2]);
-                            } else {
-                                phi_2278_ = _e1521[2];
-                            }
-                            let _e1539 = phi_2278_;
-                            if (_e1535 > _e1539) {
-                                phi_2283_ = _e1535;
-                            } else {
-                                phi_2283_ = _e1539;
-                            }
-                            let _e1542 = phi_2283_;
-                            if (_e1518 > _e1542) {
-                                phi_2288_ = _e1518;
-                            } else {
-                                phi_2288_ = _e1542;
-                            }
-                            let _e1545 = phi_2288_;
-                            let _e1547 = local_7.member_3;
-                            let _e1548 = (_e1545 + _e1547);
-                            let _e1551 = local_7.member_2[0u];
-                            if (_e1551[0] < 0f) {
-                                phi_2305_ = -(_e1551[0]);
-                            } else {
-                                phi_2305_ = _e1551[0];
-                            }
-                            let _e1558 = phi_2305_;
-                            if (_e1551[1] < 0f) {
-                                phi_2312_ = -(_e1551[1]);
-                            } else {
-                                phi_2312_ = _e1551[1];
-                            }
-                            let _e1562 = phi_2312_;
-                            if (_e1558 > _e1562) {
-                                phi_2317_ = _e1558;
-                            } else {
-                                phi_2317_ = _e1562;
-                            }
-                            let _e1565 = phi_2317_;
-                            if (_e1551[2] < 0f) {
-                                phi_2324_ = -(_e1551[2]);
-                            } else {
-                                phi_2324_ = _e1551[2];
-                            }
-                            let _e1569 = phi_2324_;
-                            if (_e1565 > _e1569) {
-                                phi_2329_ = _e1565;
-                            } else {
-                                phi_2329_ = _e1569;
-                            }
-                            let _e1572 = phi_2329_;
-                            let _e1575 = local_7.member_2[1u];
-                            if (_e1575[0] < 0f) {
-                                phi_2343_ = -(_e1575[0]);
-                            } else {
-                                phi_2343_ = _e1575[0];
-                            }
-                            let _e1582 = phi_2343_;
-                            if (_e1575[1] < 0f) {
-                                phi_2350_ = -(_e1575[1]);
-                            } else {
-                                phi_2350_ = _e1575[1];
-                            }
-                            let _e1586 = phi_2350_;
-                            if (_e1582 > _e1586) {
-                                phi_2355_ = _e1582;
-                            } else {
-                                phi_2355_ = _e1586;
-                            }
-                            let _e1589 = phi_2355_;
-                            if (_e1575[2] < 0f) {
-                                phi_2362_ = -(_e1575[2]);
-                            } else {
-                                phi_2362_ = _e1575[2];
-                            }
-                            let _e1593 = phi_2362_;
-                            if (_e1589 > _e1593) {
-                                phi_2367_ = _e1589;
-                            } else {
-                                phi_2367_ = _e1593;
-                            }
-                            let _e1596 = phi_2367_;
-                            if (_e1572 > _e1596) {
-                                phi_2372_ = _e1572;
-                            } else {
-                                phi_2372_ = _e1596;
-                            }
-                            let _e1599 = phi_2372_;
-                            let _e1601 = local_7.member_3;
-                            let _e1602 = (_e1599 + _e1601);
-                            let _e1604 = ((_e1548 * 8f) * _e1602);
-                            let _e1611 = local_7.member_3;
-                            if (_e1300 < 0f) {
-                                phi_2403_ = -(_e1300);
-                            } else {
-                                phi_2403_ = _e1300;
-                            }
-                            let _e1628 = phi_2403_;
-                            if (_e1303 < 0f) {
-                                phi_2409_ = -(_e1303);
-                            } else {
-                                phi_2409_ = _e1303;
-                            }
-                            let _e1632 = phi_2409_;
-                            if (_e1306 < 0f) {
-                                phi_2416_ = -(_e1306);
-                            } else {
-                                phi_2416_ = _e1306;
-                            }
-                            let _e1637 = phi_2416_;
-                            let _e1638 = ((_e1628 + _e1632) + _e1637);
-                            if (_e1321 < 0f) {
-                                phi_2423_ = -(_e1321);
-                            } else {
-                                phi_2423_ = _e1321;
-                            }
-                            let _e1642 = phi_2423_;
-                            if (_e1324 < 0f) {
-                                phi_2429_ = -(_e1324);
-                            } else {
-                                phi_2429_ = _e1324;
-                            }
-                            let _e1646 = phi_2429_;
-                            if (_e1327 < 0f) {
-                                phi_2436_ = -(_e1327);
-                            } else {
-                                phi_2436_ = _e1327;
-                            }
-                            let _e1651 = phi_2436_;
-                            let _e1652 = ((_e1642 + _e1646) + _e1651);
-                            if (_e1638 > _e1652) {
-                                phi_2442_ = _e1638;
-                            } else {
-                                phi_2442_ = _e1652;
-                            }
-                            let _e1655 = phi_2442_;
-                            if (_e1370 < 0f) {
-                                phi_2448_ = -(_e1370);
-                            } else {
-                                phi_2448_ = _e1370;
-                            }
-                            let _e1659 = phi_2448_;
-                            if (_e1371 < 0f) {
-                                phi_2454_ = -(_e1371);
-                            } else {
-                                phi_2454_ = _e1371;
-                            }
-                            let _e1663 = phi_2454_;
-                            if (_e1372 < 0f) {
-                                phi_2461_ = -(_e1372);
-                            } else {
-                                phi_2461_ = _e1372;
-                            }
-                            let _e1668 = phi_2461_;
-                            let _e1670 = (((_e1659 + _e1663) + _e1668) * 0.5f);
-                            if (_e1655 > _e1670) {
-                                phi_2468_ = _e1655;
-                            } else {
-                                phi_2468_ = _e1670;
-                            }
-                            let _e1673 = phi_2468_;
-                            let _e1678 = local_7.member_3;
-                            let _e1691 = ((((_e1375[0] * _e1300) + (_e1375[1] * _e1303)) + (_e1375[2] * _e1306)) * 3f);
-                            let _e1692 = ((((_e1432[0] * _e1321) + (_e1432[1] * _e1324)) + (_e1432[2] * _e1327)) * 3f);
-                            if (_e1691 < _e1692) {
-                                phi_2492_ = _e1691;
-                            } else {
-                                phi_2492_ = _e1692;
-                            }
-                            let _e1695 = phi_2492_;
-                            if (_e1406 < _e1429) {
-                                phi_2497_ = _e1406;
-                            } else {
-                                phi_2497_ = _e1429;
-                            }
-                            let _e1698 = phi_2497_;
-                            if (_e1695 < _e1698) {
-                                phi_2502_ = _e1695;
-                            } else {
-                                phi_2502_ = _e1698;
-                            }
-                            let _e1701 = phi_2502_;
-                            if (_e1691 > _e1692) {
-                                phi_2507_ = _e1691;
-                            } else {
-                                phi_2507_ = _e1692;
-                            }
-                            let _e1704 = phi_2507_;
-                            if (_e1406 > _e1429) {
-                                phi_2512_ = _e1406;
-                            } else {
-                                phi_2512_ = _e1429;
-                            }
-                            let _e1707 = phi_2512_;
-                            if (_e1704 > _e1707) {
-                                phi_2517_ = _e1704;
-                            } else {
-                                phi_2517_ = _e1707;
-                            }
-                            let _e1710 = phi_2517_;
-                            let _e1715 = -(_e1710);
-                            if (_e1701 > _e1715) {
-                                phi_2527_ = _e1701;
-                            } else {
-                                phi_2527_ = _e1715;
-                            }
-                            let _e1718 = phi_2527_;
-                            if ((_e1718 - ((((((_e1494 * 8f) * _e1604) * (0.000000059604645f * (490f / 64f))) + ((_e1611 * 19f) * ((_e1494 * (_e1548 + _e1602)) + (_e1548 * _e1602)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1494) * ((1f + _e1548) * (1f + _e1602))))) + ((_e1208 * (((_e1673 + (_e1604 * (0.000000059604645f * 4f))) + ((_e1678 * 6f) * (_e1548 + _e1602))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1548) * (1f + _e1602))))) * (3f * 1.0001f)))) > 0f) {
-                                phi_3503_ = true;
-                            } else {
-                                let _e1723 = local_7.member_1[0u];
-                                let _e1729 = local_7.member_1[1u];
-                                let _e1733 = (_e1723[0] + _e1729[0]);
-                                let _e1734 = (_e1723[1] + _e1729[1]);
-                                let _e1735 = (_e1723[2] + _e1729[2]);
-                                let _e1738 = local_7.member_2[0u];
-                                let _e1744 = local_7.member_2[1u];
-                                let _e1748 = (_e1738[0] + _e1744[0]);
-                                let _e1749 = (_e1738[1] + _e1744[1]);
-                                let _e1750 = (_e1738[2] + _e1744[2]);
-                                let _e1753 = ((_e1734 * _e1750) - (_e1735 * _e1749));
-                                let _e1756 = ((_e1735 * _e1748) - (_e1733 * _e1750));
-                                let _e1759 = ((_e1733 * _e1749) - (_e1734 * _e1748));
-                                let _e1762 = local_7.member[0u];
-                                let _e1768 = local_7.member_1[0u];
-                                let _e1774 = local_7.member_2[0u];
-                                let _e1778 = (_e1762[0] - _e1768[0]);
-                                let _e1779 = (_e1762[1] - _e1768[1]);
-                                let _e1780 = (_e1762[2] - _e1768[2]);
-                                let _e1789 = local_7.member[1u];
-                                let _e1795 = local_7.member_1[1u];
-                                let _e1801 = local_7.member_2[1u];
-                                let _e1805 = (_e1789[0] - _e1795[0]);
-                                let _e1806 = (_e1789[1] - _e1795[1]);
-                                let _e1807 = (_e1789[2] - _e1795[2]);
-                                local_5 = array<array<f32, 3>, 4>(_e1762, array<f32, 3>(_e1778, _e1779, _e1780), array<f32, 3>((_e1762[0] - _e1774[0]), (_e1762[1] - _e1774[1]), (_e1762[2] - _e1774[2])), array<f32, 3>((_e1778 - _e1774[0]), (_e1779 - _e1774[1]), (_e1780 - _e1774[2])));
-                                local_6 = array<array<f32, 3>, 4>(_e1789, array<f32, 3>(_e1805, _e1806, _e1807), array<f32, 3>((_e1789[0] - _e1801[0]), (_e1789[1] - _e1801[1]), (_e1789[2] - _e1801[2])), array<f32, 3>((_e1805 - _e1801[0]), (_e1806 - _e1801[1]), (_e1807 - _e1801[2])));
-                                let _e1824 = local_7.member[0u];
-                                if (_e1824[0] < 0f) {
-                                    phi_2778_ = -(_e1824[0]);
-                                } else {
-                                    phi_2778_ = _e1824[0];
-                                }
-                                let _e1831 = phi_2778_;
-                                if (_e1824[1] < 0f) {
-                                    phi_2785_ = -(_e1824[1]);
-                                } else {
-                                    phi_2785_ = _e1824[1];
-                                }
-                                let _e1835 = phi_2785_;
-                                if (_e1831 > _e1835) {
-                                    phi_2790_ = _e1831;
-                                } else {
-                                    phi_2790_ = _e1835;
-                                }
-                                let _e1838 = phi_2790_;
-                                if (_e1824[2] < 0f) {
-                                    phi_2797_ = -(_e1824[2]);
-                                } else {
-                                    phi_2797_ = _e1824[2];
-                                }
-                                let _e1842 = phi_2797_;
-                                if (_e1838 > _e1842) {
-                                    phi_2802_ = _e1838;
-                                } else {
-                                    phi_2802_ = _e1842;
-                                }
-                                let _e1845 = phi_2802_;
-                                let _e1848 = local_7.member[1u];
-                                if (_e1848[0] < 0f) {
-                                    phi_2815_ = -(_e1848[0]);
-                                } else {
-                                    phi_2815_ = _e1848[0];
-                                }
-                                let _e1855 = phi_2815_;
-                                if (_e1848[1] < 0f) {
-                                    phi_2822_ = -(_e1848[1]);
-                                } else {
-                                    phi_2822_ = _e1848[1];
-                                }
-                                let _e1859 = phi_2822_;
-                                if (_e1855 > _e1859) {
-                                    phi_2827_ = _e1855;
-                                } else {
-                                    phi_2827_ = _e1859;
-                                }
-                                let _e1862 = phi_2827_;
-                                if (_e1848[2] < 0f) {
-                                    phi_2834_ = -(_e1848[2]);
-                                } else {
-                                    phi_2834_ = _e1848[2];
-                                }
-                                let _e1866 = phi_2834_;
-                                if (_e1862 > _e1866) {
-                                    phi_2839_ = _e1862;
-                                } else {
-                                    phi_2839_ = _e1866;
-                                }
-                                let _e1869 = phi_2839_;
-                                if (_e1845 > _e1869) {
-                                    phi_2844_ = _e1845;
-                                } else {
-                                    phi_2844_ = _e1869;
-                                }
-                                let _e1872 = phi_2844_;
-                                let _e1874 = local_7.member_3;
-                                let _e1878 = local_7.member_1[0u];
-                                if (_e1878[0] < 0f) {
-                                    phi_2861_ = -(_e1878[0]);
-                                } else {
-                                    phi_2861_ = _e1878[0];
-                                }
-                                let _e1885 = phi_2861_;
-                                if (_e1878[1] < 0f) {
-                                    phi_2868_ = -(_e1878[1]);
-                                } else {
-                                    phi_2868_ = _e1878[1];
-                                }
-                                let _e1889 = phi_2868_;
-                                if (_e1885 > _e1889) {
-                                    phi_2873_ = _e1885;
-                                } else {
-                                    phi_2873_ = _e1889;
-                                }
-                                let _e1892 = phi_2873_;
-                                if (_e1878[2] < 0f) {
-                                    phi_2880_ = -(_e1878[2]);
-                                } else {
-                                    phi_2880_ = _e1878[2];
-                                }
-                                let _e1896 = phi_2880_;
-                                if (_e1892 > _e1896) {
-                                    phi_2885_ = _e1892;
-                                } else {
-                                    phi_2885_ = _e1896;
-                                }
-                                let _e1899 = phi_2885_;
-                                let _e1902 = local_7.member_1[1u];
-                                if (_e1902[0] < 0f) {
-                                    phi_2899_ = -(_e1902[0]);
-                                } else {
-                                    phi_2899_ = _e1902[0];
-                                }
-                                let _e1909 = phi_2899_;
-                                if (_e1902[1] < 0f) {
-                                    phi_2906_ = -(_e1902[1]);
-                                } else {
-                                    phi_2906_ = _e1902[1];
-                                }
-                                let _e1913 = phi_2906_;
-                                if (_e1909 > _e1913) {
-                                    phi_2911_ = _e1909;
-                                } else {
-                                    phi_2911_ = _e1913;
-                                }
-                                let _e1916 = phi_2911_;
-                                if (_e1902[2] < 0f) {
-                                    phi_2918_ = -(_e1902[2]);
-                                } else {
-                                    phi_2918_ = _e1902[2];
-                                }
-                                let _e1920 = phi_2918_;
-                                if (_e1916 > _e1920) {
-                                    phi_2923_ = _e1916;
-                                } else {
-                                    phi_2923_ = _e1920;
-                                }
-                                let _e1923 = phi_2923_;
-                                if (_e1899 > _e1923) {
-                                    phi_2928_ = _e1899;
-                                } else {
-                                    phi_2928_ = _e1923;
-                                }
-                                let _e1926 = phi_2928_;
-                                let _e1928 = local_7.member_3;
-                                let _e1932 = local_7.member_2[0u];
-                                if (_e1932[0] < 0f) {
-                                    phi_2945_ = -(_e1932[0]);
-                                } else {
-                                    phi_2945_ = _e1932[0];
-                                }
-                                let _e1939 = phi_2945_;
-                                if (_e1932[1] < 0f) {
-                                    phi_2952_ = -(_e1932[1]);
-                                } else {
-                                    phi_2952_ = _e1932[1];
-                                }
-                                let _e1943 = phi_2952_;
-                                if (_e1939 > _e1943) {
-                                    phi_2957_ = _e1939;
-                                } else {
-                                    phi_2957_ = _e1943;
-                                }
-                                let _e1946 = phi_2957_;
-                                if (_e1932[2] < 0f) {
-                                    phi_2964_ = -(_e1932[2]);
-                                } else {
-                                    phi_2964_ = _e1932[2];
-                                }
-                                let _e1950 = phi_2964_;
-                                if (_e1946 > _e1950) {
-                                    phi_2969_ = _e1946;
-                                } else {
-                                    phi_2969_ = _e1950;
-                                }
-                                let _e1953 = phi_2969_;
-                                let _e1956 = local_7.member_2[1u];
-                                if (_e1956[0] < 0f) {
-                                    phi_2983_ = -(_e1956[0]);
-                                } else {
-                                    phi_2983_ = _e1956[0];
-                                }
-                                let _e1963 = phi_2983_;
-                                if (_e1956[1] < 0f) {
-                                    phi_2990_ = -(_e1956[1]);
-                                } else {
-                                    phi_2990_ = _e1956[1];
-                                }
-                                let _e1967 = phi_2990_;
-                                if (_e1963 > _e1967) {
-                                    phi_2995_ = _e1963;
-                                } else {
-                                    phi_2995_ = _e1967;
-                                }
-                                let _e1970 = phi_2995_;
-                                if (_e1956[2] < 0f) {
-                                    phi_3002_ = -(_e1956[2]);
-                                } else {
-                                    phi_3002_ = _e1956[2];
-                                }
-                                let _e1974 = phi_3002_;
-                                if (_e1970 > _e1974) {
-                                    phi_3007_ = _e1970;
-                                } else {
-                                    phi_3007_ = _e1974;
-                                }
-                                let _e1977 = phi_3007_;
-                                if (_e1953 > _e1977) {
-                                    phi_3012_ = _e1953;
-                                } else {
-                                    phi_3012_ = _e1977;
-                                }
-                                let _e1980 = phi_3012_;
-                                let _e1982 = local_7.member_3;
-                                let _e1985 = (((_e1872 + _e1874) + (_e1926 + _e1928)) + (_e1980 + _e1982));
-                                let _e1988 = local_7.member_3;
-                                let _e1992 = (((_e1208 * 1.0001f) + (_e1988 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                let _e1995 = ((_e1756 * _e1735) - (_e1759 * _e1734));
-                                let _e1998 = ((_e1759 * _e1733) - (_e1753 * _e1735));
-                                let _e2001 = ((_e1753 * _e1734) - (_e1756 * _e1733));
-                                let _e2003 = local_5[0u];
-                                let _e2011 = (((_e1995 * _e2003[0]) + (_e1998 * _e2003[1])) + (_e2001 * _e2003[2]));
-                                phi_3050_ = type_37(0u, 4u);
-                                phi_3053_ = _e2011;
-                                phi_3055_ = _e2011;
-                                loop {
-                                    let _e2013 = phi_3050_;
-                                    let _e2015 = phi_3053_;
-                                    let _e2017 = phi_3055_;
-                                    local_30 = _e2015;
-                                    local_31 = _e2017;
-                                    local_43 = _e2017;
-                                    if (_e2013.member < _e2013.member_1) {
-                                        phi_3051_ = type_37((_e2013.member + 1u), _e2013.member_1);
-                                        phi_3078_ = type_37(1u, _e2013.member);
-                                    } else {
-                                        phi_3051_ = _e2013;
-                                        phi_3078_ = type_37(0u, type_37().member_1);
-                                    }
-                                    let _e2031 = phi_3051_;
-                                    let _e2033 = phi_3078_;
-                                    let _e2037 = (bitcast<i32>(_e2033.member) != 0i);
-                                    if _e2037 {
-                                        if (_e2033.member_1 < 4u) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e2040 = local_5[_e2033.member_1];
-                                        let _e2048 = (((_e1995 * _e2040[0]) + (_e1998 * _e2040[1])) + (_e2001 * _e2040[2]));
-                                        if (_e2033.member_1 < 4u) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e2051 = local_6[_e2033.member_1];
-                                        let _e2059 = (((_e1995 * _e2051[0]) + (_e1998 * _e2051[1])) + (_e2001 * _e2051[2]));
-                                        if (_e2017 < _e2048) {
-                                            phi_3128_ = _e2017;
-                                        } else {
-                                            phi_3128_ = _e2048;
-                                        }
-                                        let _e2062 = phi_3128_;
-                                        if (_e2062 < _e2059) {
-                                            phi_3133_ = _e2062;
-                                        } else {
-                                            phi_3133_ = _e2059;
-                                        }
-                                        let _e2065 = phi_3133_;
-                                        if (_e2015 > _e2048) {
-                                            phi_3138_ = _e2015;
-                                        } else {
-                                            phi_3138_ = _e2048;
-                                        }
-                                        let _e2068 = phi_3138_;
-                                        if (_e2068 > _e2059) {
-                                            phi_3143_ = _e2068;
-                                        } else {
-                                            phi_3143_ = _e2059;
-                                        }
-                                        let _e2071 = phi_3143_;
-                                        phi_3054_ = _e2071;
-                                        phi_3056_ = _e2065;
-                                    } else {
-                                        phi_3054_ = f32();
-                                        phi_3056_ = f32();
-                                    }
-                                    let _e2073 = phi_3054_;
-                                    let _e2075 = phi_3056_;
-                                    continue;
-                                    continuing {
-                                        phi_3050_ = _e2031;
-                                        phi_3053_ = _e2073;
-                                        phi_3055_ = _e2075;
-                                        break if !(_e2037);
-                                    }
-                                }
-                                if (_e1995 < 0f) {
-                                    phi_3149_ = -(_e1995);
-                                } else {
-                                    phi_3149_ = _e1995;
-                                }
-                                let _e2080 = phi_3149_;
-                                if (_e1998 < 0f) {
-                                    phi_3155_ = -(_e1998);
-                                } else {
-                                    phi_3155_ = _e1998;
-                                }
-                                let _e2084 = phi_3155_;
-                                if (_e2001 < 0f) {
-                                    phi_3162_ = -(_e2001);
-                                } else {
-                                    phi_3162_ = _e2001;
-                                }
-                                let _e2089 = phi_3162_;
-                                let _e2090 = ((_e2080 + _e2084) + _e2089);
-                                let _e2095 = local_30;
-                                let _e2096 = -(_e2095);
-                                let _e2098 = local_31;
-                                if (_e2098 > _e2096) {
-                                    let _e4546 = local_43;
-                                    phi_3172_ = _e4546;
-                                } else {
-                                    phi_3172_ = _e2096;
-                                }
-                                let _e2101 = phi_3172_;
-                                let _e2106 = (((_e2101 - ((_e2090 * _e1985) * (0.000000059604645f * 17f))) - (_e2090 * _e1992)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                let _e2109 = ((_e1756 * _e1750) - (_e1759 * _e1749));
-                                let _e2112 = ((_e1759 * _e1748) - (_e1753 * _e1750));
-                                let _e2115 = ((_e1753 * _e1749) - (_e1756 * _e1748));
-                                let _e2117 = local_5[0u];
-                                let _e2125 = (((_e2109 * _e2117[0]) + (_e2112 * _e2117[1])) + (_e2115 * _e2117[2]));
-                                phi_3203_ = type_37(0u, 4u);
-                                phi_3206_ = _e2125;
-                                phi_3208_ = _e2125;
-                                loop {
-                                    let _e2127 = phi_3203_;
-                                    let _e2129 = phi_3206_;
-                                    let _e2131 = phi_3208_;
-                                    local_32 = _e2129;
-                                    local_33 = _e2131;
-                                    local_44 = _e2131;
-                                    if (_e2127.member < _e2127.member_1) {
-                                        phi_3204_ = type_37((_e2127.member + 1u), _e2127.member_1);
-                                        phi_3231_ = type_37(1u, _e2127.member);
-                                    } else {
-                                        phi_3204_ = _e2127;
-                                        phi_3231_ = type_37(0u, type_37().member_1);
-                                    }
-                                    let _e2145 = phi_3204_;
-                                    let _e2147 = phi_3231_;
-                                    let _e2151 = (bitcast<i32>(_e2147.member) != 0i);
-                                    if _e2151 {
-                                        if (_e2147.member_1 < 4u) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e2154 = local_5[_e2147.member_1];
-                                        let _e2162 = (((_e2109 * _e2154[0]) + (_e2112 * _e2154[1])) + (_e2115 * _e2154[2]));
-                                        if (_e2147.member_1 < 4u) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e2165 = local_6[_e2147.member_1];
-                                        let _e2173 = (((_e2109 * _e2165[0]) + (_e2112 * _e2165[1])) + (_e2115 * _e2165[2]));
-                                        if (_e2131 < _e2162) {
-                                            phi_3281_ = _e2131;
-                                        } else {
-                                            phi_3281_ = _e2162;
-                                        }
-                                        let _e2176 = phi_3281_;
-                                        if (_e2176 < _e2173) {
-                                            phi_3286_ = _e2176;
-                                        } else {
-                                            phi_3286_ = _e2173;
-                                        }
-                                        let _e2179 = phi_3286_;
-                                        if (_e2129 > _e2162) {
-                                            phi_3291_ = _e2129;
-                                        } else {
-                                            phi_3291_ = _e2162;
-                                        }
-                                        let _e2182 = phi_3291_;
-                                        if (_e2182 > _e2173) {
-                                            phi_3296_ = _e2182;
-                                        } else {
-                                            phi_3296_ = _e2173;
-                                        }
-                                        let _e2185 = phi_3296_;
-                                        phi_3207_ = _e2185;
-                                        phi_3209_ = _e2179;
-                                    } else {
-                                        phi_3207_ = f32();
-                                        phi_3209_ = f32();
-                                    }
-                                    let _e2187 = phi_3207_;
-                                    let _e2189 = phi_3209_;
-                                    continue;
-                                    continuing {
-                                        phi_3203_ = _e2145;
-                                        phi_3206_ = _e2187;
-                                        phi_3208_ = _e2189;
-                                        break if !(_e2151);
-                                    }
-                                }
-                                if (_e2109 < 0f) {
-                                    phi_3302_ = -(_e2109);
-                                } else {
-                                    phi_3302_ = _e2109;
-                                }
-                                let _e2194 = phi_3302_;
-                                if (_e2112 < 0f) {
-                                    phi_3308_ = -(_e2112);
-                                } else {
-                                    phi_3308_ = _e2112;
-                                }
-                                let _e2198 = phi_3308_;
-                                if (_e2115 < 0f) {
-                                    phi_3315_ = -(_e2115);
-                                } else {
-                                    phi_3315_ = _e2115;
-                                }
-                                let _e2203 = phi_3315_;
-                                let _e2204 = ((_e2194 + _e2198) + _e2203);
-                                let _e2209 = local_32;
-                                let _e2210 = -(_e2209);
-                                let _e2212 = local_33;
-                                if (_e2212 > _e2210) {
-                                    let _e4565 = local_44;
-                                    phi_3325_ = _e4565;
-                                } else {
-                                    phi_3325_ = _e2210;
-                                }
-                                let _e2215 = phi_3325_;
-                                let _e2220 = (((_e2215 - ((_e2204 * _e1985) * (0.000000059604645f * 17f))) - (_e2204 * _e1992)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2106 > _e2220) {
-                                    phi_3335_ = _e2106;
-                                } else {
-                                    phi_3335_ = _e2220;
-                                }
-                                let _e2223 = phi_3335_;
-                                phi_3503_ = (_e2223 > 0f);
-                            }
-                            let _e2226 = phi_3503_;
-                            if _e2226 {
-                                phi_6939_ = false;
-                            } else {
-                                let _e2229 = local_7.member[0u];
-                                let _e2235 = local_7.member[1u];
-                                let _e2242 = ((_e2229[0] + _e2235[0]) * 0.5f);
-                                let _e2243 = ((_e2229[1] + _e2235[1]) * 0.5f);
-                                let _e2244 = ((_e2229[2] + _e2235[2]) * 0.5f);
-                                let _e2247 = local_7.member_1[0u];
-                                let _e2253 = local_7.member_1[1u];
-                                let _e2260 = ((_e2247[0] + _e2253[0]) * 0.5f);
-                                let _e2261 = ((_e2247[1] + _e2253[1]) * 0.5f);
-                                let _e2262 = ((_e2247[2] + _e2253[2]) * 0.5f);
-                                let _e2265 = local_7.member_2[0u];
-                                let _e2271 = local_7.member_2[1u];
-                                let _e2278 = ((_e2265[0] + _e2271[0]) * 0.5f);
-                                let _e2279 = ((_e2265[1] + _e2271[1]) * 0.5f);
-                                let _e2280 = ((_e2265[2] + _e2271[2]) * 0.5f);
-                                let _e2283 = local_7.member[0u];
-                                let _e2286 = local_7.member_1[0u];
-                                let _e2289 = local_7.member_2[0u];
-                                let _e2291 = local_7.member_3;
-                                let _e2294 = local_7.member[1u];
-                                let _e2297 = local_7.member_1[1u];
-                                let _e2300 = local_7.member_2[1u];
-                                let _e2302 = local_7.member_3;
-                                local_4 = array<type_72, 2>(type_72(array<array<f32, 3>, 2>(_e2283, array<f32, 3>(_e2242, _e2243, _e2244)), array<array<f32, 3>, 2>(_e2286, array<f32, 3>(_e2260, _e2261, _e2262)), array<array<f32, 3>, 2>(_e2289, array<f32, 3>(_e2278, _e2279, _e2280)), _e2291), type_72(array<array<f32, 3>, 2>(array<f32, 3>(_e2242, _e2243, _e2244), _e2294), array<array<f32, 3>, 2>(array<f32, 3>(_e2260, _e2261, _e2262), _e2297), array<array<f32, 3>, 2>(array<f32, 3>(_e2278, _e2279, _e2280), _e2300), _e2302));
-                                let _e2321 = local_4[0u].member_1[0u];
-                                let _e2327 = local_4[0u].member_2[0u];
-                                let _e2333 = ((_e2321[1] * _e2327[2]) - (_e2321[2] * _e2327[1]));
-                                let _e2336 = ((_e2321[2] * _e2327[0]) - (_e2321[0] * _e2327[2]));
-                                let _e2339 = ((_e2321[0] * _e2327[1]) - (_e2321[1] * _e2327[0]));
-                                let _e2342 = local_4[0u].member_1[1u];
-                                let _e2348 = local_4[0u].member_2[1u];
-                                let _e2354 = ((_e2342[1] * _e2348[2]) - (_e2342[2] * _e2348[1]));
-                                let _e2357 = ((_e2342[2] * _e2348[0]) - (_e2342[0] * _e2348[2]));
-                                let _e2360 = ((_e2342[0] * _e2348[1]) - (_e2342[1] * _e2348[0]));
-                                let _e2363 = local_4[0u].member_1[0u];
-                                let _e2369 = local_4[0u].member_2[1u];
-                                let _e2384 = local_4[0u].member_1[1u];
-                                let _e2390 = local_4[0u].member_2[0u];
-                                let _e2403 = (((_e2363[1] * _e2369[2]) - (_e2363[2] * _e2369[1])) + ((_e2384[1] * _e2390[2]) - (_e2384[2] * _e2390[1])));
-                                let _e2404 = (((_e2363[2] * _e2369[0]) - (_e2363[0] * _e2369[2])) + ((_e2384[2] * _e2390[0]) - (_e2384[0] * _e2390[2])));
-                                let _e2405 = (((_e2363[0] * _e2369[1]) - (_e2363[1] * _e2369[0])) + ((_e2384[0] * _e2390[1]) - (_e2384[1] * _e2390[0])));
-                                let _e2408 = local_4[0u].member[0u];
-                                let _e2419 = local_4[0u].member[1u];
-                                let _e2430 = local_4[0u].member[0u];
-                                let _e2439 = ((((_e2419[0] * _e2333) + (_e2419[1] * _e2336)) + (_e2419[2] * _e2339)) + (((_e2430[0] * _e2403) + (_e2430[1] * _e2404)) + (_e2430[2] * _e2405)));
-                                let _e2442 = local_4[0u].member[0u];
-                                let _e2453 = local_4[0u].member[1u];
-                                let _e2462 = ((((_e2442[0] * _e2354) + (_e2442[1] * _e2357)) + (_e2442[2] * _e2360)) + (((_e2453[0] * _e2403) + (_e2453[1] * _e2404)) + (_e2453[2] * _e2405)));
-                                let _e2465 = local_4[0u].member[1u];
-                                let _e2476 = local_4[0u].member[0u];
-                                if (_e2476[0] < 0f) {
-                                    phi_3960_ = -(_e2476[0]);
-                                } else {
-                                    phi_3960_ = _e2476[0];
-                                }
-                                let _e2483 = phi_3960_;
-                                if (_e2476[1] < 0f) {
-                                    phi_3967_ = -(_e2476[1]);
-                                } else {
-                                    phi_3967_ = _e2476[1];
-                                }
-                                let _e2487 = phi_3967_;
-                                if (_e2483 > _e2487) {
-                                    phi_3972_ = _e2483;
-                                } else {
-                                    phi_3972_ = _e2487;
-                                }
-                                let _e2490 = phi_3972_;
-                                if (_e2476[2] < 0f) {
-                                    phi_3979_ = -(_e2476[2]);
-                                } else {
-                                    phi_3979_ = _e2476[2];
-                                }
-                                let _e2494 = phi_3979_;
-                                if (_e2490 > _e2494) {
-                                    phi_3984_ = _e2490;
-                                } else {
-                                    phi_3984_ = _e2494;
-                                }
-                                let _e2497 = phi_3984_;
-                                let _e2500 = local_4[0u].member[1u];
-                                if (_e2500[0] < 0f) {
-                                    phi_3997_ = -(_e2500[0]);
-                                } else {
-                                    phi_3997_ = _e2500[0];
-                                }
-                                let _e2507 = phi_3997_;
-                                if (_e2500[1] < 0f) {
-                                    phi_4004_ = -(_e2500[1]);
-                                } else {
-                                    phi_4004_ = _e2500[1];
-                                }
-                                let _e2511 = phi_4004_;
-                                if (_e2507 > _e2511) {
-                                    phi_4009_ = _e2507;
-                                } else {
-                                    phi_4009_ = _e2511;
-                                }
-                                let _e2514 = phi_4009_;
-                                if (_e2500[2] < 0f) {
-                                    phi_4016_ = -(_e2500[2]);
-                                } else {
-                                    phi_4016_ = _e2500[2];
-                                }
-                                let _e2518 = phi_4016_;
-                                if (_e2514 > _e2518) {
-                                    phi_4021_ = _e2514;
-                                } else {
-                                    phi_4021_ = _e2518;
-                                }
-                                let _e2521 = phi_4021_;
-                                if (_e2497 > _e2521) {
-                                    phi_4026_ = _e2497;
-                                } else {
-                                    phi_4026_ = _e2521;
-                                }
-                                let _e2524 = phi_4026_;
-                                let _e2526 = local_4[0u].member_3;
-                                let _e2527 = (_e2524 + _e2526);
-                                let _e2530 = local_4[0u].member_1[0u];
-                                if (_e2530[0] < 0f) {
-                                    phi_4043_ = -(_e2530[0]);
-                                } else {
-                                    phi_4043_ = _e2530[0];
-                                }
-                                let _e2537 = phi_4043_;
-                                if (_e2530[1] < 0f) {
-                                    phi_4050_ = -(_e2530[1]);
-                                } else {
-                                    phi_4050_ = _e2530[1];
-                                }
-                                let _e2541 = phi_4050_;
-                                if (_e2537 > _e2541) {
-                                    phi_4055_ = _e2537;
-                                } else {
-                                    phi_4055_ = _e2541;
-                                }
-                                let _e2544 = phi_4055_;
-                                if (_e2530[2] < 0f) {
-                                    phi_4062_ = -(_e2530[2]);
-                                } else {
-                                    phi_4062_ = _e2530[2];
-                                }
-                                let _e2548 = phi_4062_;
-                                if (_e2544 > _e2548) {
-                                    phi_4067_ = _e2544;
-                                } else {
-                                    phi_4067_ = _e2548;
-                                }
-                                let _e2551 = phi_4067_;
-                                let _e2554 = local_4[0u].member_1[1u];
-                                if (_e2554[0] < 0f) {
-                                    phi_4081_ = -(_e2554[0]);
-                                } else {
-                                    phi_4081_ = _e2554[0];
-                                }
-                                let _e2561 = phi_4081_;
-                                if (_e2554[1] < 0f) {
-                                    phi_4088_ = -(_e2554[1]);
-                                } else {
-                                    phi_4088_ = _e2554[1];
-                                }
-                                let _e2565 = phi_4088_;
-                                if (_e2561 > _e2565) {
-                                    phi_4093_ = _e2561;
-                                } else {
-                                    phi_4093_ = _e2565;
-                                }
-                                let _e2568 = phi_4093_;
-                                if (_e2554[2] < 0f) {
-                                    phi_4100_ = -(_e2554[2]);
-                                } else {
-                                    phi_4100_ = _e2554[2];
-                                }
-                                let _e2572 = phi_4100_;
-                                if (_e2568 > _e2572) {
-                                    phi_4105_ = _e2568;
-                                } else {
-                                    phi_4105_ = _e2572;
-                                }
-                                let _e2575 = phi_4105_;
-                                if (_e2551 > _e2575) {
-                                    phi_4110_ = _e2551;
-                                } else {
-                                    phi_4110_ = _e2575;
-                                }
-                                let _e2578 = phi_4110_;
-                                let _e2580 = local_4[0u].member_3;
-                                let _e2581 = (_e2578 + _e2580);
-                                let _e2584 = local_4[0u].member_2[0u];
-                                if (_e2584[0] < 0f) {
-                                    phi_4127_ = -(_e2584[0]);
-                                } else {
-                                    phi_4127_ = _e2584[0];
-                                }
-                                let _e2591 = phi_4127_;
-                                if (_e2584[1] < 0f) {
-                                    phi_4134_ = -(_e2584[1]);
-                                } else {
-                                    phi_4134_ = _e2584[1];
-                                }
-                                let _e2595 = phi_4134_;
-                                if (_e2591 > _e2595) {
-                                    phi_4139_ = _e2591;
-                                } else {
-                                    phi_4139_ = _e2595;
-                                }
-                                let _e2598 = phi_4139_;
-                                if (_e2584[2] < 0f) {
-                                    phi_4146_ = -(_e2584[2]);
-                                } else {
-                                    phi_4146_ = _e2584[2];
-                                }
-                                let _e2602 = phi_4146_;
-                                if (_e2598 > _e2602) {
-                                    phi_4151_ = _e2598;
-                                } else {
-                                    phi_4151_ = _e2602;
-                                }
-                                let _e2605 = phi_4151_;
-                                let _e2608 = local_4[0u].member_2[1u];
-                                if (_e2608[0] < 0f) {
-                                    phi_4165_ = -(_e2608[0]);
-                                } else {
-                                    phi_4165_ = _e2608[0];
-                                }
-                                let _e2615 = phi_4165_;
-                                if (_e2608[1] < 0f) {
-                                    phi_4172_ = -(_e2608[1]);
-                                } else {
-                                    phi_4172_ = _e2608[1];
-                                }
-                                let _e2619 = phi_4172_;
-                                if (_e2615 > _e2619) {
-                                    phi_4177_ = _e2615;
-                                } else {
-                                    phi_4177_ = _e2619;
-                                }
-                                let _e2622 = phi_4177_;
-                                if (_e2608[2] < 0f) {
-                                    phi_4184_ = -(_e2608[2]);
-                                } else {
-                                    phi_4184_ = _e2608[2];
-                                }
-                                let _e2626 = phi_4184_;
-                                if (_e2622 > _e2626) {
-                                    phi_4189_ = _e2622;
-                                } else {
-                                    phi_4189_ = _e2626;
-                                }
-                                let _e2629 = phi_4189_;
-                                if (_e2605 > _e2629) {
-                                    phi_4194_ = _e2605;
-                                } else {
-                                    phi_4194_ = _e2629;
-                                }
-                                let _e2632 = phi_4194_;
-                                let _e2634 = local_4[0u].member_3;
-                                let _e2635 = (_e2632 + _e2634);
-                                let _e2637 = ((_e2581 * 8f) * _e2635);
-                                let _e2644 = local_4[0u].member_3;
-                                if (_e2333 < 0f) {
-                                    phi_4225_ = -(_e2333);
-                                } else {
-                                    phi_4225_ = _e2333;
-                                }
-                                let _e2661 = phi_4225_;
-                                if (_e2336 < 0f) {
-                                    phi_4231_ = -(_e2336);
-                                } else {
-                                    phi_4231_ = _e2336;
-                                }
-                                let _e2665 = phi_4231_;
-                                if (_e2339 < 0f) {
-                                    phi_4238_ = -(_e2339);
-                                } else {
-                                    phi_4238_ = _e2339;
-                                }
-                                let _e2670 = phi_4238_;
-                                let _e2671 = ((_e2661 + _e2665) + _e2670);
-                                if (_e2354 < 0f) {
-                                    phi_4245_ = -(_e2354);
-                                } else {
-                                    phi_4245_ = _e2354;
-                                }
-                                let _e2675 = phi_4245_;
-                                if (_e2357 < 0f) {
-                                    phi_4251_ = -(_e2357);
-                                } else {
-                                    phi_4251_ = _e2357;
-                                }
-                                let _e2679 = phi_4251_;
-                                if (_e2360 < 0f) {
-                                    phi_4258_ = -(_e2360);
-                                } else {
-                                    phi_4258_ = _e2360;
-                                }
-                                let _e2684 = phi_4258_;
-                                let _e2685 = ((_e2675 + _e2679) + _e2684);
-                                if (_e2671 > _e2685) {
-                                    phi_4264_ = _e2671;
-                                } else {
-                                    phi_4264_ = _e2685;
-                                }
-                                let _e2688 = phi_4264_;
-                                if (_e2403 < 0f) {
-                                    phi_4270_ = -(_e2403);
-                                } else {
-                                    phi_4270_ = _e2403;
-                                }
-                                let _e2692 = phi_4270_;
-                                if (_e2404 < 0f) {
-                                    phi_4276_ = -(_e2404);
-                                } else {
-                                    phi_4276_ = _e2404;
-                                }
-                                let _e2696 = phi_4276_;
-                                if (_e2405 < 0f) {
-                                    phi_4283_ = -(_e2405);
-                                } else {
-                                    phi_4283_ = _e2405;
-                                }
-                                let _e2701 = phi_4283_;
-                                let _e2703 = (((_e2692 + _e2696) + _e2701) * 0.5f);
-                                if (_e2688 > _e2703) {
-                                    phi_4290_ = _e2688;
-                                } else {
-                                    phi_4290_ = _e2703;
-                                }
-                                let _e2706 = phi_4290_;
-                                let _e2711 = local_4[0u].member_3;
-                                let _e2724 = ((((_e2408[0] * _e2333) + (_e2408[1] * _e2336)) + (_e2408[2] * _e2339)) * 3f);
-                                let _e2725 = ((((_e2465[0] * _e2354) + (_e2465[1] * _e2357)) + (_e2465[2] * _e2360)) * 3f);
-                                if (_e2724 < _e2725) {
-                                    phi_4314_ = _e2724;
-                                } else {
-                                    phi_4314_ = _e2725;
-                                }
-                                let _e2728 = phi_4314_;
-                                if (_e2439 < _e2462) {
-                                    phi_4319_ = _e2439;
-                                } else {
-                                    phi_4319_ = _e2462;
-                                }
-                                let _e2731 = phi_4319_;
-                                if (_e2728 < _e2731) {
-                                    phi_4324_ = _e2728;
-                                } else {
-                                    phi_4324_ = _e2731;
-                                }
-                                let _e2734 = phi_4324_;
-                                if (_e2724 > _e2725) {
-                                    phi_4329_ = _e2724;
-                                } else {
-                                    phi_4329_ = _e2725;
-                                }
-                                let _e2737 = phi_4329_;
-                                if (_e2439 > _e2462) {
-                                    phi_4334_ = _e2439;
-                                } else {
-                                    phi_4334_ = _e2462;
-                                }
-                                let _e2740 = phi_4334_;
-                                if (_e2737 > _e2740) {
-                                    phi_4339_ = _e2737;
-                                } else {
-                                    phi_4339_ = _e2740;
-                                }
-                                let _e2743 = phi_4339_;
-                                let _e2748 = -(_e2743);
-                                if (_e2734 > _e2748) {
-                                    phi_4349_ = _e2734;
-                                } else {
-                                    phi_4349_ = _e2748;
-                                }
-                                let _e2751 = phi_4349_;
-                                if ((_e2751 - ((((((_e2527 * 8f) * _e2637) * (0.000000059604645f * (490f / 64f))) + ((_e2644 * 19f) * ((_e2527 * (_e2581 + _e2635)) + (_e2581 * _e2635)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2527) * ((1f + _e2581) * (1f + _e2635))))) + ((_e1208 * (((_e2706 + (_e2637 * (0.000000059604645f * 4f))) + ((_e2711 * 6f) * (_e2581 + _e2635))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2581) * (1f + _e2635))))) * (3f * 1.0001f)))) > 0f) {
-                                    phi_5325_ = true;
-                                } else {
-                                    let _e2756 = local_4[0u].member_1[0u];
-                                    let _e2762 = local_4[0u].member_1[1u];
-                                    let _e2766 = (_e2756[0] + _e2762[0]);
-                                    let _e2767 = (_e2756[1] + _e2762[1]);
-                                    let _e2768 = (_e2756[2] + _e2762[2]);
-                                    let _e2771 = local_4[0u].member_2[0u];
-                                    let _e2777 = local_4[0u].member_2[1u];
-                                    let _e2781 = (_e2771[0] + _e2777[0]);
-                                    let _e2782 = (_e2771[1] + _e2777[1]);
-                                    let _e2783 = (_e2771[2] + _e2777[2]);
-                                    let _e2786 = ((_e2767 * _e2783) - (_e2768 * _e2782));
-                                    let _e2789 = ((_e2768 * _e2781) - (_e2766 * _e2783));
-                                    let _e2792 = ((_e2766 * _e2782) - (_e2767 * _e2781));
-                                    let _e2795 = local_4[0u].member[0u];
-                                    let _e2801 = local_4[0u].member_1[0u];
-                                    let _e2807 = local_4[0u].member_2[0u];
-                                    let _e2811 = (_e2795[0] - _e2801[0]);
-                                    let _e2812 = (_e2795[1] - _e2801[1]);
-                                    let _e2813 = (_e2795[2] - _e2801[2]);
-                                    let _e2822 = local_4[0u].member[1u];
-                                    let _e2828 = local_4[0u].member_1[1u];
-                                    let _e2834 = local_4[0u].member_2[1u];
-                                    let _e2838 = (_e2822[0] - _e2828[0]);
-                                    let _e2839 = (_e2822[1] - _e2828[1]);
-                                    let _e2840 = (_e2822[2] - _e2828[2]);
-                                    local_2 = array<array<f32, 3>, 4>(_e2795, array<f32, 3>(_e2811, _e2812, _e2813), array<f32, 3>((_e2795[0] - _e2807[0]), (_e2795[1] - _e2807[1]), (_e2795[2] - _e2807[2])), array<f32, 3>((_e2811 - _e2807[0]), (_e2812 - _e2807[1]), (_e2813 - _e2807[2])));
-                                    local_3 = array<array<f32, 3>, 4>(_e2822, array<f32, 3>(_e2838, _e2839, _e2840), array<f32, 3>((_e2822[0] - _e2834[0]), (_e2822[1] - _e2834[1]), (_e2822[2] - _e2834[2])), array<f32, 3>((_e2838 - _e2834[0]), (_e2839 - _e2834[1]), (_e2840 - _e2834[2])));
-                                    let _e2857 = local_4[0u].member[0u];
-                                    if (_e2857[0] < 0f) {
-                                        phi_4600_ = -(_e2857[0]);
-                                    } else {
-                                        phi_4600_ = _e2857[0];
-                                    }
-                                    let _e2864 = phi_4600_;
-                                    if (_e2857[1] < 0f) {
-                                        phi_4607_ = -(_e2857[1]);
-                                    } else {
-                                        phi_4607_ = _e2857[1];
-                                    }
-                                    let _e2868 = phi_4607_;
-                                    if (_e2864 > _e2868) {
-                                        phi_4612_ = _e2864;
-                                    } else {
-                                        phi_4612_ = _e2868;
-                                    }
-                                    let _e2871 = phi_4612_;
-                                    if (_e2857[2] < 0f) {
-                                        phi_4619_ = -(_e2857[2]);
-                                    } else {
-                                        phi_4619_ = _e2857[2];
-                                    }
-                                    let _e2875 = phi_4619_;
-                                    if (_e2871 > _e2875) {
-                                        phi_4624_ = _e2871;
-                                    } else {
-                                        phi_4624_ = _e2875;
-                                    }
-                                    let _e2878 = phi_4624_;
-                                    let _e2881 = local_4[0u].member[1u];
-                                    if (_e2881[0] < 0f) {
-                                        phi_4637_ = -(_e2881[0]);
-                                    } else {
-                                        phi_4637_ = _e2881[0];
-                                    }
-                                    let _e2888 = phi_4637_;
-                                    if (_e2881[1] < 0f) {
-                                        phi_4644_ = -(_e2881[1]);
-                                    } else {
-                                        phi_4644_ = _e2881[1];
-                                    }
-                                    let _e2892 = phi_4644_;
-                                    if (_e2888 > _e2892) {
-                                        phi_4649_ = _e2888;
-                                    } else {
-                                        phi_4649_ = _e2892;
-                                    }
-                                    let _e2895 = phi_4649_;
-                                    if (_e2881[2] < 0f) {
-                                        phi_4656_ = -(_e2881[2]);
-                                    } else {
-                                        phi_4656_ = _e2881[2];
-                                    }
-                                    let _e2899 = phi_4656_;
-                                    if (_e2895 > _e2899) {
-                                        phi_4661_ = _e2895;
-                                    } else {
-                                        phi_4661_ = _e2899;
-                                    }
-                                    let _e2902 = phi_4661_;
-                                    if (_e2878 > _e2902) {
-                                        phi_4666_ = _e2878;
-                                    } else {
-                                        phi_4666_ = _e2902;
-                                    }
-                                    let _e2905 = phi_4666_;
-                                    let _e2907 = local_4[0u].member_3;
-                                    let _e2911 = local_4[0u].member_1[0u];
-                                    if (_e2911[0] < 0f) {
-                                        phi_4683_ = -(_e2911[0]);
-                                    } else {
-                                        phi_4683_ = _e2911[0];
-                                    }
-                                    let _e2918 = phi_4683_;
-                                    if (_e2911[1] < 0f) {
-                                        phi_4690_ = -(_e2911[1]);
-                                    } else {
-                                        phi_4690_ = _e2911[1];
-                                    }
-                                    let _e2922 = phi_4690_;
-                                    if (_e2918 > _e2922) {
-                                        phi_4695_ = _e2918;
-                                    } else {
-                                        phi_4695_ = _e2922;
-                                    }
-                                    let _e2925 = phi_4695_;
-                                    if (_e2911[2] < 0f) {
-                                        phi_4702_ = -(_e2911[2]);
-                                    } else {
-                                        phi_4702_ = _e2911[2];
-                                    }
-                                    let _e2929 = phi_4702_;
-                                    if (_e2925 > _e2929) {
-                                        phi_4707_ = _e2925;
-                                    } else {
-                                        phi_4707_ = _e2929;
-                                    }
-                                    let _e2932 = phi_4707_;
-                                    let _e2935 = local_4[0u].member_1[1u];
-                                    if (_e2935[0] < 0f) {
-                                        phi_4721_ = -(_e2935[0]);
-                                    } else {
-                                        phi_4721_ = _e2935[0];
-                                    }
-                                    let _e2942 = phi_4721_;
-                                    if (_e2935[1] < 0f) {
-                                        phi_4728_ = -(_e2935[1]);
-                                    } else {
-                                        phi_4728_ = _e2935[1];
-                                    }
-                                    let _e2946 = phi_4728_;
-                                    if (_e2942 > _e2946) {
-                                        phi_4733_ = _e2942;
-                                    } else {
-                                        phi_4733_ = _e2946;
-                                    }
-                                    let _e2949 = phi_4733_;
-                                    if (_e2935[2] < 0f) {
-                                        phi_4740_ = -(_e2935[2]);
-                                    } else {
-                                        phi_4740_ = _e2935[2];
-                                    }
-                                    let _e2953 = phi_4740_;
-                                    if (_e2949 > _e2953) {
-                                        phi_4745_ = _e2949;
-                                    } else {
-                                        phi_4745_ = _e2953;
-                                    }
-                                    let _e2956 = phi_4745_;
-                                    if (_e2932 > _e2956) {
-                                        phi_4750_ = _e2932;
-                                    } else {
-                                        phi_4750_ = _e2956;
-                                    }
-                                    let _e2959 = phi_4750_;
-                                    let _e2961 = local_4[0u].member_3;
-                                    let _e2965 = local_4[0u].member_2[0u];
-                                    if (_e2965[0] < 0f) {
-                                        phi_4767_ = -(_e2965[0]);
-                                    } else {
-                                        phi_4767_ = _e2965[0];
-                                    }
-                                    let _e2972 = phi_4767_;
-                                    if (_e2965[1] < 0f) {
-                                        phi_4774_ = -(_e2965[1]);
-                                    } else {
-                                        phi_4774_ = _e2965[1];
-                                    }
-                                    let _e2976 = phi_4774_;
-                                    if (_e2972 > _e2976) {
-                                        phi_4779_ = _e2972;
-                                    } else {
-                                        phi_4779_ = _e2976;
-                                    }
-                                    let _e2979 = phi_4779_;
-                                    if (_e2965[2] < 0f) {
-                                        phi_4786_ = -(_e2965[2]);
-                                    } else {
-                                        phi_4786_ = _e2965[2];
-                                    }
-                                    let _e2983 = phi_4786_;
-                                    if (_e2979 > _e2983) {
-                                        phi_4791_ = _e2979;
-                                    } else {
-                                        phi_4791_ = _e2983;
-                                    }
-                                    let _e2986 = phi_4791_;
-                                    let _e2989 = local_4[0u].member_2[1u];
-                                    if (_e2989[0] < 0f) {
-                                        phi_4805_ = -(_e2989[0]);
-                                    } else {
-                                        phi_4805_ = _e2989[0];
-                                    }
-                                    let _e2996 = phi_4805_;
-                                    if (_e2989[1] < 0f) {
-                                        phi_4812_ = -(_e2989[1]);
-                                    } else {
-                                        phi_4812_ = _e2989[1];
-                                    }
-                                    let _e3000 = phi_4812_;
-                                    if (_e2996 > _e3000) {
-                                        phi_4817_ = _e2996;
-                                    } else {
-                                        phi_4817_ = _e3000;
-                                    }
-                                    let _e3003 = phi_4817_;
-                                    if (_e2989[2] < 0f) {
-                                        phi_4824_ = -(_e2989[2]);
-                                    } else {
-                                        phi_4824_ = _e2989[2];
-                                    }
-                                    let _e3007 = phi_4824_;
-                                    if (_e3003 > _e3007) {
-                                        phi_4829_ = _e3003;
-                                    } else {
-                                        phi_4829_ = _e3007;
-                                    }
-                                    let _e3010 = phi_4829_;
-                                    if (_e2986 > _e3010) {
-                                        phi_4834_ = _e2986;
-                                    } else {
-                                        phi_4834_ = _e3010;
-                                    }
-                                    let _e3013 = phi_4834_;
-                                    let _e3015 = local_4[0u].member_3;
-                                    let _e3018 = (((_e2905 + _e2907) + (_e2959 + _e2961)) + (_e3013 + _e3015));
-                                    let _e3021 = local_4[0u].member_3;
-                                    let _e3025 = (((_e1208 * 1.0001f) + (_e3021 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                    let _e3028 = ((_e2789 * _e2768) - (_e2792 * _e2767));
-                                    let _e3031 = ((_e2792 * _e2766) - (_e2786 * _e2768));
-                                    let _e3034 = ((_e2786 * _e2767) - (_e2789 * _e2766));
-                                    let _e3036 = local_2[0u];
-                                    let _e3044 = (((_e3028 * _e3036[0]) + (_e3031 * _e3036[1])) + (_e3034 * _e3036[2]));
-                                    phi_4872_ = type_37(0u, 4u);
-                                    phi_4875_ = _e3044;
-                                    phi_4877_ = _e3044;
-                                    loop {
-                                        let _e3046 = phi_4872_;
-                                        let _e3048 = phi_4875_;
-                                        let _e3050 = phi_4877_;
-                                        local_34 = _e3048;
-                                        local_35 = _e3050;
-                                        local_45 = _e3050;
-                                        if (_e3046.member < _e3046.member_1) {
-                                            phi_4873_ = type_37((_e3046.member + 1u), _e3046.member_1);
-                                            phi_4900_ = type_37(1u, _e3046.member);
-                                        } else {
-                                            phi_4873_ = _e3046;
-                                            phi_4900_ = type_37(0u, type_37().member_1);
-                                        }
-                                        let _e3064 = phi_4873_;
-                                        let _e3066 = phi_4900_;
-                                        let _e3070 = (bitcast<i32>(_e3066.member) != 0i);
-                                        if _e3070 {
-                                            if (_e3066.member_1 < 4u) {
-                                            } else {
-                                                return;
-                                            }
-                                            let _e3073 = local_2[_e3066.member_1];
-                                            let _e3081 = (((_e3028 * _e3073[0]) + (_e3031 * _e3073[1])) + (_e3034 * _e3073[2]));
-                                            if (_e3066.member_1 < 4u) {
-                                            } else {
-                                                return;
-                                            }
-                                            let _e3084 = local_3[_e3066.member_1];
-                                            let _e3092 = (((_e3028 * _e3084[0]) + (_e3031 * _e3084[1])) + (_e3034 * _e3084[2]));
-                                            if (_e3050 < _e3081) {
-                                                phi_4950_ = _e3050;
-                                            } else {
-                                                phi_4950_ = _e3081;
-                                            }
-                                            let _e3095 = phi_4950_;
-                                            if (_e3095 < _e3092) {
-                                                phi_4955_ = _e3095;
-                                            } else {
-                                                phi_4955_ = _e3092;
-                                            }
-                                            let _e3098 = phi_4955_;
-                                            if (_e3048 > _e3081) {
-                                                phi_4960_ = _e3048;
-                                            } else {
-                                                phi_4960_ = _e3081;
-                                            }
-                                            let _e3101 = phi_4960_;
-                                            if (_e3101 > _e3092) {
-                                                phi_4965_ = _e3101;
-                                            } else {
-                                                phi_4965_ = _e3092;
-                                            }
-                                            let _e3104 = phi_4965_;
-                                            phi_4876_ = _e3104;
-                                            phi_4878_ = _e3098;
-                                        } else {
-                                            phi_4876_ = f32();
-                                            phi_4878_ = f32();
-                                        }
-                                        let _e3106 = phi_4876_;
-                                        let _e3108 = phi_4878_;
-                                        continue;
-                                        continuing {
-                                            phi_4872_ = _e3064;
-                                            phi_4875_ = _e3106;
-                                            phi_4877_ = _e3108;
-                                            break if !(_e3070);
-                                        }
-                                    }
-                                    if (_e3028 < 0f) {
-                                        phi_4971_ = -(_e3028);
-                                    } else {
-                                        phi_4971_ = _e3028;
-                                    }
-                                    let _e3113 = phi_4971_;
-                                    if (_e3031 < 0f) {
-                                        phi_4977_ = -(_e3031);
-                                    } else {
-                                        phi_4977_ = _e3031;
-                                    }
-                                    let _e3117 = phi_4977_;
-                                    if (_e3034 < 0f) {
-                                        phi_4984_ = -(_e3034);
-                                    } else {
-                                        phi_4984_ = _e3034;
-                                    }
-                                    let _e3122 = phi_4984_;
-                                    let _e3123 = ((_e3113 + _e3117) + _e3122);
-                                    let _e3128 = local_34;
-                                    let _e3129 = -(_e3128);
-                                    let _e3131 = local_35;
-                                    if (_e3131 > _e3129) {
-                                        let _e4670 = local_45;
-                                        phi_4994_ = _e4670;
-                                    } else {
-                                        phi_4994_ = _e3129;
-                                    }
-                                    let _e3134 = phi_4994_;
-                                    let _e3139 = (((_e3134 - ((_e3123 * _e3018) * (0.000000059604645f * 17f))) - (_e3123 * _e3025)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    let _e3142 = ((_e2789 * _e2783) - (_e2792 * _e2782));
-                                    let _e3145 = ((_e2792 * _e2781) - (_e2786 * _e2783));
-                                    let _e3148 = ((_e2786 * _e2782) - (_e2789 * _e2781));
-                                    let _e3150 = local_2[0u];
-                                    let _e3158 = (((_e3142 * _e3150[0]) + (_e3145 * _e3150[1])) + (_e3148 * _e3150[2]));
-                                    phi_5025_ = type_37(0u, 4u);
-                                    phi_5028_ = _e3158;
-                                    phi_5030_ = _e3158;
-                                    loop {
-                                        let _e3160 = phi_5025_;
-                                        let _e3162 = phi_5028_;
-                                        let _e3164 = phi_5030_;
-                                        local_36 = _e3162;
-                                        local_37 = _e3164;
-                                        local_46 = _e3164;
-                                        if (_e3160.member < _e3160.member_1) {
-                                            phi_5026_ = type_37((_e3160.member + 1u), _e3160.member_1);
-                                            phi_5053_ = type_37(1u, _e3160.member);
-                                        } else {
-                                            phi_5026_ = _e3160;
-                                            phi_5053_ = type_37(0u, type_37().member_1);
-                                        }
-                                        let _e3178 = phi_5026_;
-                                        let _e3180 = phi_5053_;
-                                        let _e3184 = (bitcast<i32>(_e3180.member) != 0i);
-                                        if _e3184 {
-                                            if (_e3180.member_1 < 4u) {
-                                            } else {
-                                                return;
-                                            }
-                                            let _e3187 = local_2[_e3180.member_1];
-                                            let _e3195 = (((_e3142 * _e3187[0]) + (_e3145 * _e3187[1])) + (_e3148 * _e3187[2]));
-                                            if (_e3180.member_1 < 4u) {
-                                            } else {
-                                                return;
-                                            }
-                                            let _e3198 = local_3[_e3180.member_1];
-                                            let _e3206 = (((_e3142 * _e3198[0]) + (_e3145 * _e3198[1])) + (_e3148 * _e3198[2]));
-                                            if (_e3164 < _e3195) {
-                                                phi_5103_ = _e3164;
-                                            } else {
-                                                phi_5103_ = _e3195;
-                                            }
-                                            let _e3209 = phi_5103_;
-                                            if (_e3209 < _e3206) {
-                                                phi_5108_ = _e3209;
-                                            } else {
-                                                phi_5108_ = _e3206;
-                                            }
-                                            let _e3212 = phi_5108_;
-                                            if (_e3162 > _e3195) {
-                                                phi_5113_ = _e3162;
-                                            } else {
-                                                phi_5113_ = _e3195;
-                                            }
-                                            let _e3215 = phi_5113_;
-                                            if (_e3215 > _e3206) {
-                                                phi_5118_ = _e3215;
-                                            } else {
-                                                phi_5118_ = _e3206;
-                                            }
-                                            let _e3218 = phi_5118_;
-                                            phi_5029_ = _e3218;
-                                            phi_5031_ = _e3212;
-                                        } else {
-                                            phi_5029_ = f32();
-                                            phi_5031_ = f32();
-                                        }
-                                        let _e3220 = phi_5029_;
-                                        let _e3222 = phi_5031_;
-                                        continue;
-                                        continuing {
-                                            phi_5025_ = _e3178;
-                                            phi_5028_ = _e3220;
-                                            phi_5030_ = _e3222;
-                                            break if !(_e3184);
-                                        }
-                                    }
-                                    if (_e3142 < 0f) {
-                                        phi_5124_ = -(_e3142);
-                                    } else {
-                                        phi_5124_ = _e3142;
-                                    }
-                                    let _e3227 = phi_5124_;
-                                    if (_e3145 < 0f) {
-                                        phi_5130_ = -(_e3145);
-                                    } else {
-                                        phi_5130_ = _e3145;
-                                    }
-                                    let _e3231 = phi_5130_;
-                                    if (_e3148 < 0f) {
-                                        phi_5137_ = -(_e3148);
-                                    } else {
-                                        phi_5137_ = _e3148;
-                                    }
-                                    let _e3236 = phi_5137_;
-                                    let _e3237 = ((_e3227 + _e3231) + _e3236);
-                                    let _e3242 = local_36;
-                                    let _e3243 = -(_e3242);
-                                    let _e3245 = local_37;
-                                    if (_e3245 > _e3243) {
-                                        let _e4689 = local_46;
-                                        phi_5147_ = _e4689;
-                                    } else {
-                                        phi_5147_ = _e3243;
-                                    }
-                                    let _e3248 = phi_5147_;
-                                    let _e3253 = (((_e3248 - ((_e3237 * _e3018) * (0.000000059604645f * 17f))) - (_e3237 * _e3025)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3139 > _e3253) {
-                                        phi_5157_ = _e3139;
-                                    } else {
-                                        phi_5157_ = _e3253;
-                                    }
-                                    let _e3256 = phi_5157_;
-                                    phi_5325_ = (_e3256 > 0f);
-                                }
-                                let _e3259 = phi_5325_;
-                                if _e3259 {
-                                    let _e3263 = local_4[1u].member_1[0u];
-                                    let _e3269 = local_4[1u].member_2[0u];
-                                    let _e3275 = ((_e3263[1] * _e3269[2]) - (_e3263[2] * _e3269[1]));
-                                    let _e3278 = ((_e3263[2] * _e3269[0]) - (_e3263[0] * _e3269[2]));
-                                    let _e3281 = ((_e3263[0] * _e3269[1]) - (_e3263[1] * _e3269[0]));
-                                    let _e3284 = local_4[1u].member_1[1u];
-                                    let _e3290 = local_4[1u].member_2[1u];
-                                    let _e3296 = ((_e3284[1] * _e3290[2]) - (_e3284[2] * _e3290[1]));
-                                    let _e3299 = ((_e3284[2] * _e3290[0]) - (_e3284[0] * _e3290[2]));
-                                    let _e3302 = ((_e3284[0] * _e3290[1]) - (_e3284[1] * _e3290[0]));
-                                    let _e3305 = local_4[1u].member_1[0u];
-                                    let _e3311 = local_4[1u].member_2[1u];
-                                    let _e3326 = local_4[1u].member_1[1u];
-                                    let _e3332 = local_4[1u].member_2[0u];
-                                    let _e3345 = (((_e3305[1] * _e3311[2]) - (_e3305[2] * _e3311[1])) + ((_e3326[1] * _e3332[2]) - (_e3326[2] * _e3332[1])));
-                                    let _e3346 = (((_e3305[2] * _e3311[0]) - (_e3305[0] * _e3311[2])) + ((_e3326[2] * _e3332[0]) - (_e3326[0] * _e3332[2])));
-                                    let _e3347 = (((_e3305[0] * _e3311[1]) - (_e3305[1] * _e3311[0])) + ((_e3326[0] * _e3332[1]) - (_e3326[1] * _e3332[0])));
-                                    let _e3350 = local_4[1u].member[0u];
-                                    let _e3361 = local_4[1u].member[1u];
-                                    let _e3372 = local_4[1u].member[0u];
-                                    let _e3381 = ((((_e3361[0] * _e3275) + (_e3361[1] * _e3278)) + (_e3361[2] * _e3281)) + (((_e3372[0] * _e3345) + (_e3372[1] * _e3346)) + (_e3372[2] * _e3347)));
-                                    let _e3384 = local_4[1u].member[0u];
-                                    let _e3395 = local_4[1u].member[1u];
-                                    let _e3404 = ((((_e3384[0] * _e3296) + (_e3384[1] * _e3299)) + (_e3384[2] * _e3302)) + (((_e3395[0] * _e3345) + (_e3395[1] * _e3346)) + (_e3395[2] * _e3347)));
-                                    let _e3407 = local_4[1u].member[1u];
-                                    let _e3418 = local_4[1u].member[0u];
-                                    if (_e3418[0] < 0f) {
-                                        phi_5571_ = -(_e3418[0]);
-                                    } else {
-                                        phi_5571_ = _e3418[0];
-                                    }
-                                    let _e3425 = phi_5571_;
-                                    if (_e3418[1] < 0f) {
-                                        phi_5578_ = -(_e3418[1]);
-                                    } else {
-                                        phi_5578_ = _e3418[1];
-                                    }
-                                    let _e3429 = phi_5578_;
-                                    if (_e3425 > _e3429) {
-                                        phi_5583_ = _e3425;
-                                    } else {
-                                        phi_5583_ = _e3429;
-                                    }
-                                    let _e3432 = phi_5583_;
-                                    if (_e3418[2] < 0f) {
-                                        phi_5590_ = -(_e3418[2]);
-                                    } else {
-                                        phi_5590_ = _e3418[2];
-                                    }
-                                    let _e3436 = phi_5590_;
-                                    if (_e3432 > _e3436) {
-                                        phi_5595_ = _e3432;
-                                    } else {
-                                        phi_5595_ = _e3436;
-                                    }
-                                    let _e3439 = phi_5595_;
-                                    let _e3442 = local_4[1u].member[1u];
-                                    if (_e3442[0] < 0f) {
-                                        phi_5608_ = -(_e3442[0]);
-                                    } else {
-                                        phi_5608_ = _e3442[0];
-                                    }
-                                    let _e3449 = phi_5608_;
-                                    if (_e3442[1] < 0f) {
-                                        phi_5615_ = -(_e3442[1]);
-                                    } else {
-                                        phi_5615_ = _e3442[1];
-                                    }
-                                    let _e3453 = phi_5615_;
-                                    if (_e3449 > _e3453) {
-                                        phi_5620_ = _e3449;
-                                    } else {
-                                        phi_5620_ = _e3453;
-                                    }
-                                    let _e3456 = phi_5620_;
-                                    if (_e3442[2] < 0f) {
-                                        phi_5627_ = -(_e3442[2]);
-                                    } else {
-                                        phi_5627_ = _e3442[2];
-                                    }
-                                    let _e3460 = phi_5627_;
-                                    if (_e3456 > _e3460) {
-                                        phi_5632_ = _e3456;
-                                    } else {
-                                        phi_5632_ = _e3460;
-                                    }
-                                    let _e3463 = phi_5632_;
-                                    if (_e3439 > _e3463) {
-                                        phi_5637_ = _e3439;
-                                    } else {
-                                        phi_5637_ = _e3463;
-                                    }
-                                    let _e3466 = phi_5637_;
-                                    let _e3468 = local_4[1u].member_3;
-                                    let _e3469 = (_e3466 + _e3468);
-                                    let _e3472 = local_4[1u].member_1[0u];
-                                    if (_e3472[0] < 0f) {
-                                        phi_5654_ = -(_e3472[0]);
-                                    } else {
-                                        phi_5654_ = _e3472[0];
-                                    }
-                                    let _e3479 = phi_5654_;
-                                    if (_e3472[1] < 0f) {
-                                        phi_5661_ = -(_e3472[1]);
-                                    } else {
-                                        phi_5661_ = _e3472[1];
-                                    }
-                                    let _e3483 = phi_5661_;
-                                    if (_e3479 > _e3483) {
-                                        phi_5666_ = _e3479;
-                                    } else {
-                                        phi_5666_ = _e3483;
-                                    }
-                                    let _e3486 = phi_5666_;
-                                    if (_e3472[2] < 0f) {
-                                        phi_5673_ = -(_e3472[2]);
-                                    } else {
-                                        phi_5673_ = _e3472[2];
-                                    }
-                                    let _e3490 = phi_5673_;
-                                    if (_e3486 > _e3490) {
-                                        phi_5678_ = _e3486;
-                                    } else {
-                                        phi_5678_ = _e3490;
-                                    }
-                                    let _e3493 = phi_5678_;
-                                    let _e3496 = local_4[1u].member_1[1u];
-                                    if (_e3496[0] < 0f) {
-                                        phi_5692_ = -(_e3496[0]);
-                                    } else {
-                                        phi_5692_ = _e3496[0];
-                                    }
-                                    let _e3503 = phi_5692_;
-                                    if (_e3496[1] < 0f) {
-                                        phi_5699_ = -(_e3496[1]);
-                                    } else {
-                                        phi_5699_ = _e3496[1];
-                                    }
-                                    let _e3507 = phi_5699_;
-                                    if (_e3503 > _e3507) {
-                                        phi_5704_ = _e3503;
-                                    } else {
-                                        phi_5704_ = _e3507;
-                                    }
-                                    let _e3510 = phi_5704_;
-                                    if (_e3496[2] < 0f) {
-                                        phi_5711_ = -(_e3496[2]);
-                                    } else {
-                                        phi_5711_ = _e3496[2];
-                                    }
-                                    let _e3514 = phi_5711_;
-                                    if (_e3510 > _e3514) {
-                                        phi_5716_ = _e3510;
-                                    } else {
-                                        phi_5716_ = _e3514;
-                                    }
-                                    let _e3517 = phi_5716_;
-                                    if (_e3493 > _e3517) {
-                                        phi_5721_ = _e3493;
-                                    } else {
-                                        phi_5721_ = _e3517;
-                                    }
-                                    let _e3520 = phi_5721_;
-                                    let _e3522 = local_4[1u].member_3;
-                                    let _e3523 = (_e3520 + _e3522);
-                                    let _e3526 = local_4[1u].member_2[0u];
-                                    if (_e3526[0] < 0f) {
-                                        phi_5738_ = -(_e3526[0]);
-                                    } else {
-                                        phi_5738_ = _e3526[0];
-                                    }
-                                    let _e3533 = phi_5738_;
-                                    if (_e3526[1] < 0f) {
-                                        phi_5745_ = -(_e3526[1]);
-                                    } else {
-                                        phi_5745_ = _e3526[1];
-                                    }
-                                    let _e3537 = phi_5745_;
-                                    if (_e3533 > _e3537) {
-                                        phi_5750_ = _e3533;
-                                    } else {
-                                        phi_5750_ = _e3537;
-                                    }
-                                    let _e3540 = phi_5750_;
-                                    if (_e3526[2] < 0f) {
-                                        phi_5757_ = -(_e3526[2]);
-                                    } else {
-                                        phi_5757_ = _e3526[2];
-                                    }
-                                    let _e3544 = phi_5757_;
-                                    if (_e3540 > _e3544) {
-                                        phi_5762_ = _e3540;
-                                    } else {
-                                        phi_5762_ = _e3544;
-                                    }
-                                    let _e3547 = phi_5762_;
-                                    let _e3550 = local_4[1u].member_2[1u];
-                                    if (_e3550[0] < 0f) {
-                                        phi_5776_ = -(_e3550[0]);
-                                    } else {
-                                        phi_5776_ = _e3550[0];
-                                    }
-                                    let _e3557 = phi_5776_;
-                                    if (_e3550[1] < 0f) {
-                                        phi_5783_ = -(_e3550[1]);
-                                    } else {
-                                        phi_5783_ = _e3550[1];
-                                    }
-                                    let _e3561 = phi_5783_;
-                                    if (_e3557 > _e3561) {
-                                        phi_5788_ = _e3557;
-                                    } else {
-                                        phi_5788_ = _e3561;
-                                    }
-                                    let _e3564 = phi_5788_;
-                                    if (_e3550[2] < 0f) {
-                                        phi_5795_ = -(_e3550[2]);
-                                    } else {
-                                        phi_5795_ = _e3550[2];
-                                    }
-                                    let _e3568 = phi_5795_;
-                                    if (_e3564 > _e3568) {
-                                        phi_5800_ = _e3564;
-                                    } else {
-                                        phi_5800_ = _e3568;
-                                    }
-                                    let _e3571 = phi_5800_;
-                                    if (_e3547 > _e3571) {
-                                        phi_5805_ = _e3547;
-                                    } else {
-                                        phi_5805_ = _e3571;
-                                    }
-                                    let _e3574 = phi_5805_;
-                                    let _e3576 = local_4[1u].member_3;
-                                    let _e3577 = (_e3574 + _e3576);
-                                    let _e3579 = ((_e3523 * 8f) * _e3577);
-                                    let _e3586 = local_4[1u].member_3;
-                                    if (_e3275 < 0f) {
-                                        phi_5836_ = -(_e3275);
-                                    } else {
-                                        phi_5836_ = _e3275;
-                                    }
-                                    let _e3603 = phi_5836_;
-                                    if (_e3278 < 0f) {
-                                        phi_5842_ = -(_e3278);
-                                    } else {
-                                        phi_5842_ = _e3278;
-                                    }
-                                    let _e3607 = phi_5842_;
-                                    if (_e3281 < 0f) {
-                                        phi_5849_ = -(_e3281);
-                                    } else {
-                                        phi_5849_ = _e3281;
-                                    }
-                                    let _e3612 = phi_5849_;
-                                    let _e3613 = ((_e3603 + _e3607) + _e3612);
-                                    if (_e3296 < 0f) {
-                                        phi_5856_ = -(_e3296);
-                                    } else {
-                                        phi_5856_ = _e3296;
-                                    }
-                                    let _e3617 = phi_5856_;
-                                    if (_e3299 < 0f) {
-                                        phi_5862_ = -(_e3299);
-                                    } else {
-                                        phi_5862_ = _e3299;
-                                    }
-                                    let _e3621 = phi_5862_;
-                                    if (_e3302 < 0f) {
-                                        phi_5869_ = -(_e3302);
-                                    } else {
-                                        phi_5869_ = _e3302;
-                                    }
-                                    let _e3626 = phi_5869_;
-                                    let _e3627 = ((_e3617 + _e3621) + _e3626);
-                                    if (_e3613 > _e3627) {
-                                        phi_5875_ = _e3613;
-                                    } else {
-                                        phi_5875_ = _e3627;
-                                    }
-                                    let _e3630 = phi_5875_;
-                                    if (_e3345 < 0f) {
-                                        phi_5881_ = -(_e3345);
-                                    } else {
-                                        phi_5881_ = _e3345;
-                                    }
-                                    let _e3634 = phi_5881_;
-                                    if (_e3346 < 0f) {
-                                        phi_5887_ = -(_e3346);
-                                    } else {
-                                        phi_5887_ = _e3346;
-                                    }
-                                    let _e3638 = phi_5887_;
-                                    if (_e3347 < 0f) {
-                                        phi_5894_ = -(_e3347);
-                                    } else {
-                                        phi_5894_ = _e3347;
-                                    }
-                                    let _e3643 = phi_5894_;
-                                    let _e3645 = (((_e3634 + _e3638) + _e3643) * 0.5f);
-                                    if (_e3630 > _e3645) {
-                                        phi_5901_ = _e3630;
-                                    } else {
-                                        phi_5901_ = _e3645;
-                                    }
-                                    let _e3648 = phi_5901_;
-                                    let _e3653 = local_4[1u].member_3;
-                                    let _e3666 = ((((_e3350[0] * _e3275) + (_e3350[1] * _e3278)) + (_e3350[2] * _e3281)) * 3f);
-                                    let _e3667 = ((((_e3407[0] * _e3296) + (_e3407[1] * _e3299)) + (_e3407[2] * _e3302)) * 3f);
-                                    if (_e3666 < _e3667) {
-                                        phi_5925_ = _e3666;
-                                    } else {
-                                        phi_5925_ = _e3667;
-                                    }
-                                    let _e3670 = phi_5925_;
-                                    if (_e3381 < _e3404) {
-                                        phi_5930_ = _e3381;
-                                    } else {
-                                        phi_5930_ = _e3404;
-                                    }
-                                    let _e3673 = phi_5930_;
-                                    if (_e3670 < _e3673) {
-                                        phi_5935_ = _e3670;
-                                    } else {
-                                        phi_5935_ = _e3673;
-                                    }
-                                    let _e3676 = phi_5935_;
-                                    if (_e3666 > _e3667) {
-                                        phi_5940_ = _e3666;
-                                    } else {
-                                        phi_5940_ = _e3667;
-                                    }
-                                    let _e3679 = phi_5940_;
-                                    if (_e3381 > _e3404) {
-                                        phi_5945_ = _e3381;
-                                    } else {
-                                        phi_5945_ = _e3404;
-                                    }
-                                    let _e3682 = phi_5945_;
-                                    if (_e3679 > _e3682) {
-                                        phi_5950_ = _e3679;
-                                    } else {
-                                        phi_5950_ = _e3682;
-                                    }
-                                    let _e3685 = phi_5950_;
-                                    let _e3690 = -(_e3685);
-                                    if (_e3676 > _e3690) {
-                                        phi_5960_ = _e3676;
-                                    } else {
-                                        phi_5960_ = _e3690;
-                                    }
-                                    let _e3693 = phi_5960_;
-                                    if ((_e3693 - ((((((_e3469 * 8f) * _e3579) * (0.000000059604645f * (490f / 64f))) + ((_e3586 * 19f) * ((_e3469 * (_e3523 + _e3577)) + (_e3523 * _e3577)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3469) * ((1f + _e3523) * (1f + _e3577))))) + ((_e1208 * (((_e3648 + (_e3579 * (0.000000059604645f * 4f))) + ((_e3653 * 6f) * (_e3523 + _e3577))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3523) * (1f + _e3577))))) * (3f * 1.0001f)))) > 0f) {
-                                        phi_6936_ = true;
-                                    } else {
-                                        let _e3698 = local_4[1u].member_1[0u];
-                                        let _e3704 = local_4[1u].member_1[1u];
-                                        let _e3708 = (_e3698[0] + _e3704[0]);
-                                        let _e3709 = (_e3698[1] + _e3704[1]);
-                                        let _e3710 = (_e3698[2] + _e3704[2]);
-                                        let _e3713 = local_4[1u].member_2[0u];
-                                        let _e3719 = local_4[1u].member_2[1u];
-                                        let _e3723 = (_e3713[0] + _e3719[0]);
-                                        let _e3724 = (_e3713[1] + _e3719[1]);
-                                        let _e3725 = (_e3713[2] + _e3719[2]);
-                                        let _e3728 = ((_e3709 * _e3725) - (_e3710 * _e3724));
-                                        let _e3731 = ((_e3710 * _e3723) - (_e3708 * _e3725));
-                                        let _e3734 = ((_e3708 * _e3724) - (_e3709 * _e3723));
-                                        let _e3737 = local_4[1u].member[0u];
-                                        let _e3743 = local_4[1u].member_1[0u];
-                                        let _e3749 = local_4[1u].member_2[0u];
-                                        let _e3753 = (_e3737[0] - _e3743[0]);
-                                        let _e3754 = (_e3737[1] - _e3743[1]);
-                                        let _e3755 = (_e3737[2] - _e3743[2]);
-                                        let _e3764 = local_4[1u].member[1u];
-                                        let _e3770 = local_4[1u].member_1[1u];
-                                        let _e3776 = local_4[1u].member_2[1u];
-                                        let _e3780 = (_e3764[0] - _e3770[0]);
-                                        let _e3781 = (_e3764[1] - _e3770[1]);
-                                        let _e3782 = (_e3764[2] - _e3770[2]);
-                                        local = array<array<f32, 3>, 4>(_e3737, array<f32, 3>(_e3753, _e3754, _e3755), array<f32, 3>((_e3737[0] - _e3749[0]), (_e3737[1] - _e3749[1]), (_e3737[2] - _e3749[2])), array<f32, 3>((_e3753 - _e3749[0]), (_e3754 - _e3749[1]), (_e3755 - _e3749[2])));
-                                        local_1 = array<array<f32, 3>, 4>(_e3764, array<f32, 3>(_e3780, _e3781, _e3782), array<f32, 3>((_e3764[0] - _e3776[0]), (_e3764[1] - _e3776[1]), (_e3764[2] - _e3776[2])), array<f32, 3>((_e3780 - _e3776[0]), (_e3781 - _e3776[1]), (_e3782 - _e3776[2])));
-                                        let _e3799 = local_4[1u].member[0u];
-                                        if (_e3799[0] < 0f) {
-                                            phi_6211_ = -(_e3799[0]);
-                                        } else {
-                                            phi_6211_ = _e3799[0];
-                                        }
-                                        let _e3806 = phi_6211_;
-                                        if (_e3799[1] < 0f) {
-                                            phi_6218_ = -(_e3799[1]);
-                                        } else {
-                                            phi_6218_ = _e3799[1];
-                                        }
-                                        let _e3810 = phi_6218_;
-                                        if (_e3806 > _e3810) {
-                                            phi_6223_ = _e3806;
-                                        } else {
-                                            phi_6223_ = _e3810;
-                                        }
-                                        let _e3813 = phi_6223_;
-                                        if (_e3799[2] < 0f) {
-                                            phi_6230_ = -(_e3799[2]);
-                                        } else {
-                                            phi_6230_ = _e3799[2];
-                                        }
-                                        let _e3817 = phi_6230_;
-                                        if (_e3813 > _e3817) {
-                                            phi_6235_ = _e3813;
-                                        } else {
-                                            phi_6235_ = _e3817;
-                                        }
-                                        let _e3820 = phi_6235_;
-                                        let _e3823 = local_4[1u].member[1u];
-                                        if (_e3823[0] < 0f) {
-                                            phi_6248_ = -(_e3823[0]);
-                                        } else {
-                                            phi_6248_ = _e3823[0];
-                                        }
-                                        let _e3830 = phi_6248_;
-                                        if (_e3823[1] < 0f) {
-                                            phi_6255_ = -(_e3823[1]);
-                                        } else {
-                                            phi_6255_ = _e3823[1];
-                                        }
-                                        let _e3834 = phi_6255_;
-                                        if (_e3830 > _e3834) {
-                                            phi_6260_ = _e3830;
-                                        } else {
-                                            phi_6260_ = _e3834;
-                                        }
-                                        let _e3837 = phi_6260_;
-                                        if (_e3823[2] < 0f) {
-                                            phi_6267_ = -(_e3823[2]);
-                                        } else {
-                                            phi_6267_ = _e3823[2];
-                                        }
-                                        let _e3841 = phi_6267_;
-                                        if (_e3837 > _e3841) {
-                                            phi_6272_ = _e3837;
-                                        } else {
-                                            phi_6272_ = _e3841;
-                                        }
-                                        let _e3844 = phi_6272_;
-                                        if (_e3820 > _e3844) {
-                                            phi_6277_ = _e3820;
-                                        } else {
-                                            phi_6277_ = _e3844;
-                                        }
-                                        let _e3847 = phi_6277_;
-                                        let _e3849 = local_4[1u].member_3;
-                                        let _e3853 = local_4[1u].member_1[0u];
-                                        if (_e3853[0] < 0f) {
-                                            phi_6294_ = -(_e3853[0]);
-                                        } else {
-                                            phi_6294_ = _e3853[0];
-                                        }
-                                        let _e3860 = phi_6294_;
-                                        if (_e3853[1] < 0f) {
-                                            phi_6301_ = -(_e3853[1]);
-                                        } else {
-                                            phi_6301_ = _e3853[1];
-                                        }
-                                        let _e3864 = phi_6301_;
-                                        if (_e3860 > _e3864) {
-                                            phi_6306_ = _e3860;
-                                        } else {
-                                            phi_6306_ = _e3864;
-                                        }
-                                        let _e3867 = phi_6306_;
-                                        if (_e3853[2] < 0f) {
-                                            phi_6313_ = -(_e3853[2]);
-                                        } else {
-                                            phi_6313_ = _e3853[2];
-                                        }
-                                        let _e3871 = phi_6313_;
-                                        if (_e3867 > _e3871) {
-                                            phi_6318_ = _e3867;
-                                        } else {
-                                            phi_6318_ = _e3871;
-                                        }
-                                        let _e3874 = phi_6318_;
-                                        let _e3877 = local_4[1u].member_1[1u];
-                                        if (_e3877[0] < 0f) {
-                                            phi_6332_ = -(_e3877[0]);
-                                        } else {
-                                            phi_6332_ = _e3877[0];
-                                        }
-                                        let _e3884 = phi_6332_;
-                                        if (_e3877[1] < 0f) {
-                                            phi_6339_ = -(_e3877[1]);
-                                        } else {
-                                            phi_6339_ = _e3877[1];
-                                        }
-                                        let _e3888 = phi_6339_;
-                                        if (_e3884 > _e3888) {
-                                            phi_6344_ = _e3884;
-                                        } else {
-                                            phi_6344_ = _e3888;
-                                        }
-                                        let _e3891 = phi_6344_;
-                                        if (_e3877[2] < 0f) {
-                                            phi_6351_ = -(_e3877[2]);
-                                        } else {
-                                            phi_6351_ = _e3877[2];
-                                        }
-                                        let _e3895 = phi_6351_;
-                                        if (_e3891 > _e3895) {
-                                            phi_6356_ = _e3891;
-                                        } else {
-                                            phi_6356_ = _e3895;
-                                        }
-                                        let _e3898 = phi_6356_;
-                                        if (_e3874 > _e3898) {
-                                            phi_6361_ = _e3874;
-                                        } else {
-                                            phi_6361_ = _e3898;
-                                        }
-                                        let _e3901 = phi_6361_;
-                                        let _e3903 = local_4[1u].member_3;
-                                        let _e3907 = local_4[1u].member_2[0u];
-                                        if (_e3907[0] < 0f) {
-                                            phi_6378_ = -(_e3907[0]);
-                                        } else {
-                                            phi_6378_ = _e3907[0];
-                                        }
-                                        let _e3914 = phi_6378_;
-                                        if (_e3907[1] < 0f) {
-                                            phi_6385_ = -(_e3907[1]);
-                                        } else {
-                                            phi_6385_ = _e3907[1];
-                                        }
-                                        let _e3918 = phi_6385_;
-                                        if (_e3914 > _e3918) {
-                                            phi_6390_ = _e3914;
-                                        } else {
-                                            phi_6390_ = _e3918;
-                                        }
-                                        let _e3921 = phi_6390_;
-                                        if (_e3907[2] < 0f) {
-                                            phi_6397_ = -(_e3907[2]);
-                                        } else {
-                                            phi_6397_ = _e3907[2];
-                                        }
-                                        let _e3925 = phi_6397_;
-                                        if (_e3921 > _e3925) {
-                                            phi_6402_ = _e3921;
-                                        } else {
-                                            phi_6402_ = _e3925;
-                                        }
-                                        let _e3928 = phi_6402_;
-                                        let _e3931 = local_4[1u].member_2[1u];
-                                        if (_e3931[0] < 0f) {
-                                            phi_6416_ = -(_e3931[0]);
-                                        } else {
-                                            phi_6416_ = _e3931[0];
-                                        }
-                                        let _e3938 = phi_6416_;
-                                        if (_e3931[1] < 0f) {
-                                            phi_6423_ = -(_e3931[1]);
-                                        } else {
-                                            phi_6423_ = _e3931[1];
-                                        }
-                                        let _e3942 = phi_6423_;
-                                        if (_e3938 > _e3942) {
-                                            phi_6428_ = _e3938;
-                                        } else {
-                                            phi_6428_ = _e3942;
-                                        }
-                                        let _e3945 = phi_6428_;
-                                        if (_e3931[2] < 0f) {
-                                            phi_6435_ = -(_e3931[2]);
-                                        } else {
-                                            phi_6435_ = _e3931[2];
-                                        }
-                                        let _e3949 = phi_6435_;
-                                        if (_e3945 > _e3949) {
-                                            phi_6440_ = _e3945;
-                                        } else {
-                                            phi_6440_ = _e3949;
-                                        }
-                                        let _e3952 = phi_6440_;
-                                        if (_e3928 > _e3952) {
-                                            phi_6445_ = _e3928;
-                                        } else {
-                                            phi_6445_ = _e3952;
-                                        }
-                                        let _e3955 = phi_6445_;
-                                        let _e3957 = local_4[1u].member_3;
-                                        let _e3960 = (((_e3847 + _e3849) + (_e3901 + _e3903)) + (_e3955 + _e3957));
-                                        let _e3963 = local_4[1u].member_3;
-                                        let _e3967 = (((_e1208 * 1.0001f) + (_e3963 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                        let _e3970 = ((_e3731 * _e3710) - (_e3734 * _e3709));
-                                        let _e3973 = ((_e3734 * _e3708) - (_e3728 * _e3710));
-                                        let _e3976 = ((_e3728 * _e3709) - (_e3731 * _e3708));
-                                        let _e3978 = local[0u];
-                                        let _e3986 = (((_e3970 * _e3978[0]) + (_e3973 * _e3978[1])) + (_e3976 * _e3978[2]));
-                                        phi_6483_ = type_37(0u, 4u);
-                                        phi_6486_ = _e3986;
-                                        phi_6488_ = _e3986;
-                                        loop {
-                                            let _e3988 = phi_6483_;
-                                            let _e3990 = phi_6486_;
-                                            let _e3992 = phi_6488_;
-                                            local_38 = _e3990;
-                                            local_39 = _e3992;
-                                            local_47 = _e3992;
-                                            if (_e3988.member < _e3988.member_1) {
-                                                phi_6484_ = type_37((_e3988.member + 1u), _e3988.member_1);
-                                                phi_6511_ = type_37(1u, _e3988.member);
-                                            } else {
-                                                phi_6484_ = _e3988;
-                                                phi_6511_ = type_37(0u, type_37().member_1);
-                                            }
-                                            let _e4006 = phi_6484_;
-                                            let _e4008 = phi_6511_;
-                                            let _e4012 = (bitcast<i32>(_e4008.member) != 0i);
-                                            if _e4012 {
-                                                if (_e4008.member_1 < 4u) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e4015 = local[_e4008.member_1];
-                                                let _e4023 = (((_e3970 * _e4015[0]) + (_e3973 * _e4015[1])) + (_e3976 * _e4015[2]));
-                                                if (_e4008.member_1 < 4u) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e4026 = local_1[_e4008.member_1];
-                                                let _e4034 = (((_e3970 * _e4026[0]) + (_e3973 * _e4026[1])) + (_e3976 * _e4026[2]));
-                                                if (_e3992 < _e4023) {
-                                                    phi_6561_ = _e3992;
-                                                } else {
-                                                    phi_6561_ = _e4023;
-                                                }
-                                                let _e4037 = phi_6561_;
-                                                if (_e4037 < _e4034) {
-                                                    phi_6566_ = _e4037;
-                                                } else {
-                                                    phi_6566_ = _e4034;
-                                                }
-                                                let _e4040 = phi_6566_;
-                                                if (_e3990 > _e4023) {
-                                                    phi_6571_ = _e3990;
-                                                } else {
-                                                    phi_6571_ = _e4023;
-                                                }
-                                                let _e4043 = phi_6571_;
-                                                if (_e4043 > _e4034) {
-                                                    phi_6576_ = _e4043;
-                                                } else {
-                                                    phi_6576_ = _e4034;
-                                                }
-                                                let _e4046 = phi_6576_;
-                                                phi_6487_ = _e4046;
-                                                phi_6489_ = _e4040;
-                                            } else {
-                                                phi_6487_ = f32();
-                                                phi_6489_ = f32();
-                                            }
-                                            let _e4048 = phi_6487_;
-                                            let _e4050 = phi_6489_;
-                                            continue;
-                                            continuing {
-                                                phi_6483_ = _e4006;
-                                                phi_6486_ = _e4048;
-                                                phi_6488_ = _e4050;
-                                                break if !(_e4012);
-                                            }
-                                        }
-                                        if (_e3970 < 0f) {
-                                            phi_6582_ = -(_e3970);
-                                        } else {
-                                            phi_6582_ = _e3970;
-                                        }
-                                        let _e4055 = phi_6582_;
-                                        if (_e3973 < 0f) {
-                                            phi_6588_ = -(_e3973);
-                                        } else {
-                                            phi_6588_ = _e3973;
-                                        }
-                                        let _e4059 = phi_6588_;
-                                        if (_e3976 < 0f) {
-                                            phi_6595_ = -(_e3976);
-                                        } else {
-                                            phi_6595_ = _e3976;
-                                        }
-                                        let _e4064 = phi_6595_;
-                                        let _e4065 = ((_e4055 + _e4059) + _e4064);
-                                        let _e4070 = local_38;
-                                        let _e4071 = -(_e4070);
-                                        let _e4073 = local_39;
-                                        if (_e4073 > _e4071) {
-                                            let _e4794 = local_47;
-                                            phi_6605_ = _e4794;
-                                        } else {
-                                            phi_6605_ = _e4071;
-                                        }
-                                        let _e4076 = phi_6605_;
-                                        let _e4081 = (((_e4076 - ((_e4065 * _e3960) * (0.000000059604645f * 17f))) - (_e4065 * _e3967)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        let _e4084 = ((_e3731 * _e3725) - (_e3734 * _e3724));
-                                        let _e4087 = ((_e3734 * _e3723) - (_e3728 * _e3725));
-                                        let _e4090 = ((_e3728 * _e3724) - (_e3731 * _e3723));
-                                        let _e4092 = local[0u];
-                                        let _e4100 = (((_e4084 * _e4092[0]) + (_e4087 * _e4092[1])) + (_e4090 * _e4092[2]));
-                                        phi_6636_ = type_37(0u, 4u);
-                                        phi_6639_ = _e4100;
-                                        phi_6641_ = _e4100;
-                                        loop {
-                                            let _e4102 = phi_6636_;
-                                            let _e4104 = phi_6639_;
-                                            let _e4106 = phi_6641_;
-                                            local_40 = _e4104;
-                                            local_41 = _e4106;
-                                            local_48 = _e4106;
-                                            if (_e4102.member < _e4102.member_1) {
-                                                phi_6637_ = type_37((_e4102.member + 1u), _e4102.member_1);
-                                                phi_6664_ = type_37(1u, _e4102.member);
-                                            } else {
-                                                phi_6637_ = _e4102;
-                                                phi_6664_ = type_37(0u, type_37().member_1);
-                                            }
-                                            let _e4120 = phi_6637_;
-                                            let _e4122 = phi_6664_;
-                                            let _e4126 = (bitcast<i32>(_e4122.member) != 0i);
-                                            if _e4126 {
-                                                if (_e4122.member_1 < 4u) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e4129 = local[_e4122.member_1];
-                                                let _e4137 = (((_e4084 * _e4129[0]) + (_e4087 * _e4129[1])) + (_e4090 * _e4129[2]));
-                                                if (_e4122.member_1 < 4u) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e4140 = local_1[_e4122.member_1];
-                                                let _e4148 = (((_e4084 * _e4140[0]) + (_e4087 * _e4140[1])) + (_e4090 * _e4140[2]));
-                                                if (_e4106 < _e4137) {
-                                                    phi_6714_ = _e4106;
-                                                } else {
-                                                    phi_6714_ = _e4137;
-                                                }
-                                                let _e4151 = phi_6714_;
-                                                if (_e4151 < _e4148) {
-                                                    phi_6719_ = _e4151;
-                                                } else {
-                                                    phi_6719_ = _e4148;
-                                                }
-                                                let _e4154 = phi_6719_;
-                                                if (_e4104 > _e4137) {
-                                                    phi_6724_ = _e4104;
-                                                } else {
-                                                    phi_6724_ = _e4137;
-                                                }
-                                                let _e4157 = phi_6724_;
-                                                if (_e4157 > _e4148) {
-                                                    phi_6729_ = _e4157;
-                                                } else {
-                                                    phi_6729_ = _e4148;
-                                                }
-                                                let _e4160 = phi_6729_;
-                                                phi_6640_ = _e4160;
-                                                phi_6642_ = _e4154;
-                                            } else {
-                                                phi_6640_ = f32();
-                                                phi_6642_ = f32();
-                                            }
-                                            let _e4162 = phi_6640_;
-                                            let _e4164 = phi_6642_;
-                                            continue;
-                                            continuing {
-                                                phi_6636_ = _e4120;
-                                                phi_6639_ = _e4162;
-                                                phi_6641_ = _e4164;
-                                                break if !(_e4126);
-                                            }
-                                        }
-                                        if (_e4084 < 0f) {
-                                            phi_6735_ = -(_e4084);
-                                        } else {
-                                            phi_6735_ = _e4084;
-                                        }
-                                        let _e4169 = phi_6735_;
-                                        if (_e4087 < 0f) {
-                                            phi_6741_ = -(_e4087);
-                                        } else {
-                                            phi_6741_ = _e4087;
-                                        }
-                                        let _e4173 = phi_6741_;
-                                        if (_e4090 < 0f) {
-                                            phi_6748_ = -(_e4090);
-                                        } else {
-                                            phi_6748_ = _e4090;
-                                        }
-                                        let _e4178 = phi_6748_;
-                                        let _e4179 = ((_e4169 + _e4173) + _e4178);
-                                        let _e4184 = local_40;
-                                        let _e4185 = -(_e4184);
-                                        let _e4187 = local_41;
-                                        if (_e4187 > _e4185) {
-                                            let _e4813 = local_48;
-                                            phi_6758_ = _e4813;
-                                        } else {
-                                            phi_6758_ = _e4185;
-                                        }
-                                        let _e4190 = phi_6758_;
-                                        let _e4195 = (((_e4190 - ((_e4179 * _e3960) * (0.000000059604645f * 17f))) - (_e4179 * _e3967)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4081 > _e4195) {
-                                            phi_6768_ = _e4081;
-                                        } else {
-                                            phi_6768_ = _e4195;
-                                        }
-                                        let _e4198 = phi_6768_;
-                                        phi_6936_ = (_e4198 > 0f);
-                                    }
-                                    let _e4201 = phi_6936_;
-                                    phi_6937_ = _e4201;
-                                } else {
-                                    phi_6937_ = false;
-                                }
-                                let _e4203 = phi_6937_;
-                                phi_6939_ = !(_e4203);
-                            }
-                            let _e4206 = phi_6939_;
-                            if _e4206 {
-                                let _e4208 = atomicAdd((&counters[3u]), 1u);
-                                kept[_e4208] = _e445;
-                            }
-                        }
-                        phi_6947_ = (_e408 + 64u);
-                        phi_6948_ = true;
+                        phi_808_ = _e424;
                     }
-                    let _e4212 = phi_6947_;
-                    let _e4214 = phi_6948_;
-                    phi_650_ = _e4212;
-                    phi_6949_ = _e4214;
+                    let _e512 = phi_808_;
+                    phi_694_ = _e512;
                 } else {
-                    phi_650_ = u32();
-                    phi_6949_ = false;
+                    phi_694_ = u32();
                 }
-                let _e4216 = phi_650_;
-                let _e4218 = phi_6949_;
+                let _e514 = phi_694_;
                 continue;
                 continuing {
-                    phi_646_ = _e437;
-                    phi_649_ = _e4216;
-                    break if !(_e4218);
+                    phi_690_ = _e438;
+                    phi_693_ = _e514;
+                    break if !(_e444);
                 }
             }
-            workgroupBarrier();
-            if (_e93 == 0u) {
-                let _e4222 = atomicLoad((&counters[3u]));
-                if (_e4222 > 0u) {
-                    let _e4225 = atomicAdd((&output.member[0u]), _e4222);
-                    atomicStore((&counters[4u]), _e4225);
-                }
-            }
-            workgroupBarrier();
-            let _e4228 = atomicLoad((&counters[4u]));
-            if (_e93 == 0u) {
-                let _e4231 = atomicLoad((&counters[5u]));
-                let _e4233 = atomicAdd((&output.member[1u]), _e4231);
-            }
-            let _e4235 = atomicLoad((&counters[3u]));
-            phi_6979_ = type_35(0i, 16i);
-            phi_6982_ = _e93;
+            phi_811_ = type_35(0u, 32u);
+            let _e5247 = local_64;
+            phi_814_ = _e5247;
             loop {
-                let _e4237 = phi_6979_;
-                let _e4239 = phi_6982_;
-                if (_e4237.member < _e4237.member_1) {
-                    let _e4247 = (_e4237.member + 1i);
-                    if ((false == (_e4247 > _e4237.member)) != false) {
-                        phi_7003_ = true;
-                    } else {
-                        phi_7003_ = false;
-                    }
-                    let _e4252 = phi_7003_;
-                    if _e4252 {
-                        phi_7009_ = type_36(0u, type_36().member_1);
-                    } else {
-                        phi_7009_ = type_36(1u, _e4247);
-                    }
-                    let _e4258 = phi_7009_;
-                    if (bitcast<i32>(_e4258.member) != 0i) {
-                    } else {
-                        return;
-                    }
-                    phi_6980_ = type_35(_e4258.member_1, _e4237.member_1);
-                    phi_7023_ = type_36(1u, _e4237.member);
+                let _e517 = phi_811_;
+                let _e519 = phi_814_;
+                if (_e517.member < _e517.member_1) {
+                    phi_812_ = type_35((_e517.member + 1u), _e517.member_1);
+                    phi_837_ = type_35(1u, _e517.member);
                 } else {
-                    phi_6980_ = _e4237;
-                    phi_7023_ = type_36(0u, type_36().member_1);
+                    phi_812_ = _e517;
+                    phi_837_ = type_35(0u, type_35().member_1);
                 }
-                let _e4268 = phi_6980_;
-                let _e4270 = phi_7023_;
-                if (bitcast<i32>(_e4270.member) != 0i) {
-                    if (_e4239 >= _e4235) {
-                        phi_7129_ = u32();
-                        phi_7130_ = false;
+                let _e533 = phi_812_;
+                let _e535 = phi_837_;
+                if (bitcast<i32>(_e535.member) != 0i) {
+                    if (_e519 == 0u) {
+                        phi_1869_ = u32();
+                        phi_1870_ = false;
                     } else {
-                        let _e4276 = kept[_e4239];
-                        let _e4285 = params.member.member_18[0u][1u];
-                        let _e4292 = params.member.member_18[0u][1u];
-                        let _e4295 = leaves.member[(_e4285 + ((_e186 * 32u) + (_e4276 >> bitcast<u32>(5i))))];
-                        let _e4298 = leaves.member[(_e4292 + ((_e189 * 32u) + (_e4276 & 31u)))];
-                        if (_e4295.member_1 < _e4298.member_1) {
-                            phi_7105_ = type_37(_e4295.member_1, _e4298.member_1);
+                        let _e546 = names[((_e134 * 32u) + select(firstTrailingBit(_e519), 32u, (_e519 == 0u)))];
+                        let _e549 = (_e250 + _e135);
+                        let _e550 = (_e256 + _e546);
+                        let _e552 = leaves.member[_e549];
+                        let _e554 = leaves.member[_e550];
+                        local_24 = type_23(array<u32, 3>(_e552.member[0], _e552.member[1], _e552.member[2]), _e552.member_1);
+                        local_25 = type_23(array<u32, 3>(_e554.member[0], _e554.member[1], _e554.member[2]), _e554.member_1);
+                        let _e570 = nodes.member[_e549];
+                        let _e572 = nodes.member[_e550];
+                        let _e574 = params.member.member_1;
+                        if ((_e574 & 1u) != 0u) {
+                            let _e578 = params.member.member_8;
+                            if (_e578 == 0u) {
+                                let _e622 = local_24.member[0u];
+                                let _e625 = local_25.member[0u];
+                                if (_e622 == _e625) {
+                                    phi_948_ = bool();
+                                    phi_949_ = true;
+                                } else {
+                                    let _e629 = local_24.member[0u];
+                                    let _e632 = local_25.member[1u];
+                                    let _e633 = (_e629 == _e632);
+                                    if _e633 {
+                                        phi_947_ = bool();
+                                    } else {
+                                        let _e636 = local_24.member[0u];
+                                        let _e639 = local_25.member[2u];
+                                        phi_947_ = (_e636 == _e639);
+                                    }
+                                    let _e642 = phi_947_;
+                                    phi_948_ = _e642;
+                                    phi_949_ = _e633;
+                                }
+                                let _e644 = phi_948_;
+                                let _e646 = phi_949_;
+                                if _e646 {
+                                    phi_953_ = true;
+                                } else {
+                                    phi_953_ = _e644;
+                                }
+                                let _e648 = phi_953_;
+                                phi_992_ = _e648;
+                            } else {
+                                let _e582 = local_24.member[0u];
+                                let _e585 = local_25.member[0u];
+                                if (_e582 == _e585) {
+                                    phi_986_ = bool();
+                                    phi_987_ = true;
+                                } else {
+                                    let _e589 = local_24.member[0u];
+                                    let _e592 = local_25.member[1u];
+                                    if (_e589 == _e592) {
+                                        phi_984_ = bool();
+                                        phi_985_ = true;
+                                    } else {
+                                        let _e596 = local_24.member[1u];
+                                        let _e599 = local_25.member[0u];
+                                        let _e600 = (_e596 == _e599);
+                                        if _e600 {
+                                            phi_983_ = bool();
+                                        } else {
+                                            let _e603 = local_24.member[1u];
+                                            let _e606 = local_25.member[1u];
+                                            phi_983_ = (_e603 == _e606);
+                                        }
+                                        let _e609 = phi_983_;
+                                        phi_984_ = _e609;
+                                        phi_985_ = _e600;
+                                    }
+                                    let _e611 = phi_984_;
+                                    let _e613 = phi_985_;
+                                    phi_986_ = _e611;
+                                    phi_987_ = _e613;
+                                }
+                                let _e615 = phi_986_;
+                                let _e617 = phi_987_;
+                                if _e617 {
+                                    phi_991_ = true;
+                                } else {
+                                    phi_991_ = _e615;
+                                }
+                                let _e619 = phi_991_;
+                                phi_992_ = _e619;
+                            }
+                            let _e650 = phi_992_;
+                            if _e650 {
+                                phi_996_ = false;
+                            } else {
+                                phi_996_ = true;
+                            }
+                            let _e652 = phi_996_;
+                            phi_997_ = _e652;
                         } else {
-                            phi_7105_ = type_37(_e4298.member_1, _e4295.member_1);
+                            phi_997_ = true;
                         }
-                        let _e4304 = phi_7105_;
-                        let _e4306 = params.member.member_16;
-                        let _e4307 = (_e4228 + _e4239);
-                        if (_e4307 < _e4306) {
-                            atomicStore((&output.member[(4u + (2u * _e4307))]), _e4304.member);
-                            atomicStore((&output.member[((2u * _e4307) + 5u)]), _e4304.member_1);
+                        let _e654 = phi_997_;
+                        if _e654 {
+                            let _e656 = params.member.member_1;
+                            if ((_e656 & 2u) != 0u) {
+                                let _e661 = local_24.member[0u];
+                                let _e663 = bodies.member[_e661];
+                                let _e666 = local_25.member[0u];
+                                let _e668 = bodies.member[_e666];
+                                if ((_e663 / 2u) == (_e668 / 2u)) {
+                                    let _e673 = params.member.member_1;
+                                    phi_1043_ = !(((_e673 & 4u) != 0u));
+                                } else {
+                                    phi_1043_ = false;
+                                }
+                                let _e678 = phi_1043_;
+                                if _e678 {
+                                    phi_1054_ = true;
+                                } else {
+                                    if (((_e663 & _e668) & 1u) == 0u) {
+                                        phi_1053_ = false;
+                                    } else {
+                                        phi_1053_ = true;
+                                    }
+                                    let _e683 = phi_1053_;
+                                    phi_1054_ = _e683;
+                                }
+                                let _e685 = phi_1054_;
+                                if _e685 {
+                                    phi_1058_ = false;
+                                } else {
+                                    phi_1058_ = true;
+                                }
+                                let _e687 = phi_1058_;
+                                phi_1059_ = _e687;
+                            } else {
+                                phi_1059_ = true;
+                            }
+                            let _e689 = phi_1059_;
+                            if _e689 {
+                                let _e691 = params.member.member_1;
+                                if ((_e691 & 32u) != 0u) {
+                                    let _e695 = params.member.member_6;
+                                    let _e736 = (((((((_e570.member_1[0] - _e572.member[0]) > _e695) && ((_e572.member_1[0] - _e570.member[0]) > _e695)) && ((_e570.member_1[1] - _e572.member[1]) > _e695)) && ((_e572.member_1[1] - _e570.member[1]) > _e695)) && ((_e570.member_1[2] - _e572.member[2]) > _e695)) && ((_e572.member_1[2] - _e570.member[2]) > _e695));
+                                    if _e736 {
+                                        phi_1808_ = bool();
+                                    } else {
+                                        phi_1108_ = type_35(0u, 3u);
+                                        phi_1111_ = true;
+                                        loop {
+                                            let _e740 = phi_1108_;
+                                            let _e742 = phi_1111_;
+                                            local_65 = _e742;
+                                            if (_e740.member < _e740.member_1) {
+                                                phi_1109_ = type_35((_e740.member + 1u), _e740.member_1);
+                                                phi_1134_ = type_35(1u, _e740.member);
+                                            } else {
+                                                phi_1109_ = _e740;
+                                                phi_1134_ = type_35(0u, type_35().member_1);
+                                            }
+                                            let _e756 = phi_1109_;
+                                            let _e758 = phi_1134_;
+                                            let _e762 = (bitcast<i32>(_e758.member) != 0i);
+                                            if _e762 {
+                                                let _e764 = local_24.member[0u];
+                                                let _e766 = keys.member[_e764];
+                                                local_22 = array<array<u32, 2>, 6>(array<u32, 2>(_e766[0][0], _e766[0][1]), array<u32, 2>(_e766[1][0], _e766[1][1]), array<u32, 2>(_e766[2][0], _e766[2][1]), array<u32, 2>(_e766[3][0], _e766[3][1]), array<u32, 2>(_e766[4][0], _e766[4][1]), array<u32, 2>(_e766[5][0], _e766[5][1]));
+                                                if (_e758.member_1 < 6u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e794 = local_22[_e758.member_1];
+                                                phi_1191_ = type_35(1u, 3u);
+                                                phi_1194_ = array<u32, 2>(_e794[0], _e794[1]);
+                                                loop {
+                                                    let _e799 = phi_1191_;
+                                                    let _e801 = phi_1194_;
+                                                    local_28 = _e801;
+                                                    local_30 = _e801;
+                                                    local_32 = _e801;
+                                                    if (_e799.member < _e799.member_1) {
+                                                        phi_1192_ = type_35((_e799.member + 1u), _e799.member_1);
+                                                        phi_1217_ = type_35(1u, _e799.member);
+                                                    } else {
+                                                        phi_1192_ = _e799;
+                                                        phi_1217_ = type_35(0u, type_35().member_1);
+                                                    }
+                                                    let _e815 = phi_1192_;
+                                                    let _e817 = phi_1217_;
+                                                    let _e821 = (bitcast<i32>(_e817.member) != 0i);
+                                                    if _e821 {
+                                                        if (_e817.member_1 < 3u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e824 = local_24.member[_e817.member_1];
+                                                        let _e826 = keys.member[_e824];
+                                                        local_23 = array<array<u32, 2>, 6>(array<u32, 2>(_e826[0][0], _e826[0][1]), array<u32, 2>(_e826[1][0], _e826[1][1]), array<u32, 2>(_e826[2][0], _e826[2][1]), array<u32, 2>(_e826[3][0], _e826[3][1]), array<u32, 2>(_e826[4][0], _e826[4][1]), array<u32, 2>(_e826[5][0], _e826[5][1]));
+                                                        if (_e758.member_1 < 6u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e854 = local_23[_e758.member_1];
+                                                        if (_e801[1] > _e854[1]) {
+                                                            phi_1293_ = true;
+                                                        } else {
+                                                            if (_e801[1] == _e854[1]) {
+                                                                phi_1292_ = (_e801[0] > _e854[0]);
+                                                            } else {
+                                                                phi_1292_ = false;
+                                                            }
+                                                            let _e865 = phi_1292_;
+                                                            phi_1293_ = _e865;
+                                                        }
+                                                        let _e867 = phi_1293_;
+                                                        if _e867 {
+                                                            phi_1297_ = array<u32, 2>(_e854[0], _e854[1]);
+                                                        } else {
+                                                            phi_1297_ = _e801;
+                                                        }
+                                                        let _e869 = phi_1297_;
+                                                        phi_1195_ = _e869;
+                                                    } else {
+                                                        phi_1195_ = array<u32, 2>();
+                                                    }
+                                                    let _e871 = phi_1195_;
+                                                    continue;
+                                                    continuing {
+                                                        phi_1191_ = _e815;
+                                                        phi_1194_ = _e871;
+                                                        break if !(_e821);
+                                                    }
+                                                }
+                                                let _e874 = local_25.member[0u];
+                                                let _e876 = keys.member[_e874];
+                                                local_20 = array<array<u32, 2>, 6>(array<u32, 2>(_e876[0][0], _e876[0][1]), array<u32, 2>(_e876[1][0], _e876[1][1]), array<u32, 2>(_e876[2][0], _e876[2][1]), array<u32, 2>(_e876[3][0], _e876[3][1]), array<u32, 2>(_e876[4][0], _e876[4][1]), array<u32, 2>(_e876[5][0], _e876[5][1]));
+                                                let _e902 = (3u + _e758.member_1);
+                                                if (_e902 < 6u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e905 = local_20[_e902];
+                                                phi_1348_ = type_35(1u, 3u);
+                                                phi_1351_ = array<u32, 2>(_e905[0], _e905[1]);
+                                                loop {
+                                                    let _e910 = phi_1348_;
+                                                    let _e912 = phi_1351_;
+                                                    local_29 = _e912;
+                                                    local_31 = _e912;
+                                                    local_33 = _e912;
+                                                    if (_e910.member < _e910.member_1) {
+                                                        phi_1349_ = type_35((_e910.member + 1u), _e910.member_1);
+                                                        phi_1374_ = type_35(1u, _e910.member);
+                                                    } else {
+                                                        phi_1349_ = _e910;
+                                                        phi_1374_ = type_35(0u, type_35().member_1);
+                                                    }
+                                                    let _e926 = phi_1349_;
+                                                    let _e928 = phi_1374_;
+                                                    let _e932 = (bitcast<i32>(_e928.member) != 0i);
+                                                    if _e932 {
+                                                        if (_e928.member_1 < 3u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e935 = local_25.member[_e928.member_1];
+                                                        let _e937 = keys.member[_e935];
+                                                        local_21 = array<array<u32, 2>, 6>(array<u32, 2>(_e937[0][0], _e937[0][1]), array<u32, 2>(_e937[1][0], _e937[1][1]), array<u32, 2>(_e937[2][0], _e937[2][1]), array<u32, 2>(_e937[3][0], _e937[3][1]), array<u32, 2>(_e937[4][0], _e937[4][1]), array<u32, 2>(_e937[5][0], _e937[5][1]));
+                                                        let _e963 = (3u + _e758.member_1);
+                                                        if (_e963 < 6u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e966 = local_21[_e963];
+                                                        if (_e966[1] > _e912[1]) {
+                                                            phi_1451_ = true;
+                                                        } else {
+                                                            if (_e966[1] == _e912[1]) {
+                                                                phi_1450_ = (_e966[0] > _e912[0]);
+                                                            } else {
+                                                                phi_1450_ = false;
+                                                            }
+                                                            let _e977 = phi_1450_;
+                                                            phi_1451_ = _e977;
+                                                        }
+                                                        let _e979 = phi_1451_;
+                                                        if _e979 {
+                                                            phi_1455_ = array<u32, 2>(_e966[0], _e966[1]);
+                                                        } else {
+                                                            phi_1455_ = _e912;
+                                                        }
+                                                        let _e981 = phi_1455_;
+                                                        phi_1352_ = _e981;
+                                                    } else {
+                                                        phi_1352_ = array<u32, 2>();
+                                                    }
+                                                    let _e983 = phi_1352_;
+                                                    continue;
+                                                    continuing {
+                                                        phi_1348_ = _e926;
+                                                        phi_1351_ = _e983;
+                                                        break if !(_e932);
+                                                    }
+                                                }
+                                                let _e986 = local_28;
+                                                let _e989 = local_29;
+                                                if (_e986[1] > _e989[1]) {
+                                                    phi_1472_ = true;
+                                                } else {
+                                                    let _e993 = local_30;
+                                                    let _e996 = local_31;
+                                                    if (_e993[1] == _e996[1]) {
+                                                        let _e1000 = local_32;
+                                                        let _e1003 = local_33;
+                                                        phi_1471_ = (_e1000[0] > _e1003[0]);
+                                                    } else {
+                                                        phi_1471_ = false;
+                                                    }
+                                                    let _e1007 = phi_1471_;
+                                                    phi_1472_ = _e1007;
+                                                }
+                                                let _e1009 = phi_1472_;
+                                                let _e1012 = local_25.member[0u];
+                                                let _e1014 = keys.member[_e1012];
+                                                local_18 = array<array<u32, 2>, 6>(array<u32, 2>(_e1014[0][0], _e1014[0][1]), array<u32, 2>(_e1014[1][0], _e1014[1][1]), array<u32, 2>(_e1014[2][0], _e1014[2][1]), array<u32, 2>(_e1014[3][0], _e1014[3][1]), array<u32, 2>(_e1014[4][0], _e1014[4][1]), array<u32, 2>(_e1014[5][0], _e1014[5][1]));
+                                                if (_e758.member_1 < 6u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1042 = local_18[_e758.member_1];
+                                                phi_1523_ = type_35(1u, 3u);
+                                                phi_1526_ = array<u32, 2>(_e1042[0], _e1042[1]);
+                                                loop {
+                                                    let _e1047 = phi_1523_;
+                                                    let _e1049 = phi_1526_;
+                                                    local_34 = _e1049;
+                                                    local_36 = _e1049;
+                                                    local_38 = _e1049;
+                                                    if (_e1047.member < _e1047.member_1) {
+                                                        phi_1524_ = type_35((_e1047.member + 1u), _e1047.member_1);
+                                                        phi_1549_ = type_35(1u, _e1047.member);
+                                                    } else {
+                                                        phi_1524_ = _e1047;
+                                                        phi_1549_ = type_35(0u, type_35().member_1);
+                                                    }
+                                                    let _e1063 = phi_1524_;
+                                                    let _e1065 = phi_1549_;
+                                                    let _e1069 = (bitcast<i32>(_e1065.member) != 0i);
+                                                    if _e1069 {
+                                                        if (_e1065.member_1 < 3u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1072 = local_25.member[_e1065.member_1];
+                                                        let _e1074 = keys.member[_e1072];
+                                                        local_19 = array<array<u32, 2>, 6>(array<u32, 2>(_e1074[0][0], _e1074[0][1]), array<u32, 2>(_e1074[1][0], _e1074[1][1]), array<u32, 2>(_e1074[2][0], _e1074[2][1]), array<u32, 2>(_e1074[3][0], _e1074[3][1]), array<u32, 2>(_e1074[4][0], _e1074[4][1]), array<u32, 2>(_e1074[5][0], _e1074[5][1]));
+                                                        if (_e758.member_1 < 6u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1102 = local_19[_e758.member_1];
+                                                        if (_e1049[1] > _e1102[1]) {
+                                                            phi_1625_ = true;
+                                                        } else {
+                                                            if (_e1049[1] == _e1102[1]) {
+                                                                phi_1624_ = (_e1049[0] > _e1102[0]);
+                                                            } else {
+                                                                phi_1624_ = false;
+                                                            }
+                                                            let _e1113 = phi_1624_;
+                                                            phi_1625_ = _e1113;
+                                                        }
+                                                        let _e1115 = phi_1625_;
+                                                        if _e1115 {
+                                                            phi_1629_ = array<u32, 2>(_e1102[0], _e1102[1]);
+                                                        } else {
+                                                            phi_1629_ = _e1049;
+                                                        }
+                                                        let _e1117 = phi_1629_;
+                                                        phi_1527_ = _e1117;
+                                                    } else {
+                                                        phi_1527_ = array<u32, 2>();
+                                                    }
+                                                    let _e1119 = phi_1527_;
+                                                    continue;
+                                                    continuing {
+                                                        phi_1523_ = _e1063;
+                                                        phi_1526_ = _e1119;
+                                                        break if !(_e1069);
+                                                    }
+                                                }
+                                                let _e1122 = local_24.member[0u];
+                                                let _e1124 = keys.member[_e1122];
+                                                local_16 = array<array<u32, 2>, 6>(array<u32, 2>(_e1124[0][0], _e1124[0][1]), array<u32, 2>(_e1124[1][0], _e1124[1][1]), array<u32, 2>(_e1124[2][0], _e1124[2][1]), array<u32, 2>(_e1124[3][0], _e1124[3][1]), array<u32, 2>(_e1124[4][0], _e1124[4][1]), array<u32, 2>(_e1124[5][0], _e1124[5][1]));
+                                                let _e1150 = (3u + _e758.member_1);
+                                                if (_e1150 < 6u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1153 = local_16[_e1150];
+                                                phi_1680_ = type_35(1u, 3u);
+                                                phi_1683_ = array<u32, 2>(_e1153[0], _e1153[1]);
+                                                loop {
+                                                    let _e1158 = phi_1680_;
+                                                    let _e1160 = phi_1683_;
+                                                    local_35 = _e1160;
+                                                    local_37 = _e1160;
+                                                    local_39 = _e1160;
+                                                    if (_e1158.member < _e1158.member_1) {
+                                                        phi_1681_ = type_35((_e1158.member + 1u), _e1158.member_1);
+                                                        phi_1706_ = type_35(1u, _e1158.member);
+                                                    } else {
+                                                        phi_1681_ = _e1158;
+                                                        phi_1706_ = type_35(0u, type_35().member_1);
+                                                    }
+                                                    let _e1174 = phi_1681_;
+                                                    let _e1176 = phi_1706_;
+                                                    let _e1180 = (bitcast<i32>(_e1176.member) != 0i);
+                                                    if _e1180 {
+                                                        if (_e1176.member_1 < 3u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1183 = local_24.member[_e1176.member_1];
+                                                        let _e1185 = keys.member[_e1183];
+                                                        local_17 = array<array<u32, 2>, 6>(array<u32, 2>(_e1185[0][0], _e1185[0][1]), array<u32, 2>(_e1185[1][0], _e1185[1][1]), array<u32, 2>(_e1185[2][0], _e1185[2][1]), array<u32, 2>(_e1185[3][0], _e1185[3][1]), array<u32, 2>(_e1185[4][0], _e1185[4][1]), array<u32, 2>(_e1185[5][0], _e1185[5][1]));
+                                                        let _e1211 = (3u + _e758.member_1);
+                                                        if (_e1211 < 6u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1214 = local_17[_e1211];
+                                                        if (_e1214[1] > _e1160[1]) {
+                                                            phi_1783_ = true;
+                                                        } else {
+                                                            if (_e1214[1] == _e1160[1]) {
+                                                                phi_1782_ = (_e1214[0] > _e1160[0]);
+                                                            } else {
+                                                                phi_1782_ = false;
+                                                            }
+                                                            let _e1225 = phi_1782_;
+                                                            phi_1783_ = _e1225;
+                                                        }
+                                                        let _e1227 = phi_1783_;
+                                                        if _e1227 {
+                                                            phi_1787_ = array<u32, 2>(_e1214[0], _e1214[1]);
+                                                        } else {
+                                                            phi_1787_ = _e1160;
+                                                        }
+                                                        let _e1229 = phi_1787_;
+                                                        phi_1684_ = _e1229;
+                                                    } else {
+                                                        phi_1684_ = array<u32, 2>();
+                                                    }
+                                                    let _e1231 = phi_1684_;
+                                                    continue;
+                                                    continuing {
+                                                        phi_1680_ = _e1174;
+                                                        phi_1683_ = _e1231;
+                                                        break if !(_e1180);
+                                                    }
+                                                }
+                                                let _e1234 = local_34;
+                                                let _e1237 = local_35;
+                                                if (_e1234[1] > _e1237[1]) {
+                                                    phi_1804_ = true;
+                                                } else {
+                                                    let _e1241 = local_36;
+                                                    let _e1244 = local_37;
+                                                    if (_e1241[1] == _e1244[1]) {
+                                                        let _e1248 = local_38;
+                                                        let _e1251 = local_39;
+                                                        phi_1803_ = (_e1248[0] > _e1251[0]);
+                                                    } else {
+                                                        phi_1803_ = false;
+                                                    }
+                                                    let _e1255 = phi_1803_;
+                                                    phi_1804_ = _e1255;
+                                                }
+                                                let _e1257 = phi_1804_;
+                                                phi_1112_ = (_e742 && (!(_e1009) && !(_e1257)));
+                                            } else {
+                                                phi_1112_ = bool();
+                                            }
+                                            let _e1262 = phi_1112_;
+                                            continue;
+                                            continuing {
+                                                phi_1108_ = _e756;
+                                                phi_1111_ = _e1262;
+                                                break if !(_e762);
+                                            }
+                                        }
+                                        let _e5323 = local_65;
+                                        phi_1808_ = _e5323;
+                                    }
+                                    let _e1265 = phi_1808_;
+                                    phi_1809_ = _e1265;
+                                    phi_1810_ = _e736;
+                                } else {
+                                    phi_1809_ = bool();
+                                    phi_1810_ = true;
+                                }
+                                let _e1267 = phi_1809_;
+                                let _e1269 = phi_1810_;
+                                if _e1269 {
+                                    phi_1814_ = false;
+                                } else {
+                                    phi_1814_ = true;
+                                }
+                                let _e1271 = phi_1814_;
+                                phi_1815_ = _e1267;
+                                phi_1816_ = _e1271;
+                            } else {
+                                phi_1815_ = false;
+                                phi_1816_ = true;
+                            }
+                            let _e1273 = phi_1815_;
+                            let _e1275 = phi_1816_;
+                            phi_1817_ = _e1273;
+                            phi_1818_ = _e1275;
+                        } else {
+                            phi_1817_ = false;
+                            phi_1818_ = true;
                         }
-                        phi_7129_ = (_e4239 + 64u);
-                        phi_7130_ = true;
+                        let _e1277 = phi_1817_;
+                        let _e1279 = phi_1818_;
+                        if _e1279 {
+                            phi_1822_ = _e1277;
+                        } else {
+                            phi_1822_ = true;
+                        }
+                        let _e1281 = phi_1822_;
+                        if _e1281 {
+                            let _e1283 = params.member.member_16;
+                            let _e1285 = local_24.member_1;
+                            let _e1287 = local_25.member_1;
+                            if (_e1285 < _e1287) {
+                                phi_1842_ = type_35(_e1285, _e1287);
+                            } else {
+                                phi_1842_ = type_35(_e1287, _e1285);
+                            }
+                            let _e1292 = phi_1842_;
+                            let _e1296 = atomicAdd((&output.member[0u]), 1u);
+                            if (_e1296 < _e1283) {
+                                atomicStore((&output.member[(4u + (2u * _e1296))]), _e1292.member);
+                                atomicStore((&output.member[((2u * _e1296) + 5u)]), _e1292.member_1);
+                            }
+                            let _e1305 = atomicAdd((&output.member[1u]), 1u);
+                        }
+                        phi_1869_ = (_e519 & (_e519 - 1u));
+                        phi_1870_ = true;
                     }
-                    let _e4319 = phi_7129_;
-                    let _e4321 = phi_7130_;
-                    phi_6983_ = _e4319;
-                    phi_7131_ = _e4321;
+                    let _e1307 = phi_1869_;
+                    let _e1309 = phi_1870_;
+                    phi_815_ = _e1307;
+                    phi_1871_ = _e1309;
                 } else {
-                    phi_6983_ = u32();
-                    phi_7131_ = false;
+                    phi_815_ = u32();
+                    phi_1871_ = false;
                 }
-                let _e4323 = phi_6983_;
-                let _e4325 = phi_7131_;
+                let _e1311 = phi_815_;
+                let _e1313 = phi_1871_;
                 continue;
                 continuing {
-                    phi_6979_ = _e4268;
-                    phi_6982_ = _e4323;
-                    break if !(_e4325);
+                    phi_811_ = _e533;
+                    phi_814_ = _e1311;
+                    break if !(_e1313);
+                }
+            }
+            workgroupBarrier();
+            let _e1316 = atomicLoad((&counters[4u]));
+            if (1024u < _e1316) {
+                phi_1878_ = 1024u;
+            } else {
+                phi_1878_ = _e1316;
+            }
+            let _e1319 = phi_1878_;
+            phi_1881_ = type_35(0u, 8u);
+            loop {
+                let _e1321 = phi_1881_;
+                if (_e1321.member < _e1321.member_1) {
+                    phi_1882_ = type_35((_e1321.member + 1u), _e1321.member_1);
+                    phi_1905_ = type_35(1u, _e1321.member);
+                } else {
+                    phi_1882_ = _e1321;
+                    phi_1905_ = type_35(0u, type_35().member_1);
+                }
+                let _e1335 = phi_1882_;
+                let _e1337 = phi_1905_;
+                if (bitcast<i32>(_e1337.member) != 0i) {
+                    let _e1343 = (_e110 + (_e1337.member_1 * 128u));
+                    if (_e1343 >= _e1319) {
+                        phi_8145_ = false;
+                    } else {
+                        let _e1346 = hits[_e1343];
+                        let _e1349 = ((_e1346 >> bitcast<u32>(10i)) & 3u);
+                        let _e1356 = firsts[(2u * _e1349)];
+                        let _e1357 = (_e1356 + ((_e1346 >> bitcast<u32>(5i)) & 31u));
+                        let _e1361 = firsts[((2u * _e1349) + 1u)];
+                        let _e1362 = (_e1361 + (_e1346 & 31u));
+                        let _e1364 = leaves.member[_e1357];
+                        let _e1366 = leaves.member[_e1362];
+                        local_26 = type_23(array<u32, 3>(_e1364.member[0], _e1364.member[1], _e1364.member[2]), _e1364.member_1);
+                        local_27 = type_23(array<u32, 3>(_e1366.member[0], _e1366.member[1], _e1366.member[2]), _e1366.member_1);
+                        let _e1382 = nodes.member[_e1357];
+                        let _e1384 = nodes.member[_e1362];
+                        let _e1386 = params.member.member_1;
+                        if ((_e1386 & 1u) != 0u) {
+                            let _e1390 = params.member.member_8;
+                            if (_e1390 == 0u) {
+                                let _e1434 = local_26.member[0u];
+                                let _e1437 = local_27.member[0u];
+                                if (_e1434 == _e1437) {
+                                    phi_2024_ = bool();
+                                    phi_2025_ = true;
+                                } else {
+                                    let _e1441 = local_26.member[0u];
+                                    let _e1444 = local_27.member[1u];
+                                    let _e1445 = (_e1441 == _e1444);
+                                    if _e1445 {
+                                        phi_2023_ = bool();
+                                    } else {
+                                        let _e1448 = local_26.member[0u];
+                                        let _e1451 = local_27.member[2u];
+                                        phi_2023_ = (_e1448 == _e1451);
+                                    }
+                                    let _e1454 = phi_2023_;
+                                    phi_2024_ = _e1454;
+                                    phi_2025_ = _e1445;
+                                }
+                                let _e1456 = phi_2024_;
+                                let _e1458 = phi_2025_;
+                                if _e1458 {
+                                    phi_2029_ = true;
+                                } else {
+                                    phi_2029_ = _e1456;
+                                }
+                                let _e1460 = phi_2029_;
+                                phi_2068_ = _e1460;
+                            } else {
+                                let _e1394 = local_26.member[0u];
+                                let _e1397 = local_27.member[0u];
+                                if (_e1394 == _e1397) {
+                                    phi_2062_ = bool();
+                                    phi_2063_ = true;
+                                } else {
+                                    let _e1401 = local_26.member[0u];
+                                    let _e1404 = local_27.member[1u];
+                                    if (_e1401 == _e1404) {
+                                        phi_2060_ = bool();
+                                        phi_2061_ = true;
+                                    } else {
+                                        let _e1408 = local_26.member[1u];
+                                        let _e1411 = local_27.member[0u];
+                                        let _e1412 = (_e1408 == _e1411);
+                                        if _e1412 {
+                                            phi_2059_ = bool();
+                                        } else {
+                                            let _e1415 = local_26.member[1u];
+                                            let _e1418 = local_27.member[1u];
+                                            phi_2059_ = (_e1415 == _e1418);
+                                        }
+                                        let _e1421 = phi_2059_;
+                                        phi_2060_ = _e1421;
+                                        phi_2061_ = _e1412;
+                                    }
+                                    let _e1423 = phi_2060_;
+                                    let _e1425 = phi_2061_;
+                                    phi_2062_ = _e1423;
+                                    phi_2063_ = _e1425;
+                                }
+                                let _e1427 = phi_2062_;
+                                let _e1429 = phi_2063_;
+                                if _e1429 {
+                                    phi_2067_ = true;
+                                } else {
+                                    phi_2067_ = _e1427;
+                                }
+                                let _e1431 = phi_2067_;
+                                phi_2068_ = _e1431;
+                            }
+                            let _e1462 = phi_2068_;
+                            if _e1462 {
+                                phi_2072_ = false;
+                            } else {
+                                phi_2072_ = true;
+                            }
+                            let _e1464 = phi_2072_;
+                            phi_2073_ = _e1464;
+                        } else {
+                            phi_2073_ = true;
+                        }
+                        let _e1466 = phi_2073_;
+                        if _e1466 {
+                            let _e1468 = params.member.member_1;
+                            if ((_e1468 & 2u) != 0u) {
+                                let _e1473 = local_26.member[0u];
+                                let _e1475 = bodies.member[_e1473];
+                                let _e1478 = local_27.member[0u];
+                                let _e1480 = bodies.member[_e1478];
+                                if ((_e1475 / 2u) == (_e1480 / 2u)) {
+                                    let _e1485 = params.member.member_1;
+                                    phi_2119_ = !(((_e1485 & 4u) != 0u));
+                                } else {
+                                    phi_2119_ = false;
+                                }
+                                let _e1490 = phi_2119_;
+                                if _e1490 {
+                                    phi_2130_ = true;
+                                } else {
+                                    if (((_e1475 & _e1480) & 1u) == 0u) {
+                                        phi_2129_ = false;
+                                    } else {
+                                        phi_2129_ = true;
+                                    }
+                                    let _e1495 = phi_2129_;
+                                    phi_2130_ = _e1495;
+                                }
+                                let _e1497 = phi_2130_;
+                                if _e1497 {
+                                    phi_2134_ = false;
+                                } else {
+                                    phi_2134_ = true;
+                                }
+                                let _e1499 = phi_2134_;
+                                phi_2135_ = _e1499;
+                            } else {
+                                phi_2135_ = true;
+                            }
+                            let _e1501 = phi_2135_;
+                            if _e1501 {
+                                let _e1503 = params.member.member_1;
+                                if ((_e1503 & 32u) != 0u) {
+                                    let _e1507 = params.member.member_6;
+                                    let _e1548 = (((((((_e1382.member_1[0] - _e1384.member[0]) > _e1507) && ((_e1384.member_1[0] - _e1382.member[0]) > _e1507)) && ((_e1382.member_1[1] - _e1384.member[1]) > _e1507)) && ((_e1384.member_1[1] - _e1382.member[1]) > _e1507)) && ((_e1382.member_1[2] - _e1384.member[2]) > _e1507)) && ((_e1384.member_1[2] - _e1382.member[2]) > _e1507));
+                                    if _e1548 {
+                                        phi_2884_ = bool();
+                                    } else {
+                                        phi_2184_ = type_35(0u, 3u);
+                                        phi_2187_ = true;
+                                        loop {
+                                            let _e1552 = phi_2184_;
+                                            let _e1554 = phi_2187_;
+                                            local_66 = _e1554;
+                                            if (_e1552.member < _e1552.member_1) {
+                                                phi_2185_ = type_35((_e1552.member + 1u), _e1552.member_1);
+                                                phi_2210_ = type_35(1u, _e1552.member);
+                                            } else {
+                                                phi_2185_ = _e1552;
+                                                phi_2210_ = type_35(0u, type_35().member_1);
+                                            }
+                                            let _e1568 = phi_2185_;
+                                            let _e1570 = phi_2210_;
+                                            let _e1574 = (bitcast<i32>(_e1570.member) != 0i);
+                                            if _e1574 {
+                                                let _e1576 = local_26.member[0u];
+                                                let _e1578 = keys.member[_e1576];
+                                                local_14 = array<array<u32, 2>, 6>(array<u32, 2>(_e1578[0][0], _e1578[0][1]), array<u32, 2>(_e1578[1][0], _e1578[1][1]), array<u32, 2>(_e1578[2][0], _e1578[2][1]), array<u32, 2>(_e1578[3][0], _e1578[3][1]), array<u32, 2>(_e1578[4][0], _e1578[4][1]), array<u32, 2>(_e1578[5][0], _e1578[5][1]));
+                                                if (_e1570.member_1 < 6u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1606 = local_14[_e1570.member_1];
+                                                phi_2267_ = type_35(1u, 3u);
+                                                phi_2270_ = array<u32, 2>(_e1606[0], _e1606[1]);
+                                                loop {
+                                                    let _e1611 = phi_2267_;
+                                                    let _e1613 = phi_2270_;
+                                                    local_40 = _e1613;
+                                                    local_42 = _e1613;
+                                                    local_44 = _e1613;
+                                                    if (_e1611.member < _e1611.member_1) {
+                                                        phi_2268_ = type_35((_e1611.member + 1u), _e1611.member_1);
+                                                        phi_2293_ = type_35(1u, _e1611.member);
+                                                    } else {
+                                                        phi_2268_ = _e1611;
+                                                        phi_2293_ = type_35(0u, type_35().member_1);
+                                                    }
+                                                    let _e1627 = phi_2268_;
+                                                    let _e1629 = phi_2293_;
+                                                    let _e1633 = (bitcast<i32>(_e1629.member) != 0i);
+                                                    if _e1633 {
+                                                        if (_e1629.member_1 < 3u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1636 = local_26.member[_e1629.member_1];
+                                                        let _e1638 = keys.member[_e1636];
+                                                        local_15 = array<array<u32, 2>, 6>(array<u32, 2>(_e1638[0][0], _e1638[0][1]), array<u32, 2>(_e1638[1][0], _e1638[1][1]), array<u32, 2>(_e1638[2][0], _e1638[2][1]), array<u32, 2>(_e1638[3][0], _e1638[3][1]), array<u32, 2>(_e1638[4][0], _e1638[4][1]), array<u32, 2>(_e1638[5][0], _e1638[5][1]));
+                                                        if (_e1570.member_1 < 6u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1666 = local_15[_e1570.member_1];
+                                                        if (_e1613[1] > _e1666[1]) {
+                                                            phi_2369_ = true;
+                                                        } else {
+                                                            if (_e1613[1] == _e1666[1]) {
+                                                                phi_2368_ = (_e1613[0] > _e1666[0]);
+                                                            } else {
+                                                                phi_2368_ = false;
+                                                            }
+                                                            let _e1677 = phi_2368_;
+                                                            phi_2369_ = _e1677;
+                                                        }
+                                                        let _e1679 = phi_2369_;
+                                                        if _e1679 {
+                                                            phi_2373_ = array<u32, 2>(_e1666[0], _e1666[1]);
+                                                        } else {
+                                                            phi_2373_ = _e1613;
+                                                        }
+                                                        let _e1681 = phi_2373_;
+                                                        phi_2271_ = _e1681;
+                                                    } else {
+                                                        phi_2271_ = array<u32, 2>();
+                                                    }
+                                                    let _e1683 = phi_2271_;
+                                                    continue;
+                                                    continuing {
+                                                        phi_2267_ = _e1627;
+                                                        phi_2270_ = _e1683;
+                                                        break if !(_e1633);
+                                                    }
+                                                }
+                                                let _e1686 = local_27.member[0u];
+                                                let _e1688 = keys.member[_e1686];
+                                                local_12 = array<array<u32, 2>, 6>(array<u32, 2>(_e1688[0][0], _e1688[0][1]), array<u32, 2>(_e1688[1][0], _e1688[1][1]), array<u32, 2>(_e1688[2][0], _e1688[2][1]), array<u32, 2>(_e1688[3][0], _e1688[3][1]), array<u32, 2>(_e1688[4][0], _e1688[4][1]), array<u32, 2>(_e1688[5][0], _e1688[5][1]));
+                                                let _e1714 = (3u + _e1570.member_1);
+                                                if (_e1714 < 6u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1717 = local_12[_e1714];
+                                                phi_2424_ = type_35(1u, 3u);
+                                                phi_2427_ = array<u32, 2>(_e1717[0], _e1717[1]);
+                                                loop {
+                                                    let _e1722 = phi_2424_;
+                                                    let _e1724 = phi_2427_;
+                                                    local_41 = _e1724;
+                                                    local_43 = _e1724;
+                                                    local_45 = _e1724;
+                                                    if (_e1722.member < _e1722.member_1) {
+                                                        phi_2425_ = type_35((_e1722.member + 1u), _e1722.member_1);
+                                                        phi_2450_ = type_35(1u, _e1722.member);
+                                                    } else {
+                                                        phi_2425_ = _e1722;
+                                                        phi_2450_ = type_35(0u, type_35().member_1);
+                                                    }
+                                                    let _e1738 = phi_2425_;
+                                                    let _e1740 = phi_2450_;
+                                                    let _e1744 = (bitcast<i32>(_e1740.member) != 0i);
+                                                    if _e1744 {
+                                                        if (_e1740.member_1 < 3u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1747 = local_27.member[_e1740.member_1];
+                                                        let _e1749 = keys.member[_e1747];
+                                                        local_13 = array<array<u32, 2>, 6>(array<u32, 2>(_e1749[0][0], _e1749[0][1]), array<u32, 2>(_e1749[1][0], _e1749[1][1]), array<u32, 2>(_e1749[2][0], _e1749[2][1]), array<u32, 2>(_e1749[3][0], _e1749[3][1]), array<u32, 2>(_e1749[4][0], _e1749[4][1]), array<u32, 2>(_e1749[5][0], _e1749[5][1]));
+                                                        let _e1775 = (3u + _e1570.member_1);
+                                                        if (_e1775 < 6u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1778 = local_13[_e1775];
+                                                        if (_e1778[1] > _e1724[1]) {
+                                                            phi_2527_ = true;
+                                                        } else {
+                                                            if (_e1778[1] == _e1724[1]) {
+                                                                phi_2526_ = (_e1778[0] > _e1724[0]);
+                                                            } else {
+                                                                phi_2526_ = false;
+                                                            }
+                                                            let _e1789 = phi_2526_;
+                                                            phi_2527_ = _e1789;
+                                                        }
+                                                        let _e1791 = phi_2527_;
+                                                        if _e1791 {
+                                                            phi_2531_ = array<u32, 2>(_e1778[0], _e1778[1]);
+                                                        } else {
+                                                            phi_2531_ = _e1724;
+                                                        }
+                                                        let _e1793 = phi_2531_;
+                                                        phi_2428_ = _e1793;
+                                                    } else {
+                                                        phi_2428_ = array<u32, 2>();
+                                                    }
+                                                    let _e1795 = phi_2428_;
+                                                    continue;
+                                                    continuing {
+                                                        phi_2424_ = _e1738;
+                                                        phi_2427_ = _e1795;
+                                                        break if !(_e1744);
+                                                    }
+                                                }
+                                                let _e1798 = local_40;
+                                                let _e1801 = local_41;
+                                                if (_e1798[1] > _e1801[1]) {
+                                                    phi_2548_ = true;
+                                                } else {
+                                                    let _e1805 = local_42;
+                                                    let _e1808 = local_43;
+                                                    if (_e1805[1] == _e1808[1]) {
+                                                        let _e1812 = local_44;
+                                                        let _e1815 = local_45;
+                                                        phi_2547_ = (_e1812[0] > _e1815[0]);
+                                                    } else {
+                                                        phi_2547_ = false;
+                                                    }
+                                                    let _e1819 = phi_2547_;
+                                                    phi_2548_ = _e1819;
+                                                }
+                                                let _e1821 = phi_2548_;
+                                                let _e1824 = local_27.member[0u];
+                                                let _e1826 = keys.member[_e1824];
+                                                local_10 = array<array<u32, 2>, 6>(array<u32, 2>(_e1826[0][0], _e1826[0][1]), array<u32, 2>(_e1826[1][0], _e1826[1][1]), array<u32, 2>(_e1826[2][0], _e1826[2][1]), array<u32, 2>(_e1826[3][0], _e1826[3][1]), array<u32, 2>(_e1826[4][0], _e1826[4][1]), array<u32, 2>(_e1826[5][0], _e1826[5][1]));
+                                                if (_e1570.member_1 < 6u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1854 = local_10[_e1570.member_1];
+                                                phi_2599_ = type_35(1u, 3u);
+                                                phi_2602_ = array<u32, 2>(_e1854[0], _e1854[1]);
+                                                loop {
+                                                    let _e1859 = phi_2599_;
+                                                    let _e1861 = phi_2602_;
+                                                    local_46 = _e1861;
+                                                    local_48 = _e1861;
+                                                    local_50 = _e1861;
+                                                    if (_e1859.member < _e1859.member_1) {
+                                                        phi_2600_ = type_35((_e1859.member + 1u), _e1859.member_1);
+                                                        phi_2625_ = type_35(1u, _e1859.member);
+                                                    } else {
+                                                        phi_2600_ = _e1859;
+                                                        phi_2625_ = type_35(0u, type_35().member_1);
+                                                    }
+                                                    let _e1875 = phi_2600_;
+                                                    let _e1877 = phi_2625_;
+                                                    let _e1881 = (bitcast<i32>(_e1877.member) != 0i);
+                                                    if _e1881 {
+                                                        if (_e1877.member_1 < 3u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1884 = local_27.member[_e1877.member_1];
+                                                        let _e1886 = keys.member[_e1884];
+                                                        local_11 = array<array<u32, 2>, 6>(array<u32, 2>(_e1886[0][0], _e1886[0][1]), array<u32, 2>(_e1886[1][0], _e1886[1][1]), array<u32, 2>(_e1886[2][0], _e1886[2][1]), array<u32, 2>(_e1886[3][0], _e1886[3][1]), array<u32, 2>(_e1886[4][0], _e1886[4][1]), array<u32, 2>(_e1886[5][0], _e1886[5][1]));
+                                                        if (_e1570.member_1 < 6u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1914 = local_11[_e1570.member_1];
+                                                        if (_e1861[1] > _e1914[1]) {
+                                                            phi_2701_ = true;
+                                                        } else {
+                                                            if (_e1861[1] == _e1914[1]) {
+                                                                phi_2700_ = (_e1861[0] > _e1914[0]);
+                                                            } else {
+                                                                phi_2700_ = false;
+                                                            }
+                                                            let _e1925 = phi_2700_;
+                                                            phi_2701_ = _e1925;
+                                                        }
+                                                        let _e1927 = phi_2701_;
+                                                        if _e1927 {
+                                                            phi_2705_ = array<u32, 2>(_e1914[0], _e1914[1]);
+                                                        } else {
+                                                            phi_2705_ = _e1861;
+                                                        }
+                                                        let _e1929 = phi_2705_;
+                                                        phi_2603_ = _e1929;
+                                                    } else {
+                                                        phi_2603_ = array<u32, 2>();
+                                                    }
+                                                    let _e1931 = phi_2603_;
+                                                    continue;
+                                                    continuing {
+                                                        phi_2599_ = _e1875;
+                                                        phi_2602_ = _e1931;
+                                                        break if !(_e1881);
+                                                    }
+                                                }
+                                                let _e1934 = local_26.member[0u];
+                                                let _e1936 = keys.member[_e1934];
+                                                local_8 = array<array<u32, 2>, 6>(array<u32, 2>(_e1936[0][0], _e1936[0][1]), array<u32, 2>(_e1936[1][0], _e1936[1][1]), array<u32, 2>(_e1936[2][0], _e1936[2][1]), array<u32, 2>(_e1936[3][0], _e1936[3][1]), array<u32, 2>(_e1936[4][0], _e1936[4][1]), array<u32, 2>(_e1936[5][0], _e1936[5][1]));
+                                                let _e1962 = (3u + _e1570.member_1);
+                                                if (_e1962 < 6u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1965 = local_8[_e1962];
+                                                phi_2756_ = type_35(1u, 3u);
+                                                phi_2759_ = array<u32, 2>(_e1965[0], _e1965[1]);
+                                                loop {
+                                                    let _e1970 = phi_2756_;
+                                                    let _e1972 = phi_2759_;
+                                                    local_47 = _e1972;
+                                                    local_49 = _e1972;
+                                                    local_51 = _e1972;
+                                                    if (_e1970.member < _e1970.member_1) {
+                                                        phi_2757_ = type_35((_e1970.member + 1u), _e1970.member_1);
+                                                        phi_2782_ = type_35(1u, _e1970.member);
+                                                    } else {
+                                                        phi_2757_ = _e1970;
+                                                        phi_2782_ = type_35(0u, type_35().member_1);
+                                                    }
+                                                    let _e1986 = phi_2757_;
+                                                    let _e1988 = phi_2782_;
+                                                    let _e1992 = (bitcast<i32>(_e1988.member) != 0i);
+                                                    if _e1992 {
+                                                        if (_e1988.member_1 < 3u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1995 = local_26.member[_e1988.member_1];
+                                                        let _e1997 = keys.member[_e1995];
+                                                        local_9 = array<array<u32, 2>, 6>(array<u32, 2>(_e1997[0][0], _e1997[0][1]), array<u32, 2>(_e1997[1][0], _e1997[1][1]), array<u32, 2>(_e1997[2][0], _e1997[2][1]), array<u32, 2>(_e1997[3][0], _e1997[3][1]), array<u32, 2>(_e1997[4][0], _e1997[4][1]), array<u32, 2>(_e1997[5][0], _e1997[5][1]));
+                                                        let _e2023 = (3u + _e1570.member_1);
+                                                        if (_e2023 < 6u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e2026 = local_9[_e2023];
+                                                        if (_e2026[1] > _e1972[1]) {
+                                                            phi_2859_ = true;
+                                                        } else {
+                                                            if (_e2026[1] == _e1972[1]) {
+                                                                phi_2858_ = (_e2026[0] > _e1972[0]);
+                                                            } else {
+                                                                phi_2858_ = false;
+                                                            }
+                                                            let _e2037 = phi_2858_;
+                                                            phi_2859_ = _e2037;
+                                                        }
+                                                        let _e2039 = phi_2859_;
+                                                        if _e2039 {
+                                                            phi_2863_ = array<u32, 2>(_e2026[0], _e2026[1]);
+                                                        } else {
+                                                            phi_2863_ = _e1972;
+                                                        }
+                                                        let _e2041 = phi_2863_;
+                                                        phi_2760_ = _e2041;
+                                                    } else {
+                                                        phi_2760_ = array<u32, 2>();
+                                                    }
+                                                    let _e2043 = phi_2760_;
+                                                    continue;
+                                                    continuing {
+                                                        phi_2756_ = _e1986;
+                                                        phi_2759_ = _e2043;
+                                                        break if !(_e1992);
+                                                    }
+                                                }
+                                                let _e2046 = local_46;
+                                                let _e2049 = local_47;
+                                                if (_e2046[1] > _e2049[1]) {
+                                                    phi_2880_ = true;
+                                                } else {
+                                                    let _e2053 = local_48;
+                                                    let _e2056 = local_49;
+                                                    if (_e2053[1] == _e2056[1]) {
+                                                        let _e2060 = local_50;
+                                                        let _e2063 = local_51;
+                                                        phi_2879_ = (_e2060[0] > _e2063[0]);
+                                                    } else {
+                                                        phi_2879_ = false;
+                                                    }
+                                                    let _e2067 = phi_2879_;
+                                                    phi_2880_ = _e2067;
+                                                }
+                                                let _e2069 = phi_2880_;
+                                                phi_2188_ = (_e1554 && (!(_e1821) && !(_e2069)));
+                                            } else {
+                                                phi_2188_ = bool();
+                                            }
+                                            let _e2074 = phi_2188_;
+                                            continue;
+                                            continuing {
+                                                phi_2184_ = _e1568;
+                                                phi_2187_ = _e2074;
+                                                break if !(_e1574);
+                                            }
+                                        }
+                                        let _e5414 = local_66;
+                                        phi_2884_ = _e5414;
+                                    }
+                                    let _e2077 = phi_2884_;
+                                    phi_2885_ = _e2077;
+                                    phi_2886_ = _e1548;
+                                } else {
+                                    phi_2885_ = bool();
+                                    phi_2886_ = true;
+                                }
+                                let _e2079 = phi_2885_;
+                                let _e2081 = phi_2886_;
+                                if _e2081 {
+                                    phi_2890_ = false;
+                                } else {
+                                    phi_2890_ = true;
+                                }
+                                let _e2083 = phi_2890_;
+                                phi_2891_ = _e2079;
+                                phi_2892_ = _e2083;
+                            } else {
+                                phi_2891_ = false;
+                                phi_2892_ = true;
+                            }
+                            let _e2085 = phi_2891_;
+                            let _e2087 = phi_2892_;
+                            phi_2893_ = _e2085;
+                            phi_2894_ = _e2087;
+                        } else {
+                            phi_2893_ = false;
+                            phi_2894_ = true;
+                        }
+                        let _e2089 = phi_2893_;
+                        let _e2091 = phi_2894_;
+                        if _e2091 {
+                            phi_2898_ = _e2089;
+                        } else {
+                            phi_2898_ = true;
+                        }
+                        let _e2093 = phi_2898_;
+                        if _e2093 {
+                            let _e2095 = atomicAdd((&counters[7u]), 1u);
+                            let _e2097 = local_26.member_1;
+                            let _e2099 = local_27.member_1;
+                            if (_e2097 < _e2099) {
+                                phi_2944_ = _e1366;
+                                phi_2945_ = _e1364;
+                            } else {
+                                phi_2944_ = _e1364;
+                                phi_2945_ = _e1366;
+                            }
+                            let _e2102 = phi_2944_;
+                            let _e2104 = phi_2945_;
+                            let _e2106 = params.member.member_4;
+                            let _e2108 = params.member.member_5;
+                            let _e2118 = paths.member[_e2104.member[0]];
+                            let _e2120 = paths.member[_e2104.member[1]];
+                            let _e2126 = paths.member[_e2102.member[0]];
+                            let _e2128 = paths.member[_e2102.member[1]];
+                            local_7 = type_70(array<array<f32, 3>, 2>(array<f32, 3>((_e2126.member[0] - _e2118.member[0]), (_e2126.member[1] - _e2118.member[1]), (_e2126.member[2] - _e2118.member[2])), array<f32, 3>((_e2126.member_1[0] - _e2118.member_1[0]), (_e2126.member_1[1] - _e2118.member_1[1]), (_e2126.member_1[2] - _e2118.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2120.member[0] - _e2118.member[0]), (_e2120.member[1] - _e2118.member[1]), (_e2120.member[2] - _e2118.member[2])), array<f32, 3>((_e2120.member_1[0] - _e2118.member_1[0]), (_e2120.member_1[1] - _e2118.member_1[1]), (_e2120.member_1[2] - _e2118.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2126.member[0] - _e2128.member[0]), (_e2126.member[1] - _e2128.member[1]), (_e2126.member[2] - _e2128.member[2])), array<f32, 3>((_e2126.member_1[0] - _e2128.member_1[0]), (_e2126.member_1[1] - _e2128.member_1[1]), (_e2126.member_1[2] - _e2128.member_1[2]))), (_e2106 + _e2106));
+                            let _e2188 = local_7.member_1[0u];
+                            let _e2194 = local_7.member_2[0u];
+                            let _e2200 = ((_e2188[1] * _e2194[2]) - (_e2188[2] * _e2194[1]));
+                            let _e2203 = ((_e2188[2] * _e2194[0]) - (_e2188[0] * _e2194[2]));
+                            let _e2206 = ((_e2188[0] * _e2194[1]) - (_e2188[1] * _e2194[0]));
+                            let _e2209 = local_7.member_1[1u];
+                            let _e2215 = local_7.member_2[1u];
+                            let _e2221 = ((_e2209[1] * _e2215[2]) - (_e2209[2] * _e2215[1]));
+                            let _e2224 = ((_e2209[2] * _e2215[0]) - (_e2209[0] * _e2215[2]));
+                            let _e2227 = ((_e2209[0] * _e2215[1]) - (_e2209[1] * _e2215[0]));
+                            let _e2230 = local_7.member_1[0u];
+                            let _e2236 = local_7.member_2[1u];
+                            let _e2251 = local_7.member_1[1u];
+                            let _e2257 = local_7.member_2[0u];
+                            let _e2270 = (((_e2230[1] * _e2236[2]) - (_e2230[2] * _e2236[1])) + ((_e2251[1] * _e2257[2]) - (_e2251[2] * _e2257[1])));
+                            let _e2271 = (((_e2230[2] * _e2236[0]) - (_e2230[0] * _e2236[2])) + ((_e2251[2] * _e2257[0]) - (_e2251[0] * _e2257[2])));
+                            let _e2272 = (((_e2230[0] * _e2236[1]) - (_e2230[1] * _e2236[0])) + ((_e2251[0] * _e2257[1]) - (_e2251[1] * _e2257[0])));
+                            let _e2275 = local_7.member[0u];
+                            let _e2286 = local_7.member[1u];
+                            let _e2297 = local_7.member[0u];
+                            let _e2306 = ((((_e2286[0] * _e2200) + (_e2286[1] * _e2203)) + (_e2286[2] * _e2206)) + (((_e2297[0] * _e2270) + (_e2297[1] * _e2271)) + (_e2297[2] * _e2272)));
+                            let _e2309 = local_7.member[0u];
+                            let _e2320 = local_7.member[1u];
+                            let _e2329 = ((((_e2309[0] * _e2221) + (_e2309[1] * _e2224)) + (_e2309[2] * _e2227)) + (((_e2320[0] * _e2270) + (_e2320[1] * _e2271)) + (_e2320[2] * _e2272)));
+                            let _e2332 = local_7.member[1u];
+                            let _e2343 = local_7.member[0u];
+                            if (_e2343[0] < 0f) {
+                                phi_3334_ = -(_e2343[0]);
+                            } else {
+                                phi_3334_ = _e2343[0];
+                            }
+                            let _e2350 = phi_3334_;
+                            if (_e2343[1] < 0f) {
+                                phi_3341_ = -(_e2343[1]);
+                            } else {
+                                phi_3341_ = _e2343[1];
+                            }
+                            let _e2354 = phi_3341_;
+                            if (_e2350 > _e2354) {
+                                phi_3346_ = _e2350;
+                            } else {
+                                phi_3346_ = _e2354;
+                            }
+                            let _e2357 = phi_3346_;
+                            if (_e2343[2] < 0f) {
+                                phi_3353_ = -(_e2343[2]);
+                            } else {
+                                phi_3353_ = _e2343[2];
+                            }
+                            let _e2361 = phi_3353_;
+                            if (_e2357 > _e2361) {
+                                phi_3358_ = _e2357;
+                            } else {
+                                phi_3358_ = _e2361;
+                            }
+                            let _e2364 = phi_3358_;
+                            let _e2367 = local_7.member[1u];
+                            if (_e2367[0] < 0f) {
+                                phi_3371_ = -(_e2367[0]);
+                            } else {
+                                phi_3371_ = _e2367[0];
+                            }
+                            let _e2374 = phi_3371_;
+                            if (_e2367[1] < 0f) {
+                                phi_3378_ = -(_e2367[1]);
+                            } else {
+                                phi_3378_ = _e2367[1];
+                            }
+                            let _e2378 = phi_3378_;
+                            if (_e2374 > _e2378) {
+                                phi_3383_ = _e2374;
+                            } else {
+                                phi_3383_ = _e2378;
+                            }
+                            let _e2381 = phi_3383_;
+                            if (_e2367[2] < 0f) {
+                                phi_3390_ = -(_e2367[2]);
+                            } else {
+                                phi_3390_ = _e2367[2];
+                            }
+                            let _e2385 = phi_3390_;
+                            if (_e2381 > _e2385) {
+                                phi_3395_ = _e2381;
+                            } else {
+                                phi_3395_ = _e2385;
+                            }
+                            let _e2388 = phi_3395_;
+                            if (_e2364 > _e2388) {
+                                phi_3400_ = _e2364;
+                            } else {
+                                phi_3400_ = _e2388;
+                            }
+                            let _e2391 = phi_3400_;
+                            let _e2393 = local_7.member_3;
+                            let _e2394 = (_e2391 + _e2393);
+                            let _e2397 = local_7.member_1[0u];
+                            if (_e2397[0] < 0f) {
+                                phi_3417_ = -(_e2397[0]);
+                            } else {
+                                phi_3417_ = _e2397[0];
+                            }
+                            let _e2404 = phi_3417_;
+                            if (_e2397[1] < 0f) {
+                                phi_3424_ = -(_e2397[1]);
+                            } else {
+                                phi_3424_ = _e2397[1];
+                            }
+                            let _e2408 = phi_3424_;
+                            if (_e2404 > _e2408) {
+                                phi_3429_ = _e2404;
+                            } else {
+                                phi_3429_ = _e2408;
+                            }
+                            let _e2411 = phi_3429_;
+                            if (_e2397[2] < 0f) {
+                                phi_3436_ = -(_e2397[2]);
+                            } else {
+                                phi_3436_ = _e2397[2];
+                            }
+                            let _e2415 = phi_3436_;
+                            if (_e2411 > _e2415) {
+                                phi_3441_ = _e2411;
+                            } else {
+                                phi_3441_ = _e2415;
+                            }
+                            let _e2418 = phi_3441_;
+                            let _e2421 = local_7.member_1[1u];
+                            if (_e2421[0] < 0f) {
+                                phi_3455_ = -(_e2421[0]);
+                            } else {
+                                phi_3455_ = _e2421[0];
+                            }
+                            let _e2428 = phi_3455_;
+                            if (_e2421[1] < 0f) {
+                                phi_3462_ = -(_e2421[1]);
+                            } else {
+                                phi_3462_ = _e2421[1];
+                            }
+                            let _e2432 = phi_3462_;
+                            if (_e2428 > _e2432) {
+                                phi_3467_ = _e2428;
+                            } else {
+                                phi_3467_ = _e2432;
+                            }
+                            let _e2435 = phi_3467_;
+                            if (_e2421[2] < 0f) {
+                                phi_3474_ = -(_e2421[2]);
+                            } else {
+                                phi_3474_ = _e2421[2];
+                            }
+                            let _e2439 = phi_3474_;
+                            if (_e2435 > _e2439) {
+                                phi_3479_ = _e2435;
+                            } else {
+                                phi_3479_ = _e2439;
+                            }
+                            let _e2442 = phi_3479_;
+                            if (_e2418 > _e2442) {
+                                phi_3484_ = _e2418;
+                            } else {
+                                phi_3484_ = _e2442;
+                            }
+                            let _e2445 = phi_3484_;
+                            let _e2447 = local_7.member_3;
+                            let _e2448 = (_e2445 + _e2447);
+                            let _e2451 = local_7.member_2[0u];
+                            if (_e2451[0] < 0f) {
+                                phi_3501_ = -(_e2451[0]);
+                            } else {
+                                phi_3501_ = _e2451[0];
+                            }
+                            let _e2458 = phi_3501_;
+                            if (_e2451[1] < 0f) {
+                                phi_3508_ = -(_e2451[1]);
+                            } else {
+                                phi_3508_ = _e2451[1];
+                            }
+                            let _e2462 = phi_3508_;
+                            if (_e2458 > _e2462) {
+                                phi_3513_ = _e2458;
+                            } else {
+                                phi_3513_ = _e2462;
+                            }
+                            let _e2465 = phi_3513_;
+                            if (_e2451[2] < 0f) {
+                                phi_3520_ = -(_e2451[2]);
+                            } else {
+                                phi_3520_ = _e2451[2];
+                            }
+                            let _e2469 = phi_3520_;
+                            if (_e2465 > _e2469) {
+                                phi_3525_ = _e2465;
+                            } else {
+                                phi_3525_ = _e2469;
+                            }
+                            let _e2472 = phi_3525_;
+                            let _e2475 = local_7.member_2[1u];
+                            if (_e2475[0] < 0f) {
+                                phi_3539_ = -(_e2475[0]);
+                            } else {
+                                phi_3539_ = _e2475[0];
+                            }
+                            let _e2482 = phi_3539_;
+                            if (_e2475[1] < 0f) {
+                                phi_3546_ = -(_e2475[1]);
+                            } else {
+                                phi_3546_ = _e2475[1];
+                            }
+                            let _e2486 = phi_3546_;
+                            if (_e2482 > _e2486) {
+                                phi_3551_ = _e2482;
+                            } else {
+                                phi_3551_ = _e2486;
+                            }
+                            let _e2489 = phi_3551_;
+                            if (_e2475[2] < 0f) {
+                                phi_3558_ = -(_e2475[2]);
+                            } else {
+                                phi_3558_ = _e2475[2];
+                            }
+                            let _e2493 = phi_3558_;
+                            if (_e2489 > _e2493) {
+                                phi_3563_ = _e2489;
+                            } else {
+                                phi_3563_ = _e2493;
+                            }
+                            let _e2496 = phi_3563_;
+                            if (_e2472 > _e2496) {
+                                phi_3568_ = _e2472;
+                            } else {
+                                phi_3568_ = _e2496;
+                            }
+                            let _e2499 = phi_3568_;
+                            let _e2501 = local_7.member_3;
+                            let _e2502 = (_e2499 + _e2501);
+                            let _e2504 = ((_e2448 * 8f) * _e2502);
+                            let _e2511 = local_7.member_3;
+                            if (_e2200 < 0f) {
+                                phi_3599_ = -(_e2200);
+                            } else {
+                                phi_3599_ = _e2200;
+                            }
+                            let _e2528 = phi_3599_;
+                            if (_e2203 < 0f) {
+                                phi_3605_ = -(_e2203);
+                            } else {
+                                phi_3605_ = _e2203;
+                            }
+                            let _e2532 = phi_3605_;
+                            if (_e2206 < 0f) {
+                                phi_3612_ = -(_e2206);
+                            } else {
+                                phi_3612_ = _e2206;
+                            }
+                            let _e2537 = phi_3612_;
+                            let _e2538 = ((_e2528 + _e2532) + _e2537);
+                            if (_e2221 < 0f) {
+                                phi_3619_ = -(_e2221);
+                            } else {
+                                phi_3619_ = _e2221;
+                            }
+                            let _e2542 = phi_3619_;
+                            if (_e2224 < 0f) {
+                                phi_3625_ = -(_e2224);
+                            } else {
+                                phi_3625_ = _e2224;
+                            }
+                            let _e2546 = phi_3625_;
+                            if (_e2227 < 0f) {
+                                phi_3632_ = -(_e2227);
+                            } else {
+                                phi_3632_ = _e2227;
+                            }
+                            let _e2551 = phi_3632_;
+                            let _e2552 = ((_e2542 + _e2546) + _e2551);
+                            if (_e2538 > _e2552) {
+                                phi_3638_ = _e2538;
+                            } else {
+                                phi_3638_ = _e2552;
+                            }
+                            let _e2555 = phi_3638_;
+                            if (_e2270 < 0f) {
+                                phi_3644_ = -(_e2270);
+                            } else {
+                                phi_3644_ = _e2270;
+                            }
+                            let _e2559 = phi_3644_;
+                            if (_e2271 < 0f) {
+                                phi_3650_ = -(_e2271);
+                            } else {
+                                phi_3650_ = _e2271;
+                            }
+                            let _e2563 = phi_3650_;
+                            if (_e2272 < 0f) {
+                                phi_3657_ = -(_e2272);
+                            } else {
+                                phi_3657_ = _e2272;
+                            }
+                            let _e2568 = phi_3657_;
+                            let _e2570 = (((_e2559 + _e2563) + _e2568) * 0.5f);
+                            if (_e2555 > _e2570) {
+                                phi_3664_ = _e2555;
+                            } else {
+                                phi_3664_ = _e2570;
+                            }
+                            let _e2573 = phi_3664_;
+                            let _e2578 = local_7.member_3;
+                            let _e2591 = ((((_e2275[0] * _e2200) + (_e2275[1] * _e2203)) + (_e2275[2] * _e2206)) * 3f);
+                            let _e2592 = ((((_e2332[0] * _e2221) + (_e2332[1] * _e2224)) + (_e2332[2] * _e2227)) * 3f);
+                            if (_e2591 < _e2592) {
+                                phi_3688_ = _e2591;
+                            } else {
+                                phi_3688_ = _e2592;
+                            }
+                            let _e2595 = phi_3688_;
+                            if (_e2306 < _e2329) {
+                                phi_3693_ = _e2306;
+                            } else {
+                                phi_3693_ = _e2329;
+                            }
+                            let _e2598 = phi_3693_;
+                            if (_e2595 < _e2598) {
+                                phi_3698_ = _e2595;
+                            } else {
+                                phi_3698_ = _e2598;
+                            }
+                            let _e2601 = phi_3698_;
+                            if (_e2591 > _e2592) {
+                                phi_3703_ = _e2591;
+                            } else {
+                                phi_3703_ = _e2592;
+                            }
+                            let _e2604 = phi_3703_;
+                            if (_e2306 > _e2329) {
+                                phi_3708_ = _e2306;
+                            } else {
+                                phi_3708_ = _e2329;
+                            }
+                            let _e2607 = phi_3708_;
+                            if (_e2604 > _e2607) {
+                                phi_3713_ = _e2604;
+                            } else {
+                                phi_3713_ = _e2607;
+                            }
+                            let _e2610 = phi_3713_;
+                            let _e2615 = -(_e2610);
+                            if (_e2601 > _e2615) {
+                                phi_3723_ = _e2601;
+                            } else {
+                                phi_3723_ = _e2615;
+                            }
+                            let _e2618 = phi_3723_;
+                            if ((_e2618 - ((((((_e2394 * 8f) * _e2504) * (0.000000059604645f * (490f / 64f))) + ((_e2511 * 19f) * ((_e2394 * (_e2448 + _e2502)) + (_e2448 * _e2502)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2394) * ((1f + _e2448) * (1f + _e2502))))) + ((_e2108 * (((_e2573 + (_e2504 * (0.000000059604645f * 4f))) + ((_e2578 * 6f) * (_e2448 + _e2502))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2448) * (1f + _e2502))))) * (3f * 1.0001f)))) > 0f) {
+                                phi_4699_ = true;
+                            } else {
+                                let _e2623 = local_7.member_1[0u];
+                                let _e2629 = local_7.member_1[1u];
+                                let _e2633 = (_e2623[0] + _e2629[0]);
+                                let _e2634 = (_e2623[1] + _e2629[1]);
+                                let _e2635 = (_e2623[2] + _e2629[2]);
+                                let _e2638 = local_7.member_2[0u];
+                                let _e2644 = local_7.member_2[1u];
+                                let _e2648 = (_e2638[0] + _e2644[0]);
+                                let _e2649 = (_e2638[1] + _e2644[1]);
+                                let _e2650 = (_e2638[2] + _e2644[2]);
+                                let _e2653 = ((_e2634 * _e2650) - (_e2635 * _e2649));
+                                let _e2656 = ((_e2635 * _e2648) - (_e2633 * _e2650));
+                                let _e2659 = ((_e2633 * _e2649) - (_e2634 * _e2648));
+                                let _e2662 = local_7.member[0u];
+                                let _e2668 = local_7.member_1[0u];
+                                let _e2674 = local_7.member_2[0u];
+                                let _e2678 = (_e2662[0] - _e2668[0]);
+                                let _e2679 = (_e2662[1] - _e2668[1]);
+                                let _e2680 = (_e2662[2] - _e2668[2]);
+                                let _e2689 = local_7.member[1u];
+                                let _e2695 = local_7.member_1[1u];
+                                let _e2701 = local_7.member_2[1u];
+                                let _e2705 = (_e2689[0] - _e2695[0]);
+                                let _e2706 = (_e2689[1] - _e2695[1]);
+                                let _e2707 = (_e2689[2] - _e2695[2]);
+                                local_5 = array<array<f32, 3>, 4>(_e2662, array<f32, 3>(_e2678, _e2679, _e2680), array<f32, 3>((_e2662[0] - _e2674[0]), (_e2662[1] - _e2674[1]), (_e2662[2] - _e2674[2])), array<f32, 3>((_e2678 - _e2674[0]), (_e2679 - _e2674[1]), (_e2680 - _e2674[2])));
+                                local_6 = array<array<f32, 3>, 4>(_e2689, array<f32, 3>(_e2705, _e2706, _e2707), array<f32, 3>((_e2689[0] - _e2701[0]), (_e2689[1] - _e2701[1]), (_e2689[2] - _e2701[2])), array<f32, 3>((_e2705 - _e2701[0]), (_e2706 - _e2701[1]), (_e2707 - _e2701[2])));
+                                let _e2724 = local_7.member[0u];
+                                if (_e2724[0] < 0f) {
+                                    phi_3974_ = -(_e2724[0]);
+                                } else {
+                                    phi_3974_ = _e2724[0];
+                                }
+                                let _e2731 = phi_3974_;
+                                if (_e2724[1] < 0f) {
+                                    phi_3981_ = -(_e2724[1]);
+                                } else {
+                                    phi_3981_ = _e2724[1];
+                                }
+                                let _e2735 = phi_3981_;
+                                if (_e2731 > _e2735) {
+                                    phi_3986_ = _e2731;
+                                } else {
+                                    phi_3986_ = _e2735;
+                                }
+                                let _e2738 = phi_3986_;
+                                if (_e2724[2] < 0f) {
+                                    phi_3993_ = -(_e2724[2]);
+                                } else {
+                                    phi_3993_ = _e2724[2];
+                                }
+                                let _e2742 = phi_3993_;
+                                if (_e2738 > _e2742) {
+                                    phi_3998_ = _e2738;
+                                } else {
+                                    phi_3998_ = _e2742;
+                                }
+                                let _e2745 = phi_3998_;
+                                let _e2748 = local_7.member[1u];
+                                if (_e2748[0] < 0f) {
+                                    phi_4011_ = -(_e2748[0]);
+                                } else {
+                                    phi_4011_ = _e2748[0];
+                                }
+                                let _e2755 = phi_4011_;
+                                if (_e2748[1] < 0f) {
+                                    phi_4018_ = -(_e2748[1]);
+                                } else {
+                                    phi_4018_ = _e2748[1];
+                                }
+                                let _e2759 = phi_4018_;
+                                if (_e2755 > _e2759) {
+                                    phi_4023_ = _e2755;
+                                } else {
+                                    phi_4023_ = _e2759;
+                                }
+                                let _e2762 = phi_4023_;
+                                if (_e2748[2] < 0f) {
+                                    phi_4030_ = -(_e2748[2]);
+                                } else {
+                                    phi_4030_ = _e2748[2];
+                                }
+                                let _e2766 = phi_4030_;
+                                if (_e2762 > _e2766) {
+                                    phi_4035_ = _e2762;
+                                } else {
+                                    phi_4035_ = _e2766;
+                                }
+                                let _e2769 = phi_4035_;
+                                if (_e2745 > _e2769) {
+                                    phi_4040_ = _e2745;
+                                } else {
+                                    phi_4040_ = _e2769;
+                                }
+                                let _e2772 = phi_4040_;
+                                let _e2774 = local_7.member_3;
+                                let _e2778 = local_7.member_1[0u];
+                                if (_e2778[0] < 0f) {
+                                    phi_4057_ = -(_e2778[0]);
+                                } else {
+                                    phi_4057_ = _e2778[0];
+                                }
+                                let _e2785 = phi_4057_;
+                                if (_e2778[1] < 0f) {
+                                    phi_4064_ = -(_e2778[1]);
+                                } else {
+                                    phi_4064_ = _e2778[1];
+                                }
+                                let _e2789 = phi_4064_;
+                                if (_e2785 > _e2789) {
+                                    phi_4069_ = _e2785;
+                                } else {
+                                    phi_4069_ = _e2789;
+                                }
+                                let _e2792 = phi_4069_;
+                                if (_e2778[2] < 0f) {
+                                    phi_4076_ = -(_e2778[2]);
+                                } else {
+                                    phi_4076_ = _e2778[2];
+                                }
+                                let _e2796 = phi_4076_;
+                                if (_e2792 > _e2796) {
+                                    phi_4081_ = _e2792;
+                                } else {
+                                    phi_4081_ = _e2796;
+                                }
+                                let _e2799 = phi_4081_;
+                                let _e2802 = local_7.member_1[1u];
+                                if (_e2802[0] < 0f) {
+                                    phi_4095_ = -(_e2802[0]);
+                                } else {
+                                    phi_4095_ = _e2802[0];
+                                }
+                                let _e2809 = phi_4095_;
+                                if (_e2802[1] < 0f) {
+                                    phi_4102_ = -(_e2802[1]);
+                                } else {
+                                    phi_4102_ = _e2802[1];
+                                }
+                                let _e2813 = phi_4102_;
+                                if (_e2809 > _e2813) {
+                                    phi_4107_ = _e2809;
+                                } else {
+                                    phi_4107_ = _e2813;
+                                }
+                                let _e2816 = phi_4107_;
+                                if (_e2802[2] < 0f) {
+                                    phi_4114_ = -(_e2802[2]);
+                                } else {
+                                    phi_4114_ = _e2802[2];
+                                }
+                                let _e2820 = phi_4114_;
+                                if (_e2816 > _e2820) {
+                                    phi_4119_ = _e2816;
+                                } else {
+                                    phi_4119_ = _e2820;
+                                }
+                                let _e2823 = phi_4119_;
+                                if (_e2799 > _e2823) {
+                                    phi_4124_ = _e2799;
+                                } else {
+                                    phi_4124_ = _e2823;
+                                }
+                                let _e2826 = phi_4124_;
+                                let _e2828 = local_7.member_3;
+                                let _e2832 = local_7.member_2[0u];
+                                if (_e2832[0] < 0f) {
+                                    phi_4141_ = -(_e2832[0]);
+                                } else {
+                                    phi_4141_ = _e2832[0];
+                                }
+                                let _e2839 = phi_4141_;
+                                if (_e2832[1] < 0f) {
+                                    phi_4148_ = -(_e2832[1]);
+                                } else {
+                                    phi_4148_ = _e2832[1];
+                                }
+                                let _e2843 = phi_4148_;
+                                if (_e2839 > _e2843) {
+                                    phi_4153_ = _e2839;
+                                } else {
+                                    phi_4153_ = _e2843;
+                                }
+                                let _e2846 = phi_4153_;
+                                if (_e2832[2] < 0f) {
+                                    phi_4160_ = -(_e2832[2]);
+                                } else {
+                                    phi_4160_ = _e2832[2];
+                                }
+                                let _e2850 = phi_4160_;
+                                if (_e2846 > _e2850) {
+                                    phi_4165_ = _e2846;
+                                } else {
+                                    phi_4165_ = _e2850;
+                                }
+                                let _e2853 = phi_4165_;
+                                let _e2856 = local_7.member_2[1u];
+                                if (_e2856[0] < 0f) {
+                                    phi_4179_ = -(_e2856[0]);
+                                } else {
+                                    phi_4179_ = _e2856[0];
+                                }
+                                let _e2863 = phi_4179_;
+                                if (_e2856[1] < 0f) {
+                                    phi_4186_ = -(_e2856[1]);
+                                } else {
+                                    phi_4186_ = _e2856[1];
+                                }
+                                let _e2867 = phi_4186_;
+                                if (_e2863 > _e2867) {
+                                    phi_4191_ = _e2863;
+                                } else {
+                                    phi_4191_ = _e2867;
+                                }
+                                let _e2870 = phi_4191_;
+                                if (_e2856[2] < 0f) {
+                                    phi_4198_ = -(_e2856[2]);
+                                } else {
+                                    phi_4198_ = _e2856[2];
+                                }
+                                let _e2874 = phi_4198_;
+                                if (_e2870 > _e2874) {
+                                    phi_4203_ = _e2870;
+                                } else {
+                                    phi_4203_ = _e2874;
+                                }
+                                let _e2877 = phi_4203_;
+                                if (_e2853 > _e2877) {
+                                    phi_4208_ = _e2853;
+                                } else {
+                                    phi_4208_ = _e2877;
+                                }
+                                let _e2880 = phi_4208_;
+                                let _e2882 = local_7.member_3;
+                                let _e2885 = (((_e2772 + _e2774) + (_e2826 + _e2828)) + (_e2880 + _e2882));
+                                let _e2888 = local_7.member_3;
+                                let _e2892 = (((_e2108 * 1.0001f) + (_e2888 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                let _e2895 = ((_e2656 * _e2635) - (_e2659 * _e2634));
+                                let _e2898 = ((_e2659 * _e2633) - (_e2653 * _e2635));
+                                let _e2901 = ((_e2653 * _e2634) - (_e2656 * _e2633));
+                                let _e2903 = local_5[0u];
+                                let _e2911 = (((_e2895 * _e2903[0]) + (_e2898 * _e2903[1])) + (_e2901 * _e2903[2]));
+                                phi_4246_ = type_35(0u, 4u);
+                                phi_4249_ = _e2911;
+                                phi_4251_ = _e2911;
+                                loop {
+                                    let _e2913 = phi_4246_;
+                                    let _e2915 = phi_4249_;
+                                    let _e2917 = phi_4251_;
+                                    local_52 = _e2915;
+                                    local_53 = _e2917;
+                                    local_67 = _e2917;
+                                    if (_e2913.member < _e2913.member_1) {
+                                        phi_4247_ = type_35((_e2913.member + 1u), _e2913.member_1);
+                                        phi_4274_ = type_35(1u, _e2913.member);
+                                    } else {
+                                        phi_4247_ = _e2913;
+                                        phi_4274_ = type_35(0u, type_35().member_1);
+                                    }
+                                    let _e2931 = phi_4247_;
+                                    let _e2933 = phi_4274_;
+                                    let _e2937 = (bitcast<i32>(_e2933.member) != 0i);
+                                    if _e2937 {
+                                        if (_e2933.member_1 < 4u) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e2940 = local_5[_e2933.member_1];
+                                        let _e2948 = (((_e2895 * _e2940[0]) + (_e2898 * _e2940[1])) + (_e2901 * _e2940[2]));
+                                        if (_e2933.member_1 < 4u) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e2951 = local_6[_e2933.member_1];
+                                        let _e2959 = (((_e2895 * _e2951[0]) + (_e2898 * _e2951[1])) + (_e2901 * _e2951[2]));
+                                        if (_e2917 < _e2948) {
+                                            phi_4324_ = _e2917;
+                                        } else {
+                                            phi_4324_ = _e2948;
+                                        }
+                                        let _e2962 = phi_4324_;
+                                        if (_e2962 < _e2959) {
+                                            phi_4329_ = _e2962;
+                                        } else {
+                                            phi_4329_ = _e2959;
+                                        }
+                                        let _e2965 = phi_4329_;
+                                        if (_e2915 > _e2948) {
+                                            phi_4334_ = _e2915;
+                                        } else {
+                                            phi_4334_ = _e2948;
+                                        }
+                                        let _e2968 = phi_4334_;
+                                        if (_e2968 > _e2959) {
+                                            phi_4339_ = _e2968;
+                                        } else {
+                                            phi_4339_ = _e2959;
+                                        }
+                                        let _e2971 = phi_4339_;
+                                        phi_4250_ = _e2971;
+                                        phi_4252_ = _e2965;
+                                    } else {
+                                        phi_4250_ = f32();
+                                        phi_4252_ = f32();
+                                    }
+                                    let _e2973 = phi_4250_;
+                                    let _e2975 = phi_4252_;
+                                    continue;
+                                    continuing {
+                                        phi_4246_ = _e2931;
+                                        phi_4249_ = _e2973;
+                                        phi_4251_ = _e2975;
+                                        break if !(_e2937);
+                                    }
+                                }
+                                if (_e2895 < 0f) {
+                                    phi_4345_ = -(_e2895);
+                                } else {
+                                    phi_4345_ = _e2895;
+                                }
+                                let _e2980 = phi_4345_;
+                                if (_e2898 < 0f) {
+                                    phi_4351_ = -(_e2898);
+                                } else {
+                                    phi_4351_ = _e2898;
+                                }
+                                let _e2984 = phi_4351_;
+                                if (_e2901 < 0f) {
+                                    phi_4358_ = -(_e2901);
+                                } else {
+                                    phi_4358_ = _e2901;
+                                }
+                                let _e2989 = phi_4358_;
+                                let _e2990 = ((_e2980 + _e2984) + _e2989);
+                                let _e2995 = local_52;
+                                let _e2996 = -(_e2995);
+                                let _e2998 = local_53;
+                                if (_e2998 > _e2996) {
+                                    let _e5527 = local_67;
+                                    phi_4368_ = _e5527;
+                                } else {
+                                    phi_4368_ = _e2996;
+                                }
+                                let _e3001 = phi_4368_;
+                                let _e3006 = (((_e3001 - ((_e2990 * _e2885) * (0.000000059604645f * 17f))) - (_e2990 * _e2892)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                let _e3009 = ((_e2656 * _e2650) - (_e2659 * _e2649));
+                                let _e3012 = ((_e2659 * _e2648) - (_e2653 * _e2650));
+                                let _e3015 = ((_e2653 * _e2649) - (_e2656 * _e2648));
+                                let _e3017 = local_5[0u];
+                                let _e3025 = (((_e3009 * _e3017[0]) + (_e3012 * _e3017[1])) + (_e3015 * _e3017[2]));
+                                phi_4399_ = type_35(0u, 4u);
+                                phi_4402_ = _e3025;
+                                phi_4404_ = _e3025;
+                                loop {
+                                    let _e3027 = phi_4399_;
+                                    let _e3029 = phi_4402_;
+                                    let _e3031 = phi_4404_;
+                                    local_54 = _e3029;
+                                    local_55 = _e3031;
+                                    local_68 = _e3031;
+                                    if (_e3027.member < _e3027.member_1) {
+                                        phi_4400_ = type_35((_e3027.member + 1u), _e3027.member_1);
+                                        phi_4427_ = type_35(1u, _e3027.member);
+                                    } else {
+                                        phi_4400_ = _e3027;
+                                        phi_4427_ = type_35(0u, type_35().member_1);
+                                    }
+                                    let _e3045 = phi_4400_;
+                                    let _e3047 = phi_4427_;
+                                    let _e3051 = (bitcast<i32>(_e3047.member) != 0i);
+                                    if _e3051 {
+                                        if (_e3047.member_1 < 4u) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e3054 = local_5[_e3047.member_1];
+                                        let _e3062 = (((_e3009 * _e3054[0]) + (_e3012 * _e3054[1])) + (_e3015 * _e3054[2]));
+                                        if (_e3047.member_1 < 4u) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e3065 = local_6[_e3047.member_1];
+                                        let _e3073 = (((_e3009 * _e3065[0]) + (_e3012 * _e3065[1])) + (_e3015 * _e3065[2]));
+                                        if (_e3031 < _e3062) {
+                                            phi_4477_ = _e3031;
+                                        } else {
+                                            phi_4477_ = _e3062;
+                                        }
+                                        let _e3076 = phi_4477_;
+                                        if (_e3076 < _e3073) {
+                                            phi_4482_ = _e3076;
+                                        } else {
+                                            phi_4482_ = _e3073;
+                                        }
+                                        let _e3079 = phi_4482_;
+                                        if (_e3029 > _e3062) {
+                                            phi_4487_ = _e3029;
+                                        } else {
+                                            phi_4487_ = _e3062;
+                                        }
+                                        let _e3082 = phi_4487_;
+                                        if (_e3082 > _e3073) {
+                                            phi_4492_ = _e3082;
+                                        } else {
+                                            phi_4492_ = _e3073;
+                                        }
+                                        let _e3085 = phi_4492_;
+                                        phi_4403_ = _e3085;
+                                        phi_4405_ = _e3079;
+                                    } else {
+                                        phi_4403_ = f32();
+                                        phi_4405_ = f32();
+                                    }
+                                    let _e3087 = phi_4403_;
+                                    let _e3089 = phi_4405_;
+                                    continue;
+                                    continuing {
+                                        phi_4399_ = _e3045;
+                                        phi_4402_ = _e3087;
+                                        phi_4404_ = _e3089;
+                                        break if !(_e3051);
+                                    }
+                                }
+                                if (_e3009 < 0f) {
+                                    phi_4498_ = -(_e3009);
+                                } else {
+                                    phi_4498_ = _e3009;
+                                }
+                                let _e3094 = phi_4498_;
+                                if (_e3012 < 0f) {
+                                    phi_4504_ = -(_e3012);
+                                } else {
+                                    phi_4504_ = _e3012;
+                                }
+                                let _e3098 = phi_4504_;
+                                if (_e3015 < 0f) {
+                                    phi_4511_ = -(_e3015);
+                                } else {
+                                    phi_4511_ = _e3015;
+                                }
+                                let _e3103 = phi_4511_;
+                                let _e3104 = ((_e3094 + _e3098) + _e3103);
+                                let _e3109 = local_54;
+                                let _e3110 = -(_e3109);
+                                let _e3112 = local_55;
+                                if (_e3112 > _e3110) {
+                                    let _e5546 = local_68;
+                                    phi_4521_ = _e5546;
+                                } else {
+                                    phi_4521_ = _e3110;
+                                }
+                                let _e3115 = phi_4521_;
+                                let _e3120 = (((_e3115 - ((_e3104 * _e2885) * (0.000000059604645f * 17f))) - (_e3104 * _e2892)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e3006 > _e3120) {
+                                    phi_4531_ = _e3006;
+                                } else {
+                                    phi_4531_ = _e3120;
+                                }
+                                let _e3123 = phi_4531_;
+                                phi_4699_ = (_e3123 > 0f);
+                            }
+                            let _e3126 = phi_4699_;
+                            if _e3126 {
+                                phi_8135_ = false;
+                            } else {
+                                let _e3129 = local_7.member[0u];
+                                let _e3135 = local_7.member[1u];
+                                let _e3142 = ((_e3129[0] + _e3135[0]) * 0.5f);
+                                let _e3143 = ((_e3129[1] + _e3135[1]) * 0.5f);
+                                let _e3144 = ((_e3129[2] + _e3135[2]) * 0.5f);
+                                let _e3147 = local_7.member_1[0u];
+                                let _e3153 = local_7.member_1[1u];
+                                let _e3160 = ((_e3147[0] + _e3153[0]) * 0.5f);
+                                let _e3161 = ((_e3147[1] + _e3153[1]) * 0.5f);
+                                let _e3162 = ((_e3147[2] + _e3153[2]) * 0.5f);
+                                let _e3165 = local_7.member_2[0u];
+                                let _e3171 = local_7.member_2[1u];
+                                let _e3178 = ((_e3165[0] + _e3171[0]) * 0.5f);
+                                let _e3179 = ((_e3165[1] + _e3171[1]) * 0.5f);
+                                let _e3180 = ((_e3165[2] + _e3171[2]) * 0.5f);
+                                let _e3183 = local_7.member[0u];
+                                let _e3186 = local_7.member_1[0u];
+                                let _e3189 = local_7.member_2[0u];
+                                let _e3191 = local_7.member_3;
+                                let _e3194 = local_7.member[1u];
+                                let _e3197 = local_7.member_1[1u];
+                                let _e3200 = local_7.member_2[1u];
+                                let _e3202 = local_7.member_3;
+                                local_4 = array<type_70, 2>(type_70(array<array<f32, 3>, 2>(_e3183, array<f32, 3>(_e3142, _e3143, _e3144)), array<array<f32, 3>, 2>(_e3186, array<f32, 3>(_e3160, _e3161, _e3162)), array<array<f32, 3>, 2>(_e3189, array<f32, 3>(_e3178, _e3179, _e3180)), _e3191), type_70(array<array<f32, 3>, 2>(array<f32, 3>(_e3142, _e3143, _e3144), _e3194), array<array<f32, 3>, 2>(array<f32, 3>(_e3160, _e3161, _e3162), _e3197), array<array<f32, 3>, 2>(array<f32, 3>(_e3178, _e3179, _e3180), _e3200), _e3202));
+                                let _e3221 = local_4[0u].member_1[0u];
+                                let _e3227 = local_4[0u].member_2[0u];
+                                let _e3233 = ((_e3221[1] * _e3227[2]) - (_e3221[2] * _e3227[1]));
+                                let _e3236 = ((_e3221[2] * _e3227[0]) - (_e3221[0] * _e3227[2]));
+                                let _e3239 = ((_e3221[0] * _e3227[1]) - (_e3221[1] * _e3227[0]));
+                                let _e3242 = local_4[0u].member_1[1u];
+                                let _e3248 = local_4[0u].member_2[1u];
+                                let _e3254 = ((_e3242[1] * _e3248[2]) - (_e3242[2] * _e3248[1]));
+                                let _e3257 = ((_e3242[2] * _e3248[0]) - (_e3242[0] * _e3248[2]));
+                                let _e3260 = ((_e3242[0] * _e3248[1]) - (_e3242[1] * _e3248[0]));
+                                let _e3263 = local_4[0u].member_1[0u];
+                                let _e3269 = local_4[0u].member_2[1u];
+                                let _e3284 = local_4[0u].member_1[1u];
+                                let _e3290 = local_4[0u].member_2[0u];
+                                let _e3303 = (((_e3263[1] * _e3269[2]) - (_e3263[2] * _e3269[1])) + ((_e3284[1] * _e3290[2]) - (_e3284[2] * _e3290[1])));
+                                let _e3304 = (((_e3263[2] * _e3269[0]) - (_e3263[0] * _e3269[2])) + ((_e3284[2] * _e3290[0]) - (_e3284[0] * _e3290[2])));
+                                let _e3305 = (((_e3263[0] * _e3269[1]) - (_e3263[1] * _e3269[0])) + ((_e3284[0] * _e3290[1]) - (_e3284[1] * _e3290[0])));
+                                let _e3308 = local_4[0u].member[0u];
+                                let _e3319 = local_4[0u].member[1u];
+                                let _e3330 = local_4[0u].member[0u];
+                                let _e3339 = ((((_e3319[0] * _e3233) + (_e3319[1] * _e3236)) + (_e3319[2] * _e3239)) + (((_e3330[0] * _e3303) + (_e3330[1] * _e3304)) + (_e3330[2] * _e3305)));
+                                let _e3342 = local_4[0u].member[0u];
+                                let _e3353 = local_4[0u].member[1u];
+                                let _e3362 = ((((_e3342[0] * _e3254) + (_e3342[1] * _e3257)) + (_e3342[2] * _e3260)) + (((_e3353[0] * _e3303) + (_e3353[1] * _e3304)) + (_e3353[2] * _e3305)));
+                                let _e3365 = local_4[0u].member[1u];
+                                let _e3376 = local_4[0u].member[0u];
+                                if (_e3376[0] < 0f) {
+                                    phi_5156_ = -(_e3376[0]);
+                                } else {
+                                    phi_5156_ = _e3376[0];
+                                }
+                                let _e3383 = phi_5156_;
+                                if (_e3376[1] < 0f) {
+                                    phi_5163_ = -(_e3376[1]);
+                                } else {
+                                    phi_5163_ = _e3376[1];
+                                }
+                                let _e3387 = phi_5163_;
+                                if (_e3383 > _e3387) {
+                                    phi_5168_ = _e3383;
+                                } else {
+                                    phi_5168_ = _e3387;
+                                }
+                                let _e3390 = phi_5168_;
+                                if (_e3376[2] < 0f) {
+                                    phi_5175_ = -(_e3376[2]);
+                                } else {
+                                    phi_5175_ = _e3376[2];
+                                }
+                                let _e3394 = phi_5175_;
+                                if (_e3390 > _e3394) {
+                                    phi_5180_ = _e3390;
+                                } else {
+                                    phi_5180_ = _e3394;
+                                }
+                                let _e3397 = phi_5180_;
+                                let _e3400 = local_4[0u].member[1u];
+                                if (_e3400[0] < 0f) {
+                                    phi_5193_ = -(_e3400[0]);
+                                } else {
+                                    phi_5193_ = _e3400[0];
+                                }
+                                let _e3407 = phi_5193_;
+                                if (_e3400[1] < 0f) {
+                                    phi_5200_ = -(_e3400[1]);
+                                } else {
+                                    phi_5200_ = _e3400[1];
+                                }
+                                let _e3411 = phi_5200_;
+                                if (_e3407 > _e3411) {
+                                    phi_5205_ = _e3407;
+                                } else {
+                                    phi_5205_ = _e3411;
+                                }
+                                let _e3414 = phi_5205_;
+                                if (_e3400[2] < 0f) {
+                                    phi_5212_ = -(_e3400[2]);
+                                } else {
+                                    phi_5212_ = _e3400[2];
+                                }
+                                let _e3418 = phi_5212_;
+                                if (_e3414 > _e3418) {
+                                    phi_5217_ = _e3414;
+                                } else {
+                                    phi_5217_ = _e3418;
+                                }
+                                let _e3421 = phi_5217_;
+                                if (_e3397 > _e3421) {
+                                    phi_5222_ = _e3397;
+                                } else {
+                                    phi_5222_ = _e3421;
+                                }
+                                let _e3424 = phi_5222_;
+                                let _e3426 = local_4[0u].member_3;
+                                let _e3427 = (_e3424 + _e3426);
+                                let _e3430 = local_4[0u].member_1[0u];
+                                if (_e3430[0] < 0f) {
+                                    phi_5239_ = -(_e3430[0]);
+                                } else {
+                                    phi_5239_ = _e3430[0];
+                                }
+                                let _e3437 = phi_5239_;
+                                if (_e3430[1] < 0f) {
+                                    phi_5246_ = -(_e3430[1]);
+                                } else {
+                                    phi_5246_ = _e3430[1];
+                                }
+                                let _e3441 = phi_5246_;
+                                if (_e3437 > _e3441) {
+                                    phi_5251_ = _e3437;
+                                } else {
+                                    phi_5251_ = _e3441;
+                                }
+                                let _e3444 = phi_5251_;
+                                if (_e3430[2] < 0f) {
+                                    phi_5258_ = -(_e3430[2]);
+                                } else {
+                                    phi_5258_ = _e3430[2];
+                                }
+                                let _e3448 = phi_5258_;
+                                if (_e3444 > _e3448) {
+                                    phi_5263_ = _e3444;
+                                } else {
+                                    phi_5263_ = _e3448;
+                                }
+                                let _e3451 = phi_5263_;
+                                let _e3454 = local_4[0u].member_1[1u];
+                                if (_e3454[0] < 0f) {
+                                    phi_5277_ = -(_e3454[0]);
+                                } else {
+                                    phi_5277_ = _e3454[0];
+                                }
+                                let _e3461 = phi_5277_;
+                                if (_e3454[1] < 0f) {
+                                    phi_5284_ = -(_e3454[1]);
+                                } else {
+                                    phi_5284_ = _e3454[1];
+                                }
+                                let _e3465 = phi_5284_;
+                                if (_e3461 > _e3465) {
+                                    phi_5289_ = _e3461;
+                                } else {
+                                    phi_5289_ = _e3465;
+                                }
+                                let _e3468 = phi_5289_;
+                                if (_e3454[2] < 0f) {
+                                    phi_5296_ = -(_e3454[2]);
+                                } else {
+                                    phi_5296_ = _e3454[2];
+                                }
+                                let _e3472 = phi_5296_;
+                                if (_e3468 > _e3472) {
+                                    phi_5301_ = _e3468;
+                                } else {
+                                    phi_5301_ = _e3472;
+                                }
+                                let _e3475 = phi_5301_;
+                                if (_e3451 > _e3475) {
+                                    phi_5306_ = _e3451;
+                                } else {
+                                    phi_5306_ = _e3475;
+                                }
+                                let _e3478 = phi_5306_;
+                                let _e3480 = local_4[0u].member_3;
+                                let _e3481 = (_e3478 + _e3480);
+                                let _e3484 = local_4[0u].member_2[0u];
+                                if (_e3484[0] < 0f) {
+                                    phi_5323_ = -(_e3484[0]);
+                                } else {
+                                    phi_5323_ = _e3484[0];
+                                }
+                                let _e3491 = phi_5323_;
+                                if (_e3484[1] < 0f) {
+                                    phi_5330_ = -(_e3484[1]);
+                                } else {
+                                    phi_5330_ = _e3484[1];
+                                }
+                                let _e3495 = phi_5330_;
+                                if (_e3491 > _e3495) {
+                                    phi_5335_ = _e3491;
+                                } else {
+                                    phi_5335_ = _e3495;
+                                }
+                                let _e3498 = phi_5335_;
+                                if (_e3484[2] < 0f) {
+                                    phi_5342_ = -(_e3484[2]);
+                                } else {
+                                    phi_5342_ = _e3484[2];
+                                }
+                                let _e3502 = phi_5342_;
+                                if (_e3498 > _e3502) {
+                                    phi_5347_ = _e3498;
+                                } else {
+                                    phi_5347_ = _e3502;
+                                }
+                                let _e3505 = phi_5347_;
+                                let _e3508 = local_4[0u].member_2[1u];
+                                if (_e3508[0] < 0f) {
+                                    phi_5361_ = -(_e3508[0]);
+                                } else {
+                                    phi_5361_ = _e3508[0];
+                                }
+                                let _e3515 = phi_5361_;
+                                if (_e3508[1] < 0f) {
+                                    phi_5368_ = -(_e3508[1]);
+                                } else {
+                                    phi_5368_ = _e3508[1];
+                                }
+                                let _e3519 = phi_5368_;
+                                if (_e3515 > _e3519) {
+                                    phi_5373_ = _e3515;
+                                } else {
+                                    phi_5373_ = _e3519;
+                                }
+                                let _e3522 = phi_5373_;
+                                if (_e3508[2] < 0f) {
+                                    phi_5380_ = -(_e3508[2]);
+                                } else {
+                                    phi_5380_ = _e3508[2];
+                                }
+                                let _e3526 = phi_5380_;
+                                if (_e3522 > _e3526) {
+                                    phi_5385_ = _e3522;
+                                } else {
+                                    phi_5385_ = _e3526;
+                                }
+                                let _e3529 = phi_5385_;
+                                if (_e3505 > _e3529) {
+                                    phi_5390_ = _e3505;
+                                } else {
+                                    phi_5390_ = _e3529;
+                                }
+                                let _e3532 = phi_5390_;
+                                let _e3534 = local_4[0u].member_3;
+                                let _e3535 = (_e3532 + _e3534);
+                                let _e3537 = ((_e3481 * 8f) * _e3535);
+                                let _e3544 = local_4[0u].member_3;
+                                if (_e3233 < 0f) {
+                                    phi_5421_ = -(_e3233);
+                                } else {
+                                    phi_5421_ = _e3233;
+                                }
+                                let _e3561 = phi_5421_;
+                                if (_e3236 < 0f) {
+                                    phi_5427_ = -(_e3236);
+                                } else {
+                                    phi_5427_ = _e3236;
+                                }
+                                let _e3565 = phi_5427_;
+                                if (_e3239 < 0f) {
+                                    phi_5434_ = -(_e3239);
+                                } else {
+                                    phi_5434_ = _e3239;
+                                }
+                                let _e3570 = phi_5434_;
+                                let _e3571 = ((_e3561 + _e3565) + _e3570);
+                                if (_e3254 < 0f) {
+                                    phi_5441_ = -(_e3254);
+                                } else {
+                                    phi_5441_ = _e3254;
+                                }
+                                let _e3575 = phi_5441_;
+                                if (_e3257 < 0f) {
+                                    phi_5447_ = -(_e3257);
+                                } else {
+                                    phi_5447_ = _e3257;
+                                }
+                                let _e3579 = phi_5447_;
+                                if (_e3260 < 0f) {
+                                    phi_5454_ = -(_e3260);
+                                } else {
+                                    phi_5454_ = _e3260;
+                                }
+                                let _e3584 = phi_5454_;
+                                let _e3585 = ((_e3575 + _e3579) + _e3584);
+                                if (_e3571 > _e3585) {
+                                    phi_5460_ = _e3571;
+                                } else {
+                                    phi_5460_ = _e3585;
+                                }
+                                let _e3588 = phi_5460_;
+                                if (_e3303 < 0f) {
+                                    phi_5466_ = -(_e3303);
+                                } else {
+                                    phi_5466_ = _e3303;
+                                }
+                                let _e3592 = phi_5466_;
+                                if (_e3304 < 0f) {
+                                    phi_5472_ = -(_e3304);
+                                } else {
+                                    phi_5472_ = _e3304;
+                                }
+                                let _e3596 = phi_5472_;
+                                if (_e3305 < 0f) {
+                                    phi_5479_ = -(_e3305);
+                                } else {
+                                    phi_5479_ = _e3305;
+                                }
+                                let _e3601 = phi_5479_;
+                                let _e3603 = (((_e3592 + _e3596) + _e3601) * 0.5f);
+                                if (_e3588 > _e3603) {
+                                    phi_5486_ = _e3588;
+                                } else {
+                                    phi_5486_ = _e3603;
+                                }
+                                let _e3606 = phi_5486_;
+                                let _e3611 = local_4[0u].member_3;
+                                let _e3624 = ((((_e3308[0] * _e3233) + (_e3308[1] * _e3236)) + (_e3308[2] * _e3239)) * 3f);
+                                let _e3625 = ((((_e3365[0] * _e3254) + (_e3365[1] * _e3257)) + (_e3365[2] * _e3260)) * 3f);
+                                if (_e3624 < _e3625) {
+                                    phi_5510_ = _e3624;
+                                } else {
+                                    phi_5510_ = _e3625;
+                                }
+                                let _e3628 = phi_5510_;
+                                if (_e3339 < _e3362) {
+                                    phi_5515_ = _e3339;
+                                } else {
+                                    phi_5515_ = _e3362;
+                                }
+                                let _e3631 = phi_5515_;
+                                if (_e3628 < _e3631) {
+                                    phi_5520_ = _e3628;
+                                } else {
+                                    phi_5520_ = _e3631;
+                                }
+                                let _e3634 = phi_5520_;
+                                if (_e3624 > _e3625) {
+                                    phi_5525_ = _e3624;
+                                } else {
+                                    phi_5525_ = _e3625;
+                                }
+                                let _e3637 = phi_5525_;
+                                if (_e3339 > _e3362) {
+                                    phi_5530_ = _e3339;
+                                } else {
+                                    phi_5530_ = _e3362;
+                                }
+                                let _e3640 = phi_5530_;
+                                if (_e3637 > _e3640) {
+                                    phi_5535_ = _e3637;
+                                } else {
+                                    phi_5535_ = _e3640;
+                                }
+                                let _e3643 = phi_5535_;
+                                let _e3648 = -(_e3643);
+                                if (_e3634 > _e3648) {
+                                    phi_5545_ = _e3634;
+                                } else {
+                                    phi_5545_ = _e3648;
+                                }
+                                let _e3651 = phi_5545_;
+                                if ((_e3651 - ((((((_e3427 * 8f) * _e3537) * (0.000000059604645f * (490f / 64f))) + ((_e3544 * 19f) * ((_e3427 * (_e3481 + _e3535)) + (_e3481 * _e3535)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3427) * ((1f + _e3481) * (1f + _e3535))))) + ((_e2108 * (((_e3606 + (_e3537 * (0.000000059604645f * 4f))) + ((_e3611 * 6f) * (_e3481 + _e3535))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3481) * (1f + _e3535))))) * (3f * 1.0001f)))) > 0f) {
+                                    phi_6521_ = true;
+                                } else {
+                                    let _e3656 = local_4[0u].member_1[0u];
+                                    let _e3662 = local_4[0u].member_1[1u];
+                                    let _e3666 = (_e3656[0] + _e3662[0]);
+                                    let _e3667 = (_e3656[1] + _e3662[1]);
+                                    let _e3668 = (_e3656[2] + _e3662[2]);
+                                    let _e3671 = local_4[0u].member_2[0u];
+                                    let _e3677 = local_4[0u].member_2[1u];
+                                    let _e3681 = (_e3671[0] + _e3677[0]);
+                                    let _e3682 = (_e3671[1] + _e3677[1]);
+                                    let _e3683 = (_e3671[2] + _e3677[2]);
+                                    let _e3686 = ((_e3667 * _e3683) - (_e3668 * _e3682));
+                                    let _e3689 = ((_e3668 * _e3681) - (_e3666 * _e3683));
+                                    let _e3692 = ((_e3666 * _e3682) - (_e3667 * _e3681));
+                                    let _e3695 = local_4[0u].member[0u];
+                                    let _e3701 = local_4[0u].member_1[0u];
+                                    let _e3707 = local_4[0u].member_2[0u];
+                                    let _e3711 = (_e3695[0] - _e3701[0]);
+                                    let _e3712 = (_e3695[1] - _e3701[1]);
+                                    let _e3713 = (_e3695[2] - _e3701[2]);
+                                    let _e3722 = local_4[0u].member[1u];
+                                    let _e3728 = local_4[0u].member_1[1u];
+                                    let _e3734 = local_4[0u].member_2[1u];
+                                    let _e3738 = (_e3722[0] - _e3728[0]);
+                                    let _e3739 = (_e3722[1] - _e3728[1]);
+                                    let _e3740 = (_e3722[2] - _e3728[2]);
+                                    local_2 = array<array<f32, 3>, 4>(_e3695, array<f32, 3>(_e3711, _e3712, _e3713), array<f32, 3>((_e3695[0] - _e3707[0]), (_e3695[1] - _e3707[1]), (_e3695[2] - _e3707[2])), array<f32, 3>((_e3711 - _e3707[0]), (_e3712 - _e3707[1]), (_e3713 - _e3707[2])));
+                                    local_3 = array<array<f32, 3>, 4>(_e3722, array<f32, 3>(_e3738, _e3739, _e3740), array<f32, 3>((_e3722[0] - _e3734[0]), (_e3722[1] - _e3734[1]), (_e3722[2] - _e3734[2])), array<f32, 3>((_e3738 - _e3734[0]), (_e3739 - _e3734[1]), (_e3740 - _e3734[2])));
+                                    let _e3757 = local_4[0u].member[0u];
+                                    if (_e3757[0] < 0f) {
+                                        phi_5796_ = -(_e3757[0]);
+                                    } else {
+                                        phi_5796_ = _e3757[0];
+                                    }
+                                    let _e3764 = phi_5796_;
+                                    if (_e3757[1] < 0f) {
+                                        phi_5803_ = -(_e3757[1]);
+                                    } else {
+                                        phi_5803_ = _e3757[1];
+                                    }
+                                    let _e3768 = phi_5803_;
+                                    if (_e3764 > _e3768) {
+                                        phi_5808_ = _e3764;
+                                    } else {
+                                        phi_5808_ = _e3768;
+                                    }
+                                    let _e3771 = phi_5808_;
+                                    if (_e3757[2] < 0f) {
+                                        phi_5815_ = -(_e3757[2]);
+                                    } else {
+                                        phi_5815_ = _e3757[2];
+                                    }
+                                    let _e3775 = phi_5815_;
+                                    if (_e3771 > _e3775) {
+                                        phi_5820_ = _e3771;
+                                    } else {
+                                        phi_5820_ = _e3775;
+                                    }
+                                    let _e3778 = phi_5820_;
+                                    let _e3781 = local_4[0u].member[1u];
+                                    if (_e3781[0] < 0f) {
+                                        phi_5833_ = -(_e3781[0]);
+                                    } else {
+                                        phi_5833_ = _e3781[0];
+                                    }
+                                    let _e3788 = phi_5833_;
+                                    if (_e3781[1] < 0f) {
+                                        phi_5840_ = -(_e3781[1]);
+                                    } else {
+                                        phi_5840_ = _e3781[1];
+                                    }
+                                    let _e3792 = phi_5840_;
+                                    if (_e3788 > _e3792) {
+                                        phi_5845_ = _e3788;
+                                    } else {
+                                        phi_5845_ = _e3792;
+                                    }
+                                    let _e3795 = phi_5845_;
+                                    if (_e3781[2] < 0f) {
+                                        phi_5852_ = -(_e3781[2]);
+                                    } else {
+                                        phi_5852_ = _e3781[2];
+                                    }
+                                    let _e3799 = phi_5852_;
+                                    if (_e3795 > _e3799) {
+                                        phi_5857_ = _e3795;
+                                    } else {
+                                        phi_5857_ = _e3799;
+                                    }
+                                    let _e3802 = phi_5857_;
+                                    if (_e3778 > _e3802) {
+                                        phi_5862_ = _e3778;
+                                    } else {
+                                        phi_5862_ = _e3802;
+                                    }
+                                    let _e3805 = phi_5862_;
+                                    let _e3807 = local_4[0u].member_3;
+                                    let _e3811 = local_4[0u].member_1[0u];
+                                    if (_e3811[0] < 0f) {
+                                        phi_5879_ = -(_e3811[0]);
+                                    } else {
+                                        phi_5879_ = _e3811[0];
+                                    }
+                                    let _e3818 = phi_5879_;
+                                    if (_e3811[1] < 0f) {
+                                        phi_5886_ = -(_e3811[1]);
+                                    } else {
+                                        phi_5886_ = _e3811[1];
+                                    }
+                                    let _e3822 = phi_5886_;
+                                    if (_e3818 > _e3822) {
+                                        phi_5891_ = _e3818;
+                                    } else {
+                                        phi_5891_ = _e3822;
+                                    }
+                                    let _e3825 = phi_5891_;
+                                    if (_e3811[2] < 0f) {
+                                        phi_5898_ = -(_e3811[2]);
+                                    } else {
+                                        phi_5898_ = _e3811[2];
+                                    }
+                                    let _e3829 = phi_5898_;
+                                    if (_e3825 > _e3829) {
+                                        phi_5903_ = _e3825;
+                                    } else {
+                                        phi_5903_ = _e3829;
+                                    }
+                                    let _e3832 = phi_5903_;
+                                    let _e3835 = local_4[0u].member_1[1u];
+                                    if (_e3835[0] < 0f) {
+                                        phi_5917_ = -(_e3835[0]);
+                                    } else {
+                                        phi_5917_ = _e3835[0];
+                                    }
+                                    let _e3842 = phi_5917_;
+                                    if (_e3835[1] < 0f) {
+                                        phi_5924_ = -(_e3835[1]);
+                                    } else {
+                                        phi_5924_ = _e3835[1];
+                                    }
+                                    let _e3846 = phi_5924_;
+                                    if (_e3842 > _e3846) {
+                                        phi_5929_ = _e3842;
+                                    } else {
+                                        phi_5929_ = _e3846;
+                                    }
+                                    let _e3849 = phi_5929_;
+                                    if (_e3835[2] < 0f) {
+                                        phi_5936_ = -(_e3835[2]);
+                                    } else {
+                                        phi_5936_ = _e3835[2];
+                                    }
+                                    let _e3853 = phi_5936_;
+                                    if (_e3849 > _e3853) {
+                                        phi_5941_ = _e3849;
+                                    } else {
+                                        phi_5941_ = _e3853;
+                                    }
+                                    let _e3856 = phi_5941_;
+                                    if (_e3832 > _e3856) {
+                                        phi_5946_ = _e3832;
+                                    } else {
+                                        phi_5946_ = _e3856;
+                                    }
+                                    let _e3859 = phi_5946_;
+                                    let _e3861 = local_4[0u].member_3;
+                                    let _e3865 = local_4[0u].member_2[0u];
+                                    if (_e3865[0] < 0f) {
+                                        phi_5963_ = -(_e3865[0]);
+                                    } else {
+                                        phi_5963_ = _e3865[0];
+                                    }
+                                    let _e3872 = phi_5963_;
+                                    if (_e3865[1] < 0f) {
+                                        phi_5970_ = -(_e3865[1]);
+                                    } else {
+                                        phi_5970_ = _e3865[1];
+                                    }
+                                    let _e3876 = phi_5970_;
+                                    if (_e3872 > _e3876) {
+                                        phi_5975_ = _e3872;
+                                    } else {
+                                        phi_5975_ = _e3876;
+                                    }
+                                    let _e3879 = phi_5975_;
+                                    if (_e3865[2] < 0f) {
+                                        phi_5982_ = -(_e3865[2]);
+                                    } else {
+                                        phi_5982_ = _e3865[2];
+                                    }
+                                    let _e3883 = phi_5982_;
+                                    if (_e3879 > _e3883) {
+                                        phi_5987_ = _e3879;
+                                    } else {
+                                        phi_5987_ = _e3883;
+                                    }
+                                    let _e3886 = phi_5987_;
+                                    let _e3889 = local_4[0u].member_2[1u];
+                                    if (_e3889[0] < 0f) {
+                                        phi_6001_ = -(_e3889[0]);
+                                    } else {
+                                        phi_6001_ = _e3889[0];
+                                    }
+                                    let _e3896 = phi_6001_;
+                                    if (_e3889[1] < 0f) {
+                                        phi_6008_ = -(_e3889[1]);
+                                    } else {
+                                        phi_6008_ = _e3889[1];
+                                    }
+                                    let _e3900 = phi_6008_;
+                                    if (_e3896 > _e3900) {
+                                        phi_6013_ = _e3896;
+                                    } else {
+                                        phi_6013_ = _e3900;
+                                    }
+                                    let _e3903 = phi_6013_;
+                                    if (_e3889[2] < 0f) {
+                                        phi_6020_ = -(_e3889[2]);
+                                    } else {
+                                        phi_6020_ = _e3889[2];
+                                    }
+                                    let _e3907 = phi_6020_;
+                                    if (_e3903 > _e3907) {
+                                        phi_6025_ = _e3903;
+                                    } else {
+                                        phi_6025_ = _e3907;
+                                    }
+                                    let _e3910 = phi_6025_;
+                                    if (_e3886 > _e3910) {
+                                        phi_6030_ = _e3886;
+                                    } else {
+                                        phi_6030_ = _e3910;
+                                    }
+                                    let _e3913 = phi_6030_;
+                                    let _e3915 = local_4[0u].member_3;
+                                    let _e3918 = (((_e3805 + _e3807) + (_e3859 + _e3861)) + (_e3913 + _e3915));
+                                    let _e3921 = local_4[0u].member_3;
+                                    let _e3925 = (((_e2108 * 1.0001f) + (_e3921 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                    let _e3928 = ((_e3689 * _e3668) - (_e3692 * _e3667));
+                                    let _e3931 = ((_e3692 * _e3666) - (_e3686 * _e3668));
+                                    let _e3934 = ((_e3686 * _e3667) - (_e3689 * _e3666));
+                                    let _e3936 = local_2[0u];
+                                    let _e3944 = (((_e3928 * _e3936[0]) + (_e3931 * _e3936[1])) + (_e3934 * _e3936[2]));
+                                    phi_6068_ = type_35(0u, 4u);
+                                    phi_6071_ = _e3944;
+                                    phi_6073_ = _e3944;
+                                    loop {
+                                        let _e3946 = phi_6068_;
+                                        let _e3948 = phi_6071_;
+                                        let _e3950 = phi_6073_;
+                                        local_56 = _e3948;
+                                        local_57 = _e3950;
+                                        local_69 = _e3950;
+                                        if (_e3946.member < _e3946.member_1) {
+                                            phi_6069_ = type_35((_e3946.member + 1u), _e3946.member_1);
+                                            phi_6096_ = type_35(1u, _e3946.member);
+                                        } else {
+                                            phi_6069_ = _e3946;
+                                            phi_6096_ = type_35(0u, type_35().member_1);
+                                        }
+                                        let _e3964 = phi_6069_;
+                                        let _e3966 = phi_6096_;
+                                        let _e3970 = (bitcast<i32>(_e3966.member) != 0i);
+                                        if _e3970 {
+                                            if (_e3966.member_1 < 4u) {
+                                            } else {
+                                                return;
+                                            }
+                                            let _e3973 = local_2[_e3966.member_1];
+                                            let _e3981 = (((_e3928 * _e3973[0]) + (_e3931 * _e3973[1])) + (_e3934 * _e3973[2]));
+                                            if (_e3966.member_1 < 4u) {
+                                            } else {
+                                                return;
+                                            }
+                                            let _e3984 = local_3[_e3966.member_1];
+                                            let _e3992 = (((_e3928 * _e3984[0]) + (_e3931 * _e3984[1])) + (_e3934 * _e3984[2]));
+                                            if (_e3950 < _e3981) {
+                                                phi_6146_ = _e3950;
+                                            } else {
+                                                phi_6146_ = _e3981;
+                                            }
+                                            let _e3995 = phi_6146_;
+                                            if (_e3995 < _e3992) {
+                                                phi_6151_ = _e3995;
+                                            } else {
+                                                phi_6151_ = _e3992;
+                                            }
+                                            let _e3998 = phi_6151_;
+                                            if (_e3948 > _e3981) {
+                                                phi_6156_ = _e3948;
+                                            } else {
+                                                phi_6156_ = _e3981;
+                                            }
+                                            let _e4001 = phi_6156_;
+                                            if (_e4001 > _e3992) {
+                                                phi_6161_ = _e4001;
+                                            } else {
+                                                phi_6161_ = _e3992;
+                                            }
+                                            let _e4004 = phi_6161_;
+                                            phi_6072_ = _e4004;
+                                            phi_6074_ = _e3998;
+                                        } else {
+                                            phi_6072_ = f32();
+                                            phi_6074_ = f32();
+                                        }
+                                        let _e4006 = phi_6072_;
+                                        let _e4008 = phi_6074_;
+                                        continue;
+                                        continuing {
+                                            phi_6068_ = _e3964;
+                                            phi_6071_ = _e4006;
+                                            phi_6073_ = _e4008;
+                                            break if !(_e3970);
+                                        }
+                                    }
+                                    if (_e3928 < 0f) {
+                                        phi_6167_ = -(_e3928);
+                                    } else {
+                                        phi_6167_ = _e3928;
+                                    }
+                                    let _e4013 = phi_6167_;
+                                    if (_e3931 < 0f) {
+                                        phi_6173_ = -(_e3931);
+                                    } else {
+                                        phi_6173_ = _e3931;
+                                    }
+                                    let _e4017 = phi_6173_;
+                                    if (_e3934 < 0f) {
+                                        phi_6180_ = -(_e3934);
+                                    } else {
+                                        phi_6180_ = _e3934;
+                                    }
+                                    let _e4022 = phi_6180_;
+                                    let _e4023 = ((_e4013 + _e4017) + _e4022);
+                                    let _e4028 = local_56;
+                                    let _e4029 = -(_e4028);
+                                    let _e4031 = local_57;
+                                    if (_e4031 > _e4029) {
+                                        let _e5651 = local_69;
+                                        phi_6190_ = _e5651;
+                                    } else {
+                                        phi_6190_ = _e4029;
+                                    }
+                                    let _e4034 = phi_6190_;
+                                    let _e4039 = (((_e4034 - ((_e4023 * _e3918) * (0.000000059604645f * 17f))) - (_e4023 * _e3925)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    let _e4042 = ((_e3689 * _e3683) - (_e3692 * _e3682));
+                                    let _e4045 = ((_e3692 * _e3681) - (_e3686 * _e3683));
+                                    let _e4048 = ((_e3686 * _e3682) - (_e3689 * _e3681));
+                                    let _e4050 = local_2[0u];
+                                    let _e4058 = (((_e4042 * _e4050[0]) + (_e4045 * _e4050[1])) + (_e4048 * _e4050[2]));
+                                    phi_6221_ = type_35(0u, 4u);
+                                    phi_6224_ = _e4058;
+                                    phi_6226_ = _e4058;
+                                    loop {
+                                        let _e4060 = phi_6221_;
+                                        let _e4062 = phi_6224_;
+                                        let _e4064 = phi_6226_;
+                                        local_58 = _e4062;
+                                        local_59 = _e4064;
+                                        local_70 = _e4064;
+                                        if (_e4060.member < _e4060.member_1) {
+                                            phi_6222_ = type_35((_e4060.member + 1u), _e4060.member_1);
+                                            phi_6249_ = type_35(1u, _e4060.member);
+                                        } else {
+                                            phi_6222_ = _e4060;
+                                            phi_6249_ = type_35(0u, type_35().member_1);
+                                        }
+                                        let _e4078 = phi_6222_;
+                                        let _e4080 = phi_6249_;
+                                        let _e4084 = (bitcast<i32>(_e4080.member) != 0i);
+                                        if _e4084 {
+                                            if (_e4080.member_1 < 4u) {
+                                            } else {
+                                                return;
+                                            }
+                                            let _e4087 = local_2[_e4080.member_1];
+                                            let _e4095 = (((_e4042 * _e4087[0]) + (_e4045 * _e4087[1])) + (_e4048 * _e4087[2]));
+                                            if (_e4080.member_1 < 4u) {
+                                            } else {
+                                                return;
+                                            }
+                                            let _e4098 = local_3[_e4080.member_1];
+                                            let _e4106 = (((_e4042 * _e4098[0]) + (_e4045 * _e4098[1])) + (_e4048 * _e4098[2]));
+                                            if (_e4064 < _e4095) {
+                                                phi_6299_ = _e4064;
+                                            } else {
+                                                phi_6299_ = _e4095;
+                                            }
+                                            let _e4109 = phi_6299_;
+                                            if (_e4109 < _e4106) {
+                                                phi_6304_ = _e4109;
+                                            } else {
+                                                phi_6304_ = _e4106;
+                                            }
+                                            let _e4112 = phi_6304_;
+                                            if (_e4062 > _e4095) {
+                                                phi_6309_ = _e4062;
+                                            } else {
+                                                phi_6309_ = _e4095;
+                                            }
+                                            let _e4115 = phi_6309_;
+                                            if (_e4115 > _e4106) {
+                                                phi_6314_ = _e4115;
+                                            } else {
+                                                phi_6314_ = _e4106;
+                                            }
+                                            let _e4118 = phi_6314_;
+                                            phi_6225_ = _e4118;
+                                            phi_6227_ = _e4112;
+                                        } else {
+                                            phi_6225_ = f32();
+                                            phi_6227_ = f32();
+                                        }
+                                        let _e4120 = phi_6225_;
+                                        let _e4122 = phi_6227_;
+                                        continue;
+                                        continuing {
+                                            phi_6221_ = _e4078;
+                                            phi_6224_ = _e4120;
+                                            phi_6226_ = _e4122;
+                                            break if !(_e4084);
+                                        }
+                                    }
+                                    if (_e4042 < 0f) {
+                                        phi_6320_ = -(_e4042);
+                                    } else {
+                                        phi_6320_ = _e4042;
+                                    }
+                                    let _e4127 = phi_6320_;
+                                    if (_e4045 < 0f) {
+                                        phi_6326_ = -(_e4045);
+                                    } else {
+                                        phi_6326_ = _e4045;
+                                    }
+                                    let _e4131 = phi_6326_;
+                                    if (_e4048 < 0f) {
+                                        phi_6333_ = -(_e4048);
+                                    } else {
+                                        phi_6333_ = _e4048;
+                                    }
+                                    let _e4136 = phi_6333_;
+                                    let _e4137 = ((_e4127 + _e4131) + _e4136);
+                                    let _e4142 = local_58;
+                                    let _e4143 = -(_e4142);
+                                    let _e4145 = local_59;
+                                    if (_e4145 > _e4143) {
+                                        let _e5670 = local_70;
+                                        phi_6343_ = _e5670;
+                                    } else {
+                                        phi_6343_ = _e4143;
+                                    }
+                                    let _e4148 = phi_6343_;
+                                    let _e4153 = (((_e4148 - ((_e4137 * _e3918) * (0.000000059604645f * 17f))) - (_e4137 * _e3925)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e4039 > _e4153) {
+                                        phi_6353_ = _e4039;
+                                    } else {
+                                        phi_6353_ = _e4153;
+                                    }
+                                    let _e4156 = phi_6353_;
+                                    phi_6521_ = (_e4156 > 0f);
+                                }
+                                let _e4159 = phi_6521_;
+                                if _e4159 {
+                                    let _e4163 = local_4[1u].member_1[0u];
+                                    let _e4169 = local_4[1u].member_2[0u];
+                                    let _e4175 = ((_e4163[1] * _e4169[2]) - (_e4163[2] * _e4169[1]));
+                                    let _e4178 = ((_e4163[2] * _e4169[0]) - (_e4163[0] * _e4169[2]));
+                                    let _e4181 = ((_e4163[0] * _e4169[1]) - (_e4163[1] * _e4169[0]));
+                                    let _e4184 = local_4[1u].member_1[1u];
+                                    let _e4190 = local_4[1u].member_2[1u];
+                                    let _e4196 = ((_e4184[1] * _e4190[2]) - (_e4184[2] * _e4190[1]));
+                                    let _e4199 = ((_e4184[2] * _e4190[0]) - (_e4184[0] * _e4190[2]));
+                                    let _e4202 = ((_e4184[0] * _e4190[1]) - (_e4184[1] * _e4190[0]));
+                                    let _e4205 = local_4[1u].member_1[0u];
+                                    let _e4211 = local_4[1u].member_2[1u];
+                                    let _e4226 = local_4[1u].member_1[1u];
+                                    let _e4232 = local_4[1u].member_2[0u];
+                                    let _e4245 = (((_e4205[1] * _e4211[2]) - (_e4205[2] * _e4211[1])) + ((_e4226[1] * _e4232[2]) - (_e4226[2] * _e4232[1])));
+                                    let _e4246 = (((_e4205[2] * _e4211[0]) - (_e4205[0] * _e4211[2])) + ((_e4226[2] * _e4232[0]) - (_e4226[0] * _e4232[2])));
+                                    let _e4247 = (((_e4205[0] * _e4211[1]) - (_e4205[1] * _e4211[0])) + ((_e4226[0] * _e4232[1]) - (_e4226[1] * _e4232[0])));
+                                    let _e4250 = local_4[1u].member[0u];
+                                    let _e4261 = local_4[1u].member[1u];
+                                    let _e4272 = local_4[1u].member[0u];
+                                    let _e4281 = ((((_e4261[0] * _e4175) + (_e4261[1] * _e4178)) + (_e4261[2] * _e4181)) + (((_e4272[0] * _e4245) + (_e4272[1] * _e4246)) + (_e4272[2] * _e4247)));
+                                    let _e4284 = local_4[1u].member[0u];
+                                    let _e4295 = local_4[1u].member[1u];
+                                    let _e4304 = ((((_e4284[0] * _e4196) + (_e4284[1] * _e4199)) + (_e4284[2] * _e4202)) + (((_e4295[0] * _e4245) + (_e4295[1] * _e4246)) + (_e4295[2] * _e4247)));
+                                    let _e4307 = local_4[1u].member[1u];
+                                    let _e4318 = local_4[1u].member[0u];
+                                    if (_e4318[0] < 0f) {
+                                        phi_6767_ = -(_e4318[0]);
+                                    } else {
+                                        phi_6767_ = _e4318[0];
+                                    }
+                                    let _e4325 = phi_6767_;
+                                    if (_e4318[1] < 0f) {
+                                        phi_6774_ = -(_e4318[1]);
+                                    } else {
+                                        phi_6774_ = _e4318[1];
+                                    }
+                                    let _e4329 = phi_6774_;
+                                    if (_e4325 > _e4329) {
+                                        phi_6779_ = _e4325;
+                                    } else {
+                                        phi_6779_ = _e4329;
+                                    }
+                                    let _e4332 = phi_6779_;
+                                    if (_e4318[2] < 0f) {
+                                        phi_6786_ = -(_e4318[2]);
+                                    } else {
+                                        phi_6786_ = _e4318[2];
+                                    }
+                                    let _e4336 = phi_6786_;
+                                    if (_e4332 > _e4336) {
+                                        phi_6791_ = _e4332;
+                                    } else {
+                                        phi_6791_ = _e4336;
+                                    }
+                                    let _e4339 = phi_6791_;
+                                    let _e4342 = local_4[1u].member[1u];
+                                    if (_e4342[0] < 0f) {
+                                        phi_6804_ = -(_e4342[0]);
+                                    } else {
+                                        phi_6804_ = _e4342[0];
+                                    }
+                                    let _e4349 = phi_6804_;
+                                    if (_e4342[1] < 0f) {
+                                        phi_6811_ = -(_e4342[1]);
+                                    } else {
+                                        phi_6811_ = _e4342[1];
+                                    }
+                                    let _e4353 = phi_6811_;
+                                    if (_e4349 > _e4353) {
+                                        phi_6816_ = _e4349;
+                                    } else {
+                                        phi_6816_ = _e4353;
+                                    }
+                                    let _e4356 = phi_6816_;
+                                    if (_e4342[2] < 0f) {
+                                        phi_6823_ = -(_e4342[2]);
+                                    } else {
+                                        phi_6823_ = _e4342[2];
+                                    }
+                                    let _e4360 = phi_6823_;
+                                    if (_e4356 > _e4360) {
+                                        phi_6828_ = _e4356;
+                                    } else {
+                                        phi_6828_ = _e4360;
+                                    }
+                                    let _e4363 = phi_6828_;
+                                    if (_e4339 > _e4363) {
+                                        phi_6833_ = _e4339;
+                                    } else {
+                                        phi_6833_ = _e4363;
+                                    }
+                                    let _e4366 = phi_6833_;
+                                    let _e4368 = local_4[1u].member_3;
+                                    let _e4369 = (_e4366 + _e4368);
+                                    let _e4372 = local_4[1u].member_1[0u];
+                                    if (_e4372[0] < 0f) {
+                                        phi_6850_ = -(_e4372[0]);
+                                    } else {
+                                        phi_6850_ = _e4372[0];
+                                    }
+                                    let _e4379 = phi_6850_;
+                                    if (_e4372[1] < 0f) {
+                                        phi_6857_ = -(_e4372[1]);
+                                    } else {
+                                        phi_6857_ = _e4372[1];
+                                    }
+                                    let _e4383 = phi_6857_;
+                                    if (_e4379 > _e4383) {
+                                        phi_6862_ = _e4379;
+                                    } else {
+                                        phi_6862_ = _e4383;
+                                    }
+                                    let _e4386 = phi_6862_;
+                                    if (_e4372[2] < 0f) {
+                                        phi_6869_ = -(_e4372[2]);
+                                    } else {
+                                        phi_6869_ = _e4372[2];
+                                    }
+                                    let _e4390 = phi_6869_;
+                                    if (_e4386 > _e4390) {
+                                        phi_6874_ = _e4386;
+                                    } else {
+                                        phi_6874_ = _e4390;
+                                    }
+                                    let _e4393 = phi_6874_;
+                                    let _e4396 = local_4[1u].member_1[1u];
+                                    if (_e4396[0] < 0f) {
+                                        phi_6888_ = -(_e4396[0]);
+                                    } else {
+                                        phi_6888_ = _e4396[0];
+                                    }
+                                    let _e4403 = phi_6888_;
+                                    if (_e4396[1] < 0f) {
+                                        phi_6895_ = -(_e4396[1]);
+                                    } else {
+                                        phi_6895_ = _e4396[1];
+                                    }
+                                    let _e4407 = phi_6895_;
+                                    if (_e4403 > _e4407) {
+                                        phi_6900_ = _e4403;
+                                    } else {
+                                        phi_6900_ = _e4407;
+                                    }
+                                    let _e4410 = phi_6900_;
+                                    if (_e4396[2] < 0f) {
+                                        phi_6907_ = -(_e4396[2]);
+                                    } else {
+                                        phi_6907_ = _e4396[2];
+                                    }
+                                    let _e4414 = phi_6907_;
+                                    if (_e4410 > _e4414) {
+                                        phi_6912_ = _e4410;
+                                    } else {
+                                        phi_6912_ = _e4414;
+                                    }
+                                    let _e4417 = phi_6912_;
+                                    if (_e4393 > _e4417) {
+                                        phi_6917_ = _e4393;
+                                    } else {
+                                        phi_6917_ = _e4417;
+                                    }
+                                    let _e4420 = phi_6917_;
+                                    let _e4422 = local_4[1u].member_3;
+                                    let _e4423 = (_e4420 + _e4422);
+                                    let _e4426 = local_4[1u].member_2[0u];
+                                    if (_e4426[0] < 0f) {
+                                        phi_6934_ = -(_e4426[0]);
+                                    } else {
+                                        phi_6934_ = _e4426[0];
+                                    }
+                                    let _e4433 = phi_6934_;
+                                    if (_e4426[1] < 0f) {
+                                        phi_6941_ = -(_e4426[1]);
+                                    } else {
+                                        phi_6941_ = _e4426[1];
+                                    }
+                                    let _e4437 = phi_6941_;
+                                    if (_e4433 > _e4437) {
+                                        phi_6946_ = _e4433;
+                                    } else {
+                                        phi_6946_ = _e4437;
+                                    }
+                                    let _e4440 = phi_6946_;
+                                    if (_e4426[2] < 0f) {
+                                        phi_6953_ = -(_e4426[2]);
+                                    } else {
+                                        phi_6953_ = _e4426[2];
+                                    }
+                                    let _e4444 = phi_6953_;
+                                    if (_e4440 > _e4444) {
+                                        phi_6958_ = _e4440;
+                                    } else {
+                                        phi_6958_ = _e4444;
+                                    }
+                                    let _e4447 = phi_6958_;
+                                    let _e4450 = local_4[1u].member_2[1u];
+                                    if (_e4450[0] < 0f) {
+                                        phi_6972_ = -(_e4450[0]);
+                                    } else {
+                                        phi_6972_ = _e4450[0];
+                                    }
+                                    let _e4457 = phi_6972_;
+                                    if (_e4450[1] < 0f) {
+                                        phi_6979_ = -(_e4450[1]);
+                                    } else {
+                                        phi_6979_ = _e4450[1];
+                                    }
+                                    let _e4461 = phi_6979_;
+                                    if (_e4457 > _e4461) {
+                                        phi_6984_ = _e4457;
+                                    } else {
+                                        phi_6984_ = _e4461;
+                                    }
+                                    let _e4464 = phi_6984_;
+                                    if (_e4450[2] < 0f) {
+                                        phi_6991_ = -(_e4450[2]);
+                                    } else {
+                                        phi_6991_ = _e4450[2];
+                                    }
+                                    let _e4468 = phi_6991_;
+                                    if (_e4464 > _e4468) {
+                                        phi_6996_ = _e4464;
+                                    } else {
+                                        phi_6996_ = _e4468;
+                                    }
+                                    let _e4471 = phi_6996_;
+                                    if (_e4447 > _e4471) {
+                                        phi_7001_ = _e4447;
+                                    } else {
+                                        phi_7001_ = _e4471;
+                                    }
+                                    let _e4474 = phi_7001_;
+                                    let _e4476 = local_4[1u].member_3;
+                                    let _e4477 = (_e4474 + _e4476);
+                                    let _e4479 = ((_e4423 * 8f) * _e4477);
+                                    let _e4486 = local_4[1u].member_3;
+                                    if (_e4175 < 0f) {
+                                        phi_7032_ = -(_e4175);
+                                    } else {
+                                        phi_7032_ = _e4175;
+                                    }
+                                    let _e4503 = phi_7032_;
+                                    if (_e4178 < 0f) {
+                                        phi_7038_ = -(_e4178);
+                                    } else {
+                                        phi_7038_ = _e4178;
+                                    }
+                                    let _e4507 = phi_7038_;
+                                    if (_e4181 < 0f) {
+                                        phi_7045_ = -(_e4181);
+                                    } else {
+                                        phi_7045_ = _e4181;
+                                    }
+                                    let _e4512 = phi_7045_;
+                                    let _e4513 = ((_e4503 + _e4507) + _e4512);
+                                    if (_e4196 < 0f) {
+                                        phi_7052_ = -(_e4196);
+                                    } else {
+                                        phi_7052_ = _e4196;
+                                    }
+                                    let _e4517 = phi_7052_;
+                                    if (_e4199 < 0f) {
+                                        phi_7058_ = -(_e4199);
+                                    } else {
+                                        phi_7058_ = _e4199;
+                                    }
+                                    let _e4521 = phi_7058_;
+                                    if (_e4202 < 0f) {
+                                        phi_7065_ = -(_e4202);
+                                    } else {
+                                        phi_7065_ = _e4202;
+                                    }
+                                    let _e4526 = phi_7065_;
+                                    let _e4527 = ((_e4517 + _e4521) + _e4526);
+                                    if (_e4513 > _e4527) {
+                                        phi_7071_ = _e4513;
+                                    } else {
+                                        phi_7071_ = _e4527;
+                                    }
+                                    let _e4530 = phi_7071_;
+                                    if (_e4245 < 0f) {
+                                        phi_7077_ = -(_e4245);
+                                    } else {
+                                        phi_7077_ = _e4245;
+                                    }
+                                    let _e4534 = phi_7077_;
+                                    if (_e4246 < 0f) {
+                                        phi_7083_ = -(_e4246);
+                                    } else {
+                                        phi_7083_ = _e4246;
+                                    }
+                                    let _e4538 = phi_7083_;
+                                    if (_e4247 < 0f) {
+                                        phi_7090_ = -(_e4247);
+                                    } else {
+                                        phi_7090_ = _e4247;
+                                    }
+                                    let _e4543 = phi_7090_;
+                                    let _e4545 = (((_e4534 + _e4538) + _e4543) * 0.5f);
+                                    if (_e4530 > _e4545) {
+                                        phi_7097_ = _e4530;
+                                    } else {
+                                        phi_7097_ = _e4545;
+                                    }
+                                    let _e4548 = phi_7097_;
+                                    let _e4553 = local_4[1u].member_3;
+                                    let _e4566 = ((((_e4250[0] * _e4175) + (_e4250[1] * _e4178)) + (_e4250[2] * _e4181)) * 3f);
+                                    let _e4567 = ((((_e4307[0] * _e4196) + (_e4307[1] * _e4199)) + (_e4307[2] * _e4202)) * 3f);
+                                    if (_e4566 < _e4567) {
+                                        phi_7121_ = _e4566;
+                                    } else {
+                                        phi_7121_ = _e4567;
+                                    }
+                                    let _e4570 = phi_7121_;
+                                    if (_e4281 < _e4304) {
+                                        phi_7126_ = _e4281;
+                                    } else {
+                                        phi_7126_ = _e4304;
+                                    }
+                                    let _e4573 = phi_7126_;
+                                    if (_e4570 < _e4573) {
+                                        phi_7131_ = _e4570;
+                                    } else {
+                                        phi_7131_ = _e4573;
+                                    }
+                                    let _e4576 = phi_7131_;
+                                    if (_e4566 > _e4567) {
+                                        phi_7136_ = _e4566;
+                                    } else {
+                                        phi_7136_ = _e4567;
+                                    }
+                                    let _e4579 = phi_7136_;
+                                    if (_e4281 > _e4304) {
+                                        phi_7141_ = _e4281;
+                                    } else {
+                                        phi_7141_ = _e4304;
+                                    }
+                                    let _e4582 = phi_7141_;
+                                    if (_e4579 > _e4582) {
+                                        phi_7146_ = _e4579;
+                                    } else {
+                                        phi_7146_ = _e4582;
+                                    }
+                                    let _e4585 = phi_7146_;
+                                    let _e4590 = -(_e4585);
+                                    if (_e4576 > _e4590) {
+                                        phi_7156_ = _e4576;
+                                    } else {
+                                        phi_7156_ = _e4590;
+                                    }
+                                    let _e4593 = phi_7156_;
+                                    if ((_e4593 - ((((((_e4369 * 8f) * _e4479) * (0.000000059604645f * (490f / 64f))) + ((_e4486 * 19f) * ((_e4369 * (_e4423 + _e4477)) + (_e4423 * _e4477)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4369) * ((1f + _e4423) * (1f + _e4477))))) + ((_e2108 * (((_e4548 + (_e4479 * (0.000000059604645f * 4f))) + ((_e4553 * 6f) * (_e4423 + _e4477))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4423) * (1f + _e4477))))) * (3f * 1.0001f)))) > 0f) {
+                                        phi_8132_ = true;
+                                    } else {
+                                        let _e4598 = local_4[1u].member_1[0u];
+                                        let _e4604 = local_4[1u].member_1[1u];
+                                        let _e4608 = (_e4598[0] + _e4604[0]);
+                                        let _e4609 = (_e4598[1] + _e4604[1]);
+                                        let _e4610 = (_e4598[2] + _e4604[2]);
+                                        let _e4613 = local_4[1u].member_2[0u];
+                                        let _e4619 = local_4[1u].member_2[1u];
+                                        let _e4623 = (_e4613[0] + _e4619[0]);
+                                        let _e4624 = (_e4613[1] + _e4619[1]);
+                                        let _e4625 = (_e4613[2] + _e4619[2]);
+                                        let _e4628 = ((_e4609 * _e4625) - (_e4610 * _e4624));
+                                        let _e4631 = ((_e4610 * _e4623) - (_e4608 * _e4625));
+                                        let _e4634 = ((_e4608 * _e4624) - (_e4609 * _e4623));
+                                        let _e4637 = local_4[1u].member[0u];
+                                        let _e4643 = local_4[1u].member_1[0u];
+                                        let _e4649 = local_4[1u].member_2[0u];
+                                        let _e4653 = (_e4637[0] - _e4643[0]);
+                                        let _e4654 = (_e4637[1] - _e4643[1]);
+                                        let _e4655 = (_e4637[2] - _e4643[2]);
+                                        let _e4664 = local_4[1u].member[1u];
+                                        let _e4670 = local_4[1u].member_1[1u];
+                                        let _e4676 = local_4[1u].member_2[1u];
+                                        let _e4680 = (_e4664[0] - _e4670[0]);
+                                        let _e4681 = (_e4664[1] - _e4670[1]);
+                                        let _e4682 = (_e4664[2] - _e4670[2]);
+                                        local = array<array<f32, 3>, 4>(_e4637, array<f32, 3>(_e4653, _e4654, _e4655), array<f32, 3>((_e4637[0] - _e4649[0]), (_e4637[1] - _e4649[1]), (_e4637[2] - _e4649[2])), array<f32, 3>((_e4653 - _e4649[0]), (_e4654 - _e4649[1]), (_e4655 - _e4649[2])));
+                                        local_1 = array<array<f32, 3>, 4>(_e4664, array<f32, 3>(_e4680, _e4681, _e4682), array<f32, 3>((_e4664[0] - _e4676[0]), (_e4664[1] - _e4676[1]), (_e4664[2] - _e4676[2])), array<f32, 3>((_e4680 - _e4676[0]), (_e4681 - _e4676[1]), (_e4682 - _e4676[2])));
+                                        let _e4699 = local_4[1u].member[0u];
+                                        if (_e4699[0] < 0f) {
+                                            phi_7407_ = -(_e4699[0]);
+                                        } else {
+                                            phi_7407_ = _e4699[0];
+                                        }
+                                        let _e4706 = phi_7407_;
+                                        if (_e4699[1] < 0f) {
+                                            phi_7414_ = -(_e4699[1]);
+                                        } else {
+                                            phi_7414_ = _e4699[1];
+                                        }
+                                        let _e4710 = phi_7414_;
+                                        if (_e4706 > _e4710) {
+                                            phi_7419_ = _e4706;
+                                        } else {
+                                            phi_7419_ = _e4710;
+                                        }
+                                        let _e4713 = phi_7419_;
+                                        if (_e4699[2] < 0f) {
+                                            phi_7426_ = -(_e4699[2]);
+                                        } else {
+                                            phi_7426_ = _e4699[2];
+                                        }
+                                        let _e4717 = phi_7426_;
+                                        if (_e4713 > _e4717) {
+                                            phi_7431_ = _e4713;
+                                        } else {
+                                            phi_7431_ = _e4717;
+                                        }
+                                        let _e4720 = phi_7431_;
+                                        let _e4723 = local_4[1u].member[1u];
+                                        if (_e4723[0] < 0f) {
+                                            phi_7444_ = -(_e4723[0]);
+                                        } else {
+                                            phi_7444_ = _e4723[0];
+                                        }
+                                        let _e4730 = phi_7444_;
+                                        if (_e4723[1] < 0f) {
+                                            phi_7451_ = -(_e4723[1]);
+                                        } else {
+                                            phi_7451_ = _e4723[1];
+                                        }
+                                        let _e4734 = phi_7451_;
+                                        if (_e4730 > _e4734) {
+                                            phi_7456_ = _e4730;
+                                        } else {
+                                            phi_7456_ = _e4734;
+                                        }
+                                        let _e4737 = phi_7456_;
+                                        if (_e4723[2] < 0f) {
+                                            phi_7463_ = -(_e4723[2]);
+                                        } else {
+                                            phi_7463_ = _e4723[2];
+                                        }
+                                        let _e4741 = phi_7463_;
+                                        if (_e4737 > _e4741) {
+                                            phi_7468_ = _e4737;
+                                        } else {
+                                            phi_7468_ = _e4741;
+                                        }
+                                        let _e4744 = phi_7468_;
+                                        if (_e4720 > _e4744) {
+                                            phi_7473_ = _e4720;
+                                        } else {
+                                            phi_7473_ = _e4744;
+                                        }
+                                        let _e4747 = phi_7473_;
+                                        let _e4749 = local_4[1u].member_3;
+                                        let _e4753 = local_4[1u].member_1[0u];
+                                        if (_e4753[0] < 0f) {
+                                            phi_7490_ = -(_e4753[0]);
+                                        } else {
+                                            phi_7490_ = _e4753[0];
+                                        }
+                                        let _e4760 = phi_7490_;
+                                        if (_e4753[1] < 0f) {
+                                            phi_7497_ = -(_e4753[1]);
+                                        } else {
+                                            phi_7497_ = _e4753[1];
+                                        }
+                                        let _e4764 = phi_7497_;
+                                        if (_e4760 > _e4764) {
+                                            phi_7502_ = _e4760;
+                                        } else {
+                                            phi_7502_ = _e4764;
+                                        }
+                                        let _e4767 = phi_7502_;
+                                        if (_e4753[2] < 0f) {
+                                            phi_7509_ = -(_e4753[2]);
+                                        } else {
+                                            phi_7509_ = _e4753[2];
+                                        }
+                                        let _e4771 = phi_7509_;
+                                        if (_e4767 > _e4771) {
+                                            phi_7514_ = _e4767;
+                                        } else {
+                                            phi_7514_ = _e4771;
+                                        }
+                                        let _e4774 = phi_7514_;
+                                        let _e4777 = local_4[1u].member_1[1u];
+                                        if (_e4777[0] < 0f) {
+                                            phi_7528_ = -(_e4777[0]);
+                                        } else {
+                                            phi_7528_ = _e4777[0];
+                                        }
+                                        let _e4784 = phi_7528_;
+                                        if (_e4777[1] < 0f) {
+                                            phi_7535_ = -(_e4777[1]);
+                                        } else {
+                                            phi_7535_ = _e4777[1];
+                                        }
+                                        let _e4788 = phi_7535_;
+                                        if (_e4784 > _e4788) {
+                                            phi_7540_ = _e4784;
+                                        } else {
+                                            phi_7540_ = _e4788;
+                                        }
+                                        let _e4791 = phi_7540_;
+                                        if (_e4777[2] < 0f) {
+                                            phi_7547_ = -(_e4777[2]);
+                                        } else {
+                                            phi_7547_ = _e4777[2];
+                                        }
+                                        let _e4795 = phi_7547_;
+                                        if (_e4791 > _e4795) {
+                                            phi_7552_ = _e4791;
+                                        } else {
+                                            phi_7552_ = _e4795;
+                                        }
+                                        let _e4798 = phi_7552_;
+                                        if (_e4774 > _e4798) {
+                                            phi_7557_ = _e4774;
+                                        } else {
+                                            phi_7557_ = _e4798;
+                                        }
+                                        let _e4801 = phi_7557_;
+                                        let _e4803 = local_4[1u].member_3;
+                                        let _e4807 = local_4[1u].member_2[0u];
+                                        if (_e4807[0] < 0f) {
+                                            phi_7574_ = -(_e4807[0]);
+                                        } else {
+                                            phi_7574_ = _e4807[0];
+                                        }
+                                        let _e4814 = phi_7574_;
+                                        if (_e4807[1] < 0f) {
+                                            phi_7581_ = -(_e4807[1]);
+                                        } else {
+                                            phi_7581_ = _e4807[1];
+                                        }
+                                        let _e4818 = phi_7581_;
+                                        if (_e4814 > _e4818) {
+                                            phi_7586_ = _e4814;
+                                        } else {
+                                            phi_7586_ = _e4818;
+                                        }
+                                        let _e4821 = phi_7586_;
+                                        if (_e4807[2] < 0f) {
+                                            phi_7593_ = -(_e4807[2]);
+                                        } else {
+                                            phi_7593_ = _e4807[2];
+                                        }
+                                        let _e4825 = phi_7593_;
+                                        if (_e4821 > _e4825) {
+                                            phi_7598_ = _e4821;
+                                        } else {
+                                            phi_7598_ = _e4825;
+                                        }
+                                        let _e4828 = phi_7598_;
+                                        let _e4831 = local_4[1u].member_2[1u];
+                                        if (_e4831[0] < 0f) {
+                                            phi_7612_ = -(_e4831[0]);
+                                        } else {
+                                            phi_7612_ = _e4831[0];
+                                        }
+                                        let _e4838 = phi_7612_;
+                                        if (_e4831[1] < 0f) {
+                                            phi_7619_ = -(_e4831[1]);
+                                        } else {
+                                            phi_7619_ = _e4831[1];
+                                        }
+                                        let _e4842 = phi_7619_;
+                                        if (_e4838 > _e4842) {
+                                            phi_7624_ = _e4838;
+                                        } else {
+                                            phi_7624_ = _e4842;
+                                        }
+                                        let _e4845 = phi_7624_;
+                                        if (_e4831[2] < 0f) {
+                                            phi_7631_ = -(_e4831[2]);
+                                        } else {
+                                            phi_7631_ = _e4831[2];
+                                        }
+                                        let _e4849 = phi_7631_;
+                                        if (_e4845 > _e4849) {
+                                            phi_7636_ = _e4845;
+                                        } else {
+                                            phi_7636_ = _e4849;
+                                        }
+                                        let _e4852 = phi_7636_;
+                                        if (_e4828 > _e4852) {
+                                            phi_7641_ = _e4828;
+                                        } else {
+                                            phi_7641_ = _e4852;
+                                        }
+                                        let _e4855 = phi_7641_;
+                                        let _e4857 = local_4[1u].member_3;
+                                        let _e4860 = (((_e4747 + _e4749) + (_e4801 + _e4803)) + (_e4855 + _e4857));
+                                        let _e4863 = local_4[1u].member_3;
+                                        let _e4867 = (((_e2108 * 1.0001f) + (_e4863 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                        let _e4870 = ((_e4631 * _e4610) - (_e4634 * _e4609));
+                                        let _e4873 = ((_e4634 * _e4608) - (_e4628 * _e4610));
+                                        let _e4876 = ((_e4628 * _e4609) - (_e4631 * _e4608));
+                                        let _e4878 = local[0u];
+                                        let _e4886 = (((_e4870 * _e4878[0]) + (_e4873 * _e4878[1])) + (_e4876 * _e4878[2]));
+                                        phi_7679_ = type_35(0u, 4u);
+                                        phi_7682_ = _e4886;
+                                        phi_7684_ = _e4886;
+                                        loop {
+                                            let _e4888 = phi_7679_;
+                                            let _e4890 = phi_7682_;
+                                            let _e4892 = phi_7684_;
+                                            local_60 = _e4890;
+                                            local_61 = _e4892;
+                                            local_71 = _e4892;
+                                            if (_e4888.member < _e4888.member_1) {
+                                                phi_7680_ = type_35((_e4888.member + 1u), _e4888.member_1);
+                                                phi_7707_ = type_35(1u, _e4888.member);
+                                            } else {
+                                                phi_7680_ = _e4888;
+                                                phi_7707_ = type_35(0u, type_35().member_1);
+                                            }
+                                            let _e4906 = phi_7680_;
+                                            let _e4908 = phi_7707_;
+                                            let _e4912 = (bitcast<i32>(_e4908.member) != 0i);
+                                            if _e4912 {
+                                                if (_e4908.member_1 < 4u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e4915 = local[_e4908.member_1];
+                                                let _e4923 = (((_e4870 * _e4915[0]) + (_e4873 * _e4915[1])) + (_e4876 * _e4915[2]));
+                                                if (_e4908.member_1 < 4u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e4926 = local_1[_e4908.member_1];
+                                                let _e4934 = (((_e4870 * _e4926[0]) + (_e4873 * _e4926[1])) + (_e4876 * _e4926[2]));
+                                                if (_e4892 < _e4923) {
+                                                    phi_7757_ = _e4892;
+                                                } else {
+                                                    phi_7757_ = _e4923;
+                                                }
+                                                let _e4937 = phi_7757_;
+                                                if (_e4937 < _e4934) {
+                                                    phi_7762_ = _e4937;
+                                                } else {
+                                                    phi_7762_ = _e4934;
+                                                }
+                                                let _e4940 = phi_7762_;
+                                                if (_e4890 > _e4923) {
+                                                    phi_7767_ = _e4890;
+                                                } else {
+                                                    phi_7767_ = _e4923;
+                                                }
+                                                let _e4943 = phi_7767_;
+                                                if (_e4943 > _e4934) {
+                                                    phi_7772_ = _e4943;
+                                                } else {
+                                                    phi_7772_ = _e4934;
+                                                }
+                                                let _e4946 = phi_7772_;
+                                                phi_7683_ = _e4946;
+                                                phi_7685_ = _e4940;
+                                            } else {
+                                                phi_7683_ = f32();
+                                                phi_7685_ = f32();
+                                            }
+                                            let _e4948 = phi_7683_;
+                                            let _e4950 = phi_7685_;
+                                            continue;
+                                            continuing {
+                                                phi_7679_ = _e4906;
+                                                phi_7682_ = _e4948;
+                                                phi_7684_ = _e4950;
+                                                break if !(_e4912);
+                                            }
+                                        }
+                                        if (_e4870 < 0f) {
+                                            phi_7778_ = -(_e4870);
+                                        } else {
+                                            phi_7778_ = _e4870;
+                                        }
+                                        let _e4955 = phi_7778_;
+                                        if (_e4873 < 0f) {
+                                            phi_7784_ = -(_e4873);
+                                        } else {
+                                            phi_7784_ = _e4873;
+                                        }
+                                        let _e4959 = phi_7784_;
+                                        if (_e4876 < 0f) {
+                                            phi_7791_ = -(_e4876);
+                                        } else {
+                                            phi_7791_ = _e4876;
+                                        }
+                                        let _e4964 = phi_7791_;
+                                        let _e4965 = ((_e4955 + _e4959) + _e4964);
+                                        let _e4970 = local_60;
+                                        let _e4971 = -(_e4970);
+                                        let _e4973 = local_61;
+                                        if (_e4973 > _e4971) {
+                                            let _e5775 = local_71;
+                                            phi_7801_ = _e5775;
+                                        } else {
+                                            phi_7801_ = _e4971;
+                                        }
+                                        let _e4976 = phi_7801_;
+                                        let _e4981 = (((_e4976 - ((_e4965 * _e4860) * (0.000000059604645f * 17f))) - (_e4965 * _e4867)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        let _e4984 = ((_e4631 * _e4625) - (_e4634 * _e4624));
+                                        let _e4987 = ((_e4634 * _e4623) - (_e4628 * _e4625));
+                                        let _e4990 = ((_e4628 * _e4624) - (_e4631 * _e4623));
+                                        let _e4992 = local[0u];
+                                        let _e5000 = (((_e4984 * _e4992[0]) + (_e4987 * _e4992[1])) + (_e4990 * _e4992[2]));
+                                        phi_7832_ = type_35(0u, 4u);
+                                        phi_7835_ = _e5000;
+                                        phi_7837_ = _e5000;
+                                        loop {
+                                            let _e5002 = phi_7832_;
+                                            let _e5004 = phi_7835_;
+                                            let _e5006 = phi_7837_;
+                                            local_62 = _e5004;
+                                            local_63 = _e5006;
+                                            local_72 = _e5006;
+                                            if (_e5002.member < _e5002.member_1) {
+                                                phi_7833_ = type_35((_e5002.member + 1u), _e5002.member_1);
+                                                phi_7860_ = type_35(1u, _e5002.member);
+                                            } else {
+                                                phi_7833_ = _e5002;
+                                                phi_7860_ = type_35(0u, type_35().member_1);
+                                            }
+                                            let _e5020 = phi_7833_;
+                                            let _e5022 = phi_7860_;
+                                            let _e5026 = (bitcast<i32>(_e5022.member) != 0i);
+                                            if _e5026 {
+                                                if (_e5022.member_1 < 4u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e5029 = local[_e5022.member_1];
+                                                let _e5037 = (((_e4984 * _e5029[0]) + (_e4987 * _e5029[1])) + (_e4990 * _e5029[2]));
+                                                if (_e5022.member_1 < 4u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e5040 = local_1[_e5022.member_1];
+                                                let _e5048 = (((_e4984 * _e5040[0]) + (_e4987 * _e5040[1])) + (_e4990 * _e5040[2]));
+                                                if (_e5006 < _e5037) {
+                                                    phi_7910_ = _e5006;
+                                                } else {
+                                                    phi_7910_ = _e5037;
+                                                }
+                                                let _e5051 = phi_7910_;
+                                                if (_e5051 < _e5048) {
+                                                    phi_7915_ = _e5051;
+                                                } else {
+                                                    phi_7915_ = _e5048;
+                                                }
+                                                let _e5054 = phi_7915_;
+                                                if (_e5004 > _e5037) {
+                                                    phi_7920_ = _e5004;
+                                                } else {
+                                                    phi_7920_ = _e5037;
+                                                }
+                                                let _e5057 = phi_7920_;
+                                                if (_e5057 > _e5048) {
+                                                    phi_7925_ = _e5057;
+                                                } else {
+                                                    phi_7925_ = _e5048;
+                                                }
+                                                let _e5060 = phi_7925_;
+                                                phi_7836_ = _e5060;
+                                                phi_7838_ = _e5054;
+                                            } else {
+                                                phi_7836_ = f32();
+                                                phi_7838_ = f32();
+                                            }
+                                            let _e5062 = phi_7836_;
+                                            let _e5064 = phi_7838_;
+                                            continue;
+                                            continuing {
+                                                phi_7832_ = _e5020;
+                                                phi_7835_ = _e5062;
+                                                phi_7837_ = _e5064;
+                                                break if !(_e5026);
+                                            }
+                                        }
+                                        if (_e4984 < 0f) {
+                                            phi_7931_ = -(_e4984);
+                                        } else {
+                                            phi_7931_ = _e4984;
+                                        }
+                                        let _e5069 = phi_7931_;
+                                        if (_e4987 < 0f) {
+                                            phi_7937_ = -(_e4987);
+                                        } else {
+                                            phi_7937_ = _e4987;
+                                        }
+                                        let _e5073 = phi_7937_;
+                                        if (_e4990 < 0f) {
+                                            phi_7944_ = -(_e4990);
+                                        } else {
+                                            phi_7944_ = _e4990;
+                                        }
+                                        let _e5078 = phi_7944_;
+                                        let _e5079 = ((_e5069 + _e5073) + _e5078);
+                                        let _e5084 = local_62;
+                                        let _e5085 = -(_e5084);
+                                        let _e5087 = local_63;
+                                        if (_e5087 > _e5085) {
+                                            let _e5794 = local_72;
+                                            phi_7954_ = _e5794;
+                                        } else {
+                                            phi_7954_ = _e5085;
+                                        }
+                                        let _e5090 = phi_7954_;
+                                        let _e5095 = (((_e5090 - ((_e5079 * _e4860) * (0.000000059604645f * 17f))) - (_e5079 * _e4867)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4981 > _e5095) {
+                                            phi_7964_ = _e4981;
+                                        } else {
+                                            phi_7964_ = _e5095;
+                                        }
+                                        let _e5098 = phi_7964_;
+                                        phi_8132_ = (_e5098 > 0f);
+                                    }
+                                    let _e5101 = phi_8132_;
+                                    phi_8133_ = _e5101;
+                                } else {
+                                    phi_8133_ = false;
+                                }
+                                let _e5103 = phi_8133_;
+                                phi_8135_ = !(_e5103);
+                            }
+                            let _e5106 = phi_8135_;
+                            if _e5106 {
+                                let _e5108 = atomicAdd((&counters[5u]), 1u);
+                                hits[_e1343] = ((2147483648u | (_e5108 << bitcast<u32>(12i))) | _e1346);
+                            }
+                        }
+                        phi_8145_ = true;
+                    }
+                    let _e5115 = phi_8145_;
+                    phi_8146_ = _e5115;
+                } else {
+                    phi_8146_ = false;
+                }
+                let _e5117 = phi_8146_;
+                continue;
+                continuing {
+                    phi_1881_ = _e1335;
+                    break if !(_e5117);
+                }
+            }
+            workgroupBarrier();
+            if (_e110 == 0u) {
+                let _e5121 = atomicLoad((&counters[5u]));
+                if (_e5121 > 0u) {
+                    let _e5124 = atomicAdd((&output.member[0u]), _e5121);
+                    atomicStore((&counters[6u]), _e5124);
+                }
+            }
+            workgroupBarrier();
+            let _e5127 = atomicLoad((&counters[6u]));
+            if (_e110 == 0u) {
+                let _e5130 = atomicLoad((&counters[7u]));
+                if (_e5130 > 0u) {
+                    let _e5133 = atomicAdd((&output.member[1u]), _e5130);
+                }
+            }
+            phi_8178_ = type_35(0u, 8u);
+            loop {
+                let _e5135 = phi_8178_;
+                if (_e5135.member < _e5135.member_1) {
+                    phi_8179_ = type_35((_e5135.member + 1u), _e5135.member_1);
+                    phi_8202_ = type_35(1u, _e5135.member);
+                } else {
+                    phi_8179_ = _e5135;
+                    phi_8202_ = type_35(0u, type_35().member_1);
+                }
+                let _e5149 = phi_8179_;
+                let _e5151 = phi_8202_;
+                if (bitcast<i32>(_e5151.member) != 0i) {
+                    let _e5157 = (_e110 + (_e5151.member_1 * 128u));
+                    if (_e5157 >= _e1319) {
+                        phi_8300_ = false;
+                    } else {
+                        let _e5160 = hits[_e5157];
+                        if ((_e5160 & 2147483648u) == 0u) {
+                            phi_8225_ = 4294967295u;
+                        } else {
+                            phi_8225_ = ((_e5160 & 2147483647u) >> bitcast<u32>(12i));
+                        }
+                        let _e5167 = phi_8225_;
+                        if (_e5167 != 4294967295u) {
+                            let _e5171 = ((_e5160 >> bitcast<u32>(10i)) & 3u);
+                            let _e5178 = firsts[(2u * _e5171)];
+                            let _e5181 = leaves.member[(_e5178 + ((_e5160 >> bitcast<u32>(5i)) & 31u))];
+                            let _e5185 = firsts[((2u * _e5171) + 1u)];
+                            let _e5188 = leaves.member[(_e5185 + (_e5160 & 31u))];
+                            let _e5192 = params.member.member_16;
+                            let _e5193 = (_e5127 + _e5167);
+                            if (_e5181.member_1 < _e5188.member_1) {
+                                phi_8279_ = type_35(_e5181.member_1, _e5188.member_1);
+                            } else {
+                                phi_8279_ = type_35(_e5188.member_1, _e5181.member_1);
+                            }
+                            let _e5198 = phi_8279_;
+                            if (_e5193 < _e5192) {
+                                atomicStore((&output.member[(4u + (2u * _e5193))]), _e5198.member);
+                                atomicStore((&output.member[((2u * _e5193) + 5u)]), _e5198.member_1);
+                            }
+                        }
+                        phi_8300_ = true;
+                    }
+                    let _e5209 = phi_8300_;
+                    phi_8301_ = _e5209;
+                } else {
+                    phi_8301_ = false;
+                }
+                let _e5211 = phi_8301_;
+                continue;
+                continuing {
+                    phi_8178_ = _e5149;
+                    break if !(_e5211);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_285_ = _e168;
-            break if !(_e174);
+            phi_319_ = _e193;
+            break if !(_e199);
         }
     }
     return;
 }
 
-@compute @workgroup_size(64, 1, 1) 
+@compute @workgroup_size(128, 1, 1) 
 fn filter_edge_edge(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     id_1 = id;
     n_1 = n;

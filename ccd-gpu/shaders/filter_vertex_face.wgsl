@@ -47,41 +47,31 @@ struct type_26 {
 }
 
 struct type_35 {
-    member: i32,
-    member_1: i32,
-}
-
-struct type_36 {
-    member: u32,
-    member_1: i32,
-}
-
-struct type_37 {
     member: u32,
     member_1: u32,
 }
 
-struct type_46 {
+struct type_44 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
 }
 
-struct type_49 {
-    member: array<type_46>,
+struct type_47 {
+    member: array<type_44>,
 }
 
-struct type_65 {
+struct type_63 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-struct type_72 {
+struct type_70 {
     member: array<array<f32, 3>, 2>,
     member_1: array<array<f32, 3>, 2>,
     member_2: array<array<f32, 3>, 2>,
     member_3: f32,
 }
 
-struct type_80 {
+struct type_78 {
     member: array<atomic<u32>>,
 }
 
@@ -93,32 +83,32 @@ var<storage> params: type_13;
 @group(0) @binding(1) 
 var<storage> nodes: type_17;
 var<workgroup> counters: array<atomic<u32>, 8>;
-var<workgroup> sides: array<type_6, 64>;
-var<workgroup> names: array<u32, 64>;
+var<workgroup> firsts: array<u32, 8>;
+var<workgroup> columns: array<type_6, 128>;
+var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 1024>;
 @group(0) @binding(2) 
 var<storage> leaves: type_26;
 @group(0) @binding(3) 
 var<storage> bodies: type_21;
 @group(0) @binding(4) 
-var<storage> keys: type_65;
-var<workgroup> kept: array<u32, 1024>;
+var<storage> keys: type_63;
 @group(0) @binding(5) 
-var<storage> paths: type_49;
+var<storage> paths: type_47;
 @group(0) @binding(6) 
 var<storage> input: type_21;
 @group(0) @binding(7) 
-var<storage, read_write> output: type_80;
+var<storage, read_write> output: type_78;
 
 fn function_() {
     var local: array<array<f32, 3>, 4>;
     var local_1: array<array<f32, 3>, 4>;
     var local_2: array<array<f32, 3>, 4>;
     var local_3: array<array<f32, 3>, 4>;
-    var local_4: array<type_72, 2>;
+    var local_4: array<type_70, 2>;
     var local_5: array<array<f32, 3>, 4>;
     var local_6: array<array<f32, 3>, 4>;
-    var local_7: type_72;
+    var local_7: type_70;
     var local_8: array<array<u32, 2>, 6>;
     var local_9: array<array<u32, 2>, 6>;
     var local_10: array<array<u32, 2>, 6>;
@@ -127,4301 +117,4984 @@ fn function_() {
     var local_13: array<array<u32, 2>, 6>;
     var local_14: array<array<u32, 2>, 6>;
     var local_15: array<array<u32, 2>, 6>;
-    var local_16: type_23;
-    var local_17: type_23;
-    var phi_225_: u32;
-    var phi_252_: u32;
-    var phi_253_: u32;
-    var phi_260_: u32;
-    var phi_281_: u32;
-    var phi_282_: u32;
-    var phi_285_: type_37;
-    var phi_286_: type_37;
-    var phi_309_: type_37;
-    var phi_361_: array<u32, 2>;
-    var phi_369_: u32;
-    var phi_370_: u32;
-    var phi_375_: u32;
-    var phi_376_: u32;
-    var phi_494_: u32;
-    var phi_525_: bool;
-    var phi_530_: type_37;
-    var phi_533_: u32;
-    var phi_531_: type_37;
-    var phi_556_: type_37;
-    var phi_626_: bool;
-    var phi_627_: bool;
-    var phi_639_: u32;
-    var phi_640_: bool;
-    var phi_534_: u32;
-    var phi_641_: bool;
-    var phi_646_: type_35;
-    var phi_649_: u32;
-    var phi_670_: bool;
-    var phi_676_: type_36;
-    var phi_647_: type_35;
-    var phi_690_: type_36;
-    var phi_863_: bool;
-    var phi_864_: bool;
-    var phi_865_: bool;
-    var phi_866_: bool;
-    var phi_867_: bool;
-    var phi_871_: bool;
-    var phi_827_: bool;
-    var phi_828_: bool;
-    var phi_829_: bool;
-    var phi_833_: bool;
-    var phi_872_: bool;
-    var phi_876_: bool;
-    var phi_877_: bool;
-    var phi_923_: bool;
-    var phi_933_: bool;
-    var phi_934_: bool;
-    var phi_938_: bool;
-    var phi_939_: bool;
-    var phi_988_: type_37;
+    var local_16: array<array<u32, 2>, 6>;
+    var local_17: array<array<u32, 2>, 6>;
+    var local_18: array<array<u32, 2>, 6>;
+    var local_19: array<array<u32, 2>, 6>;
+    var local_20: array<array<u32, 2>, 6>;
+    var local_21: array<array<u32, 2>, 6>;
+    var local_22: array<array<u32, 2>, 6>;
+    var local_23: array<array<u32, 2>, 6>;
+    var local_24: type_23;
+    var local_25: type_23;
+    var local_26: type_23;
+    var local_27: type_23;
+    var phi_232_: u32;
+    var phi_270_: u32;
+    var phi_271_: u32;
+    var phi_278_: u32;
+    var phi_294_: u32;
+    var phi_315_: u32;
+    var phi_316_: u32;
+    var phi_319_: type_35;
+    var phi_320_: type_35;
+    var phi_343_: type_35;
+    var phi_381_: u32;
+    var phi_382_: u32;
+    var phi_389_: u32;
+    var phi_399_: u32;
+    var phi_478_: array<u32, 2>;
+    var phi_672_: bool;
+    var phi_673_: bool;
+    var phi_677_: type_6;
+    var phi_690_: type_35;
+    var phi_693_: u32;
+    var phi_691_: type_35;
+    var phi_716_: type_35;
+    var phi_806_: u32;
+    var phi_808_: u32;
+    var phi_694_: u32;
+    var phi_811_: type_35;
+    var phi_814_: u32;
+    var phi_812_: type_35;
+    var phi_837_: type_35;
+    var phi_983_: bool;
+    var phi_984_: bool;
+    var phi_985_: bool;
+    var phi_986_: bool;
+    var phi_987_: bool;
     var phi_991_: bool;
-    var phi_989_: type_37;
-    var phi_1014_: type_37;
-    var phi_1071_: type_37;
-    var phi_1074_: array<u32, 2>;
-    var phi_1072_: type_37;
-    var phi_1097_: type_37;
-    var phi_1172_: bool;
-    var phi_1173_: bool;
-    var phi_1177_: array<u32, 2>;
-    var phi_1075_: array<u32, 2>;
-    var phi_1228_: type_37;
-    var phi_1231_: array<u32, 2>;
-    var phi_1229_: type_37;
-    var phi_1254_: type_37;
-    var phi_1330_: bool;
-    var phi_1331_: bool;
-    var phi_1335_: array<u32, 2>;
-    var phi_1232_: array<u32, 2>;
-    var local_18: array<u32, 2>;
-    var local_19: array<u32, 2>;
-    var local_20: array<u32, 2>;
-    var local_21: array<u32, 2>;
-    var local_22: array<u32, 2>;
-    var local_23: array<u32, 2>;
-    var phi_1351_: bool;
-    var phi_1352_: bool;
-    var phi_1403_: type_37;
-    var phi_1406_: array<u32, 2>;
-    var phi_1404_: type_37;
-    var phi_1429_: type_37;
-    var phi_1504_: bool;
-    var phi_1505_: bool;
-    var phi_1509_: array<u32, 2>;
-    var phi_1407_: array<u32, 2>;
-    var phi_1560_: type_37;
-    var phi_1563_: array<u32, 2>;
-    var phi_1561_: type_37;
-    var phi_1586_: type_37;
-    var phi_1662_: bool;
-    var phi_1663_: bool;
-    var phi_1667_: array<u32, 2>;
-    var phi_1564_: array<u32, 2>;
-    var local_24: array<u32, 2>;
-    var local_25: array<u32, 2>;
-    var local_26: array<u32, 2>;
-    var local_27: array<u32, 2>;
+    var phi_947_: bool;
+    var phi_948_: bool;
+    var phi_949_: bool;
+    var phi_953_: bool;
+    var phi_992_: bool;
+    var phi_996_: bool;
+    var phi_997_: bool;
+    var phi_1043_: bool;
+    var phi_1053_: bool;
+    var phi_1054_: bool;
+    var phi_1058_: bool;
+    var phi_1059_: bool;
+    var phi_1108_: type_35;
+    var phi_1111_: bool;
+    var phi_1109_: type_35;
+    var phi_1134_: type_35;
+    var phi_1191_: type_35;
+    var phi_1194_: array<u32, 2>;
+    var phi_1192_: type_35;
+    var phi_1217_: type_35;
+    var phi_1292_: bool;
+    var phi_1293_: bool;
+    var phi_1297_: array<u32, 2>;
+    var phi_1195_: array<u32, 2>;
+    var phi_1348_: type_35;
+    var phi_1351_: array<u32, 2>;
+    var phi_1349_: type_35;
+    var phi_1374_: type_35;
+    var phi_1450_: bool;
+    var phi_1451_: bool;
+    var phi_1455_: array<u32, 2>;
+    var phi_1352_: array<u32, 2>;
     var local_28: array<u32, 2>;
     var local_29: array<u32, 2>;
-    var phi_1683_: bool;
-    var phi_1684_: bool;
-    var phi_992_: bool;
-    var phi_1688_: bool;
-    var phi_1689_: bool;
-    var phi_1690_: bool;
-    var phi_1694_: bool;
-    var phi_1695_: bool;
-    var phi_1696_: bool;
-    var phi_1697_: bool;
-    var phi_1698_: bool;
-    var phi_1702_: bool;
-    var phi_2100_: f32;
-    var phi_2107_: f32;
-    var phi_2112_: f32;
-    var phi_2119_: f32;
-    var phi_2124_: f32;
-    var phi_2137_: f32;
-    var phi_2144_: f32;
-    var phi_2149_: f32;
-    var phi_2156_: f32;
-    var phi_2161_: f32;
-    var phi_2166_: f32;
-    var phi_2183_: f32;
-    var phi_2190_: f32;
-    var phi_2195_: f32;
-    var phi_2202_: f32;
-    var phi_2207_: f32;
-    var phi_2221_: f32;
-    var phi_2228_: f32;
-    var phi_2233_: f32;
-    var phi_2240_: f32;
-    var phi_2245_: f32;
-    var phi_2250_: f32;
-    var phi_2267_: f32;
-    var phi_2274_: f32;
-    var phi_2279_: f32;
-    var phi_2286_: f32;
-    var phi_2291_: f32;
-    var phi_2305_: f32;
-    var phi_2312_: f32;
-    var phi_2317_: f32;
-    var phi_2324_: f32;
-    var phi_2329_: f32;
-    var phi_2334_: f32;
-    var phi_2365_: f32;
-    var phi_2371_: f32;
-    var phi_2378_: f32;
-    var phi_2385_: f32;
-    var phi_2391_: f32;
-    var phi_2398_: f32;
-    var phi_2404_: f32;
-    var phi_2410_: f32;
-    var phi_2416_: f32;
-    var phi_2423_: f32;
-    var phi_2430_: f32;
-    var phi_2454_: f32;
-    var phi_2459_: f32;
-    var phi_2464_: f32;
-    var phi_2469_: f32;
-    var phi_2474_: f32;
-    var phi_2479_: f32;
-    var phi_2489_: f32;
-    var phi_2740_: f32;
-    var phi_2747_: f32;
-    var phi_2752_: f32;
-    var phi_2759_: f32;
-    var phi_2764_: f32;
-    var phi_2777_: f32;
-    var phi_2784_: f32;
-    var phi_2789_: f32;
-    var phi_2796_: f32;
-    var phi_2801_: f32;
-    var phi_2806_: f32;
-    var phi_2823_: f32;
-    var phi_2830_: f32;
-    var phi_2835_: f32;
-    var phi_2842_: f32;
-    var phi_2847_: f32;
-    var phi_2861_: f32;
-    var phi_2868_: f32;
-    var phi_2873_: f32;
-    var phi_2880_: f32;
-    var phi_2885_: f32;
-    var phi_2890_: f32;
-    var phi_2907_: f32;
-    var phi_2914_: f32;
-    var phi_2919_: f32;
-    var phi_2926_: f32;
-    var phi_2931_: f32;
-    var phi_2945_: f32;
-    var phi_2952_: f32;
-    var phi_2957_: f32;
-    var phi_2964_: f32;
-    var phi_2969_: f32;
-    var phi_2974_: f32;
-    var phi_3012_: type_37;
-    var phi_3015_: f32;
-    var phi_3017_: f32;
-    var phi_3013_: type_37;
-    var phi_3040_: type_37;
-    var phi_3090_: f32;
-    var phi_3095_: f32;
-    var phi_3100_: f32;
-    var phi_3105_: f32;
-    var phi_3016_: f32;
-    var phi_3018_: f32;
-    var phi_3111_: f32;
-    var phi_3117_: f32;
-    var phi_3124_: f32;
-    var local_30: f32;
-    var local_31: f32;
-    var phi_3134_: f32;
-    var phi_3165_: type_37;
-    var phi_3168_: f32;
-    var phi_3170_: f32;
-    var phi_3166_: type_37;
-    var phi_3193_: type_37;
-    var phi_3243_: f32;
-    var phi_3248_: f32;
-    var phi_3253_: f32;
-    var phi_3258_: f32;
-    var phi_3169_: f32;
-    var phi_3171_: f32;
-    var phi_3264_: f32;
-    var phi_3270_: f32;
-    var phi_3277_: f32;
-    var local_32: f32;
-    var local_33: f32;
-    var phi_3287_: f32;
-    var phi_3297_: f32;
-    var phi_3330_: type_37;
+    var local_30: array<u32, 2>;
+    var local_31: array<u32, 2>;
+    var local_32: array<u32, 2>;
+    var local_33: array<u32, 2>;
+    var phi_1471_: bool;
+    var phi_1472_: bool;
+    var phi_1523_: type_35;
+    var phi_1526_: array<u32, 2>;
+    var phi_1524_: type_35;
+    var phi_1549_: type_35;
+    var phi_1624_: bool;
+    var phi_1625_: bool;
+    var phi_1629_: array<u32, 2>;
+    var phi_1527_: array<u32, 2>;
+    var phi_1680_: type_35;
+    var phi_1683_: array<u32, 2>;
+    var phi_1681_: type_35;
+    var phi_1706_: type_35;
+    var phi_1782_: bool;
+    var phi_1783_: bool;
+    var phi_1787_: array<u32, 2>;
+    var phi_1684_: array<u32, 2>;
+    var local_34: array<u32, 2>;
+    var local_35: array<u32, 2>;
+    var local_36: array<u32, 2>;
+    var local_37: array<u32, 2>;
+    var local_38: array<u32, 2>;
+    var local_39: array<u32, 2>;
+    var phi_1803_: bool;
+    var phi_1804_: bool;
+    var phi_1112_: bool;
+    var phi_1808_: bool;
+    var phi_1809_: bool;
+    var phi_1810_: bool;
+    var phi_1814_: bool;
+    var phi_1815_: bool;
+    var phi_1816_: bool;
+    var phi_1817_: bool;
+    var phi_1818_: bool;
+    var phi_1822_: bool;
+    var phi_1869_: u32;
+    var phi_1870_: bool;
+    var phi_815_: u32;
+    var phi_1871_: bool;
+    var phi_1878_: u32;
+    var phi_1881_: type_35;
+    var phi_1882_: type_35;
+    var phi_1905_: type_35;
+    var phi_2059_: bool;
+    var phi_2060_: bool;
+    var phi_2061_: bool;
+    var phi_2062_: bool;
+    var phi_2063_: bool;
+    var phi_2067_: bool;
+    var phi_2023_: bool;
+    var phi_2024_: bool;
+    var phi_2025_: bool;
+    var phi_2029_: bool;
+    var phi_2068_: bool;
+    var phi_2072_: bool;
+    var phi_2073_: bool;
+    var phi_2119_: bool;
+    var phi_2129_: bool;
+    var phi_2130_: bool;
+    var phi_2134_: bool;
+    var phi_2135_: bool;
+    var phi_2184_: type_35;
+    var phi_2187_: bool;
+    var phi_2185_: type_35;
+    var phi_2210_: type_35;
+    var phi_2267_: type_35;
+    var phi_2270_: array<u32, 2>;
+    var phi_2268_: type_35;
+    var phi_2293_: type_35;
+    var phi_2368_: bool;
+    var phi_2369_: bool;
+    var phi_2373_: array<u32, 2>;
+    var phi_2271_: array<u32, 2>;
+    var phi_2424_: type_35;
+    var phi_2427_: array<u32, 2>;
+    var phi_2425_: type_35;
+    var phi_2450_: type_35;
+    var phi_2526_: bool;
+    var phi_2527_: bool;
+    var phi_2531_: array<u32, 2>;
+    var phi_2428_: array<u32, 2>;
+    var local_40: array<u32, 2>;
+    var local_41: array<u32, 2>;
+    var local_42: array<u32, 2>;
+    var local_43: array<u32, 2>;
+    var local_44: array<u32, 2>;
+    var local_45: array<u32, 2>;
+    var phi_2547_: bool;
+    var phi_2548_: bool;
+    var phi_2599_: type_35;
+    var phi_2602_: array<u32, 2>;
+    var phi_2600_: type_35;
+    var phi_2625_: type_35;
+    var phi_2700_: bool;
+    var phi_2701_: bool;
+    var phi_2705_: array<u32, 2>;
+    var phi_2603_: array<u32, 2>;
+    var phi_2756_: type_35;
+    var phi_2759_: array<u32, 2>;
+    var phi_2757_: type_35;
+    var phi_2782_: type_35;
+    var phi_2858_: bool;
+    var phi_2859_: bool;
+    var phi_2863_: array<u32, 2>;
+    var phi_2760_: array<u32, 2>;
+    var local_46: array<u32, 2>;
+    var local_47: array<u32, 2>;
+    var local_48: array<u32, 2>;
+    var local_49: array<u32, 2>;
+    var local_50: array<u32, 2>;
+    var local_51: array<u32, 2>;
+    var phi_2879_: bool;
+    var phi_2880_: bool;
+    var phi_2188_: bool;
+    var phi_2884_: bool;
+    var phi_2885_: bool;
+    var phi_2886_: bool;
+    var phi_2890_: bool;
+    var phi_2891_: bool;
+    var phi_2892_: bool;
+    var phi_2893_: bool;
+    var phi_2894_: bool;
+    var phi_2898_: bool;
+    var phi_3296_: f32;
+    var phi_3303_: f32;
+    var phi_3308_: f32;
+    var phi_3315_: f32;
+    var phi_3320_: f32;
     var phi_3333_: f32;
-    var phi_3335_: f32;
-    var phi_3331_: type_37;
-    var phi_3358_: type_37;
-    var phi_3408_: f32;
-    var phi_3413_: f32;
-    var phi_3418_: f32;
-    var phi_3423_: f32;
-    var phi_3334_: f32;
-    var phi_3336_: f32;
+    var phi_3340_: f32;
+    var phi_3345_: f32;
+    var phi_3352_: f32;
+    var phi_3357_: f32;
+    var phi_3362_: f32;
+    var phi_3379_: f32;
+    var phi_3386_: f32;
+    var phi_3391_: f32;
+    var phi_3398_: f32;
+    var phi_3403_: f32;
+    var phi_3417_: f32;
+    var phi_3424_: f32;
     var phi_3429_: f32;
-    var phi_3435_: f32;
-    var phi_3442_: f32;
-    var local_34: f32;
-    var local_35: f32;
-    var phi_3452_: f32;
-    var phi_3462_: f32;
-    var phi_3465_: bool;
-    var phi_3922_: f32;
-    var phi_3929_: f32;
-    var phi_3934_: f32;
-    var phi_3941_: f32;
-    var phi_3946_: f32;
-    var phi_3959_: f32;
-    var phi_3966_: f32;
-    var phi_3971_: f32;
-    var phi_3978_: f32;
-    var phi_3983_: f32;
-    var phi_3988_: f32;
-    var phi_4005_: f32;
-    var phi_4012_: f32;
-    var phi_4017_: f32;
-    var phi_4024_: f32;
-    var phi_4029_: f32;
+    var phi_3436_: f32;
+    var phi_3441_: f32;
+    var phi_3446_: f32;
+    var phi_3463_: f32;
+    var phi_3470_: f32;
+    var phi_3475_: f32;
+    var phi_3482_: f32;
+    var phi_3487_: f32;
+    var phi_3501_: f32;
+    var phi_3508_: f32;
+    var phi_3513_: f32;
+    var phi_3520_: f32;
+    var phi_3525_: f32;
+    var phi_3530_: f32;
+    var phi_3561_: f32;
+    var phi_3567_: f32;
+    var phi_3574_: f32;
+    var phi_3581_: f32;
+    var phi_3587_: f32;
+    var phi_3594_: f32;
+    var phi_3600_: f32;
+    var phi_3606_: f32;
+    var phi_3612_: f32;
+    var phi_3619_: f32;
+    var phi_3626_: f32;
+    var phi_3650_: f32;
+    var phi_3655_: f32;
+    var phi_3660_: f32;
+    var phi_3665_: f32;
+    var phi_3670_: f32;
+    var phi_3675_: f32;
+    var phi_3685_: f32;
+    var phi_3936_: f32;
+    var phi_3943_: f32;
+    var phi_3948_: f32;
+    var phi_3955_: f32;
+    var phi_3960_: f32;
+    var phi_3973_: f32;
+    var phi_3980_: f32;
+    var phi_3985_: f32;
+    var phi_3992_: f32;
+    var phi_3997_: f32;
+    var phi_4002_: f32;
+    var phi_4019_: f32;
+    var phi_4026_: f32;
+    var phi_4031_: f32;
+    var phi_4038_: f32;
     var phi_4043_: f32;
-    var phi_4050_: f32;
-    var phi_4055_: f32;
-    var phi_4062_: f32;
-    var phi_4067_: f32;
-    var phi_4072_: f32;
-    var phi_4089_: f32;
-    var phi_4096_: f32;
-    var phi_4101_: f32;
-    var phi_4108_: f32;
-    var phi_4113_: f32;
+    var phi_4057_: f32;
+    var phi_4064_: f32;
+    var phi_4069_: f32;
+    var phi_4076_: f32;
+    var phi_4081_: f32;
+    var phi_4086_: f32;
+    var phi_4103_: f32;
+    var phi_4110_: f32;
+    var phi_4115_: f32;
+    var phi_4122_: f32;
     var phi_4127_: f32;
-    var phi_4134_: f32;
-    var phi_4139_: f32;
-    var phi_4146_: f32;
-    var phi_4151_: f32;
-    var phi_4156_: f32;
-    var phi_4187_: f32;
-    var phi_4193_: f32;
-    var phi_4200_: f32;
-    var phi_4207_: f32;
+    var phi_4141_: f32;
+    var phi_4148_: f32;
+    var phi_4153_: f32;
+    var phi_4160_: f32;
+    var phi_4165_: f32;
+    var phi_4170_: f32;
+    var phi_4208_: type_35;
+    var phi_4211_: f32;
     var phi_4213_: f32;
-    var phi_4220_: f32;
-    var phi_4226_: f32;
-    var phi_4232_: f32;
-    var phi_4238_: f32;
-    var phi_4245_: f32;
-    var phi_4252_: f32;
-    var phi_4276_: f32;
-    var phi_4281_: f32;
+    var phi_4209_: type_35;
+    var phi_4236_: type_35;
     var phi_4286_: f32;
     var phi_4291_: f32;
     var phi_4296_: f32;
     var phi_4301_: f32;
-    var phi_4311_: f32;
-    var phi_4562_: f32;
-    var phi_4569_: f32;
-    var phi_4574_: f32;
-    var phi_4581_: f32;
-    var phi_4586_: f32;
-    var phi_4599_: f32;
-    var phi_4606_: f32;
-    var phi_4611_: f32;
-    var phi_4618_: f32;
-    var phi_4623_: f32;
-    var phi_4628_: f32;
-    var phi_4645_: f32;
-    var phi_4652_: f32;
-    var phi_4657_: f32;
-    var phi_4664_: f32;
-    var phi_4669_: f32;
-    var phi_4683_: f32;
-    var phi_4690_: f32;
-    var phi_4695_: f32;
-    var phi_4702_: f32;
-    var phi_4707_: f32;
-    var phi_4712_: f32;
-    var phi_4729_: f32;
-    var phi_4736_: f32;
-    var phi_4741_: f32;
-    var phi_4748_: f32;
-    var phi_4753_: f32;
-    var phi_4767_: f32;
-    var phi_4774_: f32;
-    var phi_4779_: f32;
-    var phi_4786_: f32;
-    var phi_4791_: f32;
-    var phi_4796_: f32;
-    var phi_4834_: type_37;
-    var phi_4837_: f32;
-    var phi_4839_: f32;
-    var phi_4835_: type_37;
-    var phi_4862_: type_37;
-    var phi_4912_: f32;
-    var phi_4917_: f32;
-    var phi_4922_: f32;
-    var phi_4927_: f32;
-    var phi_4838_: f32;
-    var phi_4840_: f32;
-    var phi_4933_: f32;
-    var phi_4939_: f32;
-    var phi_4946_: f32;
-    var local_36: f32;
-    var local_37: f32;
-    var phi_4956_: f32;
-    var phi_4987_: type_37;
-    var phi_4990_: f32;
-    var phi_4992_: f32;
-    var phi_4988_: type_37;
-    var phi_5015_: type_37;
-    var phi_5065_: f32;
-    var phi_5070_: f32;
-    var phi_5075_: f32;
-    var phi_5080_: f32;
-    var phi_4991_: f32;
-    var phi_4993_: f32;
-    var phi_5086_: f32;
-    var phi_5092_: f32;
-    var phi_5099_: f32;
-    var local_38: f32;
-    var local_39: f32;
-    var phi_5109_: f32;
-    var phi_5119_: f32;
-    var phi_5152_: type_37;
-    var phi_5155_: f32;
-    var phi_5157_: f32;
-    var phi_5153_: type_37;
-    var phi_5180_: type_37;
-    var phi_5230_: f32;
-    var phi_5235_: f32;
-    var phi_5240_: f32;
-    var phi_5245_: f32;
-    var phi_5156_: f32;
-    var phi_5158_: f32;
-    var phi_5251_: f32;
-    var phi_5257_: f32;
-    var phi_5264_: f32;
-    var local_40: f32;
-    var local_41: f32;
-    var phi_5274_: f32;
-    var phi_5284_: f32;
-    var phi_5287_: bool;
-    var phi_5533_: f32;
-    var phi_5540_: f32;
-    var phi_5545_: f32;
-    var phi_5552_: f32;
-    var phi_5557_: f32;
-    var phi_5570_: f32;
-    var phi_5577_: f32;
-    var phi_5582_: f32;
-    var phi_5589_: f32;
-    var phi_5594_: f32;
-    var phi_5599_: f32;
-    var phi_5616_: f32;
-    var phi_5623_: f32;
-    var phi_5628_: f32;
-    var phi_5635_: f32;
-    var phi_5640_: f32;
-    var phi_5654_: f32;
-    var phi_5661_: f32;
-    var phi_5666_: f32;
-    var phi_5673_: f32;
-    var phi_5678_: f32;
-    var phi_5683_: f32;
-    var phi_5700_: f32;
-    var phi_5707_: f32;
-    var phi_5712_: f32;
-    var phi_5719_: f32;
-    var phi_5724_: f32;
-    var phi_5738_: f32;
-    var phi_5745_: f32;
-    var phi_5750_: f32;
-    var phi_5757_: f32;
-    var phi_5762_: f32;
-    var phi_5767_: f32;
-    var phi_5798_: f32;
-    var phi_5804_: f32;
-    var phi_5811_: f32;
-    var phi_5818_: f32;
-    var phi_5824_: f32;
-    var phi_5831_: f32;
-    var phi_5837_: f32;
-    var phi_5843_: f32;
-    var phi_5849_: f32;
-    var phi_5856_: f32;
-    var phi_5863_: f32;
-    var phi_5887_: f32;
-    var phi_5892_: f32;
-    var phi_5897_: f32;
-    var phi_5902_: f32;
-    var phi_5907_: f32;
-    var phi_5912_: f32;
-    var phi_5922_: f32;
-    var phi_6173_: f32;
-    var phi_6180_: f32;
-    var phi_6185_: f32;
-    var phi_6192_: f32;
-    var phi_6197_: f32;
-    var phi_6210_: f32;
-    var phi_6217_: f32;
-    var phi_6222_: f32;
-    var phi_6229_: f32;
-    var phi_6234_: f32;
-    var phi_6239_: f32;
-    var phi_6256_: f32;
-    var phi_6263_: f32;
-    var phi_6268_: f32;
-    var phi_6275_: f32;
-    var phi_6280_: f32;
-    var phi_6294_: f32;
-    var phi_6301_: f32;
-    var phi_6306_: f32;
-    var phi_6313_: f32;
-    var phi_6318_: f32;
-    var phi_6323_: f32;
-    var phi_6340_: f32;
-    var phi_6347_: f32;
-    var phi_6352_: f32;
-    var phi_6359_: f32;
-    var phi_6364_: f32;
-    var phi_6378_: f32;
-    var phi_6385_: f32;
-    var phi_6390_: f32;
-    var phi_6397_: f32;
-    var phi_6402_: f32;
-    var phi_6407_: f32;
-    var phi_6445_: type_37;
-    var phi_6448_: f32;
-    var phi_6450_: f32;
-    var phi_6446_: type_37;
-    var phi_6473_: type_37;
-    var phi_6523_: f32;
-    var phi_6528_: f32;
-    var phi_6533_: f32;
-    var phi_6538_: f32;
-    var phi_6449_: f32;
-    var phi_6451_: f32;
-    var phi_6544_: f32;
-    var phi_6550_: f32;
-    var phi_6557_: f32;
-    var local_42: f32;
-    var local_43: f32;
-    var phi_6567_: f32;
-    var phi_6598_: type_37;
-    var phi_6601_: f32;
-    var phi_6603_: f32;
-    var phi_6599_: type_37;
-    var phi_6626_: type_37;
-    var phi_6676_: f32;
-    var phi_6681_: f32;
-    var phi_6686_: f32;
-    var phi_6691_: f32;
-    var phi_6602_: f32;
-    var phi_6604_: f32;
-    var phi_6697_: f32;
-    var phi_6703_: f32;
-    var phi_6710_: f32;
-    var local_44: f32;
-    var local_45: f32;
-    var phi_6720_: f32;
-    var phi_6730_: f32;
-    var phi_6763_: type_37;
-    var phi_6766_: f32;
-    var phi_6768_: f32;
-    var phi_6764_: type_37;
-    var phi_6791_: type_37;
-    var phi_6841_: f32;
-    var phi_6846_: f32;
-    var phi_6851_: f32;
-    var phi_6856_: f32;
-    var phi_6767_: f32;
-    var phi_6769_: f32;
-    var phi_6862_: f32;
-    var phi_6868_: f32;
-    var phi_6875_: f32;
-    var local_46: f32;
-    var local_47: f32;
-    var phi_6885_: f32;
-    var phi_6895_: f32;
-    var phi_6898_: bool;
-    var phi_6899_: bool;
-    var phi_6901_: bool;
-    var phi_6909_: u32;
-    var phi_6910_: bool;
-    var phi_650_: u32;
-    var phi_6911_: bool;
-    var phi_6941_: type_35;
-    var phi_6944_: u32;
-    var phi_6965_: bool;
-    var phi_6971_: type_36;
-    var phi_6942_: type_35;
-    var phi_6985_: type_36;
-    var phi_7091_: u32;
-    var phi_7092_: bool;
-    var phi_6945_: u32;
-    var phi_7093_: bool;
-    var local_48: bool;
-    var local_49: f32;
-    var local_50: f32;
-    var local_51: f32;
+    var phi_4212_: f32;
+    var phi_4214_: f32;
+    var phi_4307_: f32;
+    var phi_4313_: f32;
+    var phi_4320_: f32;
     var local_52: f32;
     var local_53: f32;
+    var phi_4330_: f32;
+    var phi_4361_: type_35;
+    var phi_4364_: f32;
+    var phi_4366_: f32;
+    var phi_4362_: type_35;
+    var phi_4389_: type_35;
+    var phi_4439_: f32;
+    var phi_4444_: f32;
+    var phi_4449_: f32;
+    var phi_4454_: f32;
+    var phi_4365_: f32;
+    var phi_4367_: f32;
+    var phi_4460_: f32;
+    var phi_4466_: f32;
+    var phi_4473_: f32;
     var local_54: f32;
     var local_55: f32;
+    var phi_4483_: f32;
+    var phi_4493_: f32;
+    var phi_4526_: type_35;
+    var phi_4529_: f32;
+    var phi_4531_: f32;
+    var phi_4527_: type_35;
+    var phi_4554_: type_35;
+    var phi_4604_: f32;
+    var phi_4609_: f32;
+    var phi_4614_: f32;
+    var phi_4619_: f32;
+    var phi_4530_: f32;
+    var phi_4532_: f32;
+    var phi_4625_: f32;
+    var phi_4631_: f32;
+    var phi_4638_: f32;
     var local_56: f32;
     var local_57: f32;
+    var phi_4648_: f32;
+    var phi_4658_: f32;
+    var phi_4661_: bool;
+    var phi_5118_: f32;
+    var phi_5125_: f32;
+    var phi_5130_: f32;
+    var phi_5137_: f32;
+    var phi_5142_: f32;
+    var phi_5155_: f32;
+    var phi_5162_: f32;
+    var phi_5167_: f32;
+    var phi_5174_: f32;
+    var phi_5179_: f32;
+    var phi_5184_: f32;
+    var phi_5201_: f32;
+    var phi_5208_: f32;
+    var phi_5213_: f32;
+    var phi_5220_: f32;
+    var phi_5225_: f32;
+    var phi_5239_: f32;
+    var phi_5246_: f32;
+    var phi_5251_: f32;
+    var phi_5258_: f32;
+    var phi_5263_: f32;
+    var phi_5268_: f32;
+    var phi_5285_: f32;
+    var phi_5292_: f32;
+    var phi_5297_: f32;
+    var phi_5304_: f32;
+    var phi_5309_: f32;
+    var phi_5323_: f32;
+    var phi_5330_: f32;
+    var phi_5335_: f32;
+    var phi_5342_: f32;
+    var phi_5347_: f32;
+    var phi_5352_: f32;
+    var phi_5383_: f32;
+    var phi_5389_: f32;
+    var phi_5396_: f32;
+    var phi_5403_: f32;
+    var phi_5409_: f32;
+    var phi_5416_: f32;
+    var phi_5422_: f32;
+    var phi_5428_: f32;
+    var phi_5434_: f32;
+    var phi_5441_: f32;
+    var phi_5448_: f32;
+    var phi_5472_: f32;
+    var phi_5477_: f32;
+    var phi_5482_: f32;
+    var phi_5487_: f32;
+    var phi_5492_: f32;
+    var phi_5497_: f32;
+    var phi_5507_: f32;
+    var phi_5758_: f32;
+    var phi_5765_: f32;
+    var phi_5770_: f32;
+    var phi_5777_: f32;
+    var phi_5782_: f32;
+    var phi_5795_: f32;
+    var phi_5802_: f32;
+    var phi_5807_: f32;
+    var phi_5814_: f32;
+    var phi_5819_: f32;
+    var phi_5824_: f32;
+    var phi_5841_: f32;
+    var phi_5848_: f32;
+    var phi_5853_: f32;
+    var phi_5860_: f32;
+    var phi_5865_: f32;
+    var phi_5879_: f32;
+    var phi_5886_: f32;
+    var phi_5891_: f32;
+    var phi_5898_: f32;
+    var phi_5903_: f32;
+    var phi_5908_: f32;
+    var phi_5925_: f32;
+    var phi_5932_: f32;
+    var phi_5937_: f32;
+    var phi_5944_: f32;
+    var phi_5949_: f32;
+    var phi_5963_: f32;
+    var phi_5970_: f32;
+    var phi_5975_: f32;
+    var phi_5982_: f32;
+    var phi_5987_: f32;
+    var phi_5992_: f32;
+    var phi_6030_: type_35;
+    var phi_6033_: f32;
+    var phi_6035_: f32;
+    var phi_6031_: type_35;
+    var phi_6058_: type_35;
+    var phi_6108_: f32;
+    var phi_6113_: f32;
+    var phi_6118_: f32;
+    var phi_6123_: f32;
+    var phi_6034_: f32;
+    var phi_6036_: f32;
+    var phi_6129_: f32;
+    var phi_6135_: f32;
+    var phi_6142_: f32;
+    var local_58: f32;
+    var local_59: f32;
+    var phi_6152_: f32;
+    var phi_6183_: type_35;
+    var phi_6186_: f32;
+    var phi_6188_: f32;
+    var phi_6184_: type_35;
+    var phi_6211_: type_35;
+    var phi_6261_: f32;
+    var phi_6266_: f32;
+    var phi_6271_: f32;
+    var phi_6276_: f32;
+    var phi_6187_: f32;
+    var phi_6189_: f32;
+    var phi_6282_: f32;
+    var phi_6288_: f32;
+    var phi_6295_: f32;
+    var local_60: f32;
+    var local_61: f32;
+    var phi_6305_: f32;
+    var phi_6315_: f32;
+    var phi_6348_: type_35;
+    var phi_6351_: f32;
+    var phi_6353_: f32;
+    var phi_6349_: type_35;
+    var phi_6376_: type_35;
+    var phi_6426_: f32;
+    var phi_6431_: f32;
+    var phi_6436_: f32;
+    var phi_6441_: f32;
+    var phi_6352_: f32;
+    var phi_6354_: f32;
+    var phi_6447_: f32;
+    var phi_6453_: f32;
+    var phi_6460_: f32;
+    var local_62: f32;
+    var local_63: f32;
+    var phi_6470_: f32;
+    var phi_6480_: f32;
+    var phi_6483_: bool;
+    var phi_6729_: f32;
+    var phi_6736_: f32;
+    var phi_6741_: f32;
+    var phi_6748_: f32;
+    var phi_6753_: f32;
+    var phi_6766_: f32;
+    var phi_6773_: f32;
+    var phi_6778_: f32;
+    var phi_6785_: f32;
+    var phi_6790_: f32;
+    var phi_6795_: f32;
+    var phi_6812_: f32;
+    var phi_6819_: f32;
+    var phi_6824_: f32;
+    var phi_6831_: f32;
+    var phi_6836_: f32;
+    var phi_6850_: f32;
+    var phi_6857_: f32;
+    var phi_6862_: f32;
+    var phi_6869_: f32;
+    var phi_6874_: f32;
+    var phi_6879_: f32;
+    var phi_6896_: f32;
+    var phi_6903_: f32;
+    var phi_6908_: f32;
+    var phi_6915_: f32;
+    var phi_6920_: f32;
+    var phi_6934_: f32;
+    var phi_6941_: f32;
+    var phi_6946_: f32;
+    var phi_6953_: f32;
+    var phi_6958_: f32;
+    var phi_6963_: f32;
+    var phi_6994_: f32;
+    var phi_7000_: f32;
+    var phi_7007_: f32;
+    var phi_7014_: f32;
+    var phi_7020_: f32;
+    var phi_7027_: f32;
+    var phi_7033_: f32;
+    var phi_7039_: f32;
+    var phi_7045_: f32;
+    var phi_7052_: f32;
+    var phi_7059_: f32;
+    var phi_7083_: f32;
+    var phi_7088_: f32;
+    var phi_7093_: f32;
+    var phi_7098_: f32;
+    var phi_7103_: f32;
+    var phi_7108_: f32;
+    var phi_7118_: f32;
+    var phi_7369_: f32;
+    var phi_7376_: f32;
+    var phi_7381_: f32;
+    var phi_7388_: f32;
+    var phi_7393_: f32;
+    var phi_7406_: f32;
+    var phi_7413_: f32;
+    var phi_7418_: f32;
+    var phi_7425_: f32;
+    var phi_7430_: f32;
+    var phi_7435_: f32;
+    var phi_7452_: f32;
+    var phi_7459_: f32;
+    var phi_7464_: f32;
+    var phi_7471_: f32;
+    var phi_7476_: f32;
+    var phi_7490_: f32;
+    var phi_7497_: f32;
+    var phi_7502_: f32;
+    var phi_7509_: f32;
+    var phi_7514_: f32;
+    var phi_7519_: f32;
+    var phi_7536_: f32;
+    var phi_7543_: f32;
+    var phi_7548_: f32;
+    var phi_7555_: f32;
+    var phi_7560_: f32;
+    var phi_7574_: f32;
+    var phi_7581_: f32;
+    var phi_7586_: f32;
+    var phi_7593_: f32;
+    var phi_7598_: f32;
+    var phi_7603_: f32;
+    var phi_7641_: type_35;
+    var phi_7644_: f32;
+    var phi_7646_: f32;
+    var phi_7642_: type_35;
+    var phi_7669_: type_35;
+    var phi_7719_: f32;
+    var phi_7724_: f32;
+    var phi_7729_: f32;
+    var phi_7734_: f32;
+    var phi_7645_: f32;
+    var phi_7647_: f32;
+    var phi_7740_: f32;
+    var phi_7746_: f32;
+    var phi_7753_: f32;
+    var local_64: f32;
+    var local_65: f32;
+    var phi_7763_: f32;
+    var phi_7794_: type_35;
+    var phi_7797_: f32;
+    var phi_7799_: f32;
+    var phi_7795_: type_35;
+    var phi_7822_: type_35;
+    var phi_7872_: f32;
+    var phi_7877_: f32;
+    var phi_7882_: f32;
+    var phi_7887_: f32;
+    var phi_7798_: f32;
+    var phi_7800_: f32;
+    var phi_7893_: f32;
+    var phi_7899_: f32;
+    var phi_7906_: f32;
+    var local_66: f32;
+    var local_67: f32;
+    var phi_7916_: f32;
+    var phi_7926_: f32;
+    var phi_7959_: type_35;
+    var phi_7962_: f32;
+    var phi_7964_: f32;
+    var phi_7960_: type_35;
+    var phi_7987_: type_35;
+    var phi_8037_: f32;
+    var phi_8042_: f32;
+    var phi_8047_: f32;
+    var phi_8052_: f32;
+    var phi_7963_: f32;
+    var phi_7965_: f32;
+    var phi_8058_: f32;
+    var phi_8064_: f32;
+    var phi_8071_: f32;
+    var local_68: f32;
+    var local_69: f32;
+    var phi_8081_: f32;
+    var phi_8091_: f32;
+    var phi_8094_: bool;
+    var phi_8095_: bool;
+    var phi_8097_: bool;
+    var phi_8107_: bool;
+    var phi_8108_: bool;
+    var phi_8140_: type_35;
+    var phi_8141_: type_35;
+    var phi_8164_: type_35;
+    var phi_8187_: u32;
+    var phi_8262_: bool;
+    var phi_8263_: bool;
+    var local_70: u32;
+    var local_71: bool;
+    var local_72: bool;
+    var local_73: f32;
+    var local_74: f32;
+    var local_75: f32;
+    var local_76: f32;
+    var local_77: f32;
+    var local_78: f32;
+    var local_79: f32;
+    var local_80: f32;
+    var local_81: f32;
 
-    let _e91 = id_1;
-    let _e92 = n_1;
-    let _e93 = lane_1;
-    let _e106 = ((_e91.y * _e92.x) + _e91.x);
-    let _e109 = (_e92.x * _e92.y);
-    let _e111 = params.member.member_15;
-    let _e113 = input.member[0u];
-    if (_e111 < _e113) {
-        phi_225_ = _e111;
+    let _e108 = id_1;
+    let _e109 = n_1;
+    let _e110 = lane_1;
+    let _e123 = ((_e108.y * _e109.x) + _e108.x);
+    let _e126 = (_e109.x * _e109.y);
+    let _e128 = params.member.member_15;
+    let _e130 = input.member[0u];
+    if (_e128 < _e130) {
+        phi_232_ = _e128;
     } else {
-        phi_225_ = _e113;
+        phi_232_ = _e130;
     }
-    let _e116 = phi_225_;
-    let _e118 = params.member.member_12;
-    if (_e116 > _e118) {
-        let _e121 = params.member.member_12;
-        let _e122 = (_e116 - _e121);
-        let _e124 = params.member.member_13;
-        if (_e124 == 0u) {
+    let _e133 = phi_232_;
+    let _e134 = (_e110 / 32u);
+    let _e135 = (_e110 % 32u);
+    let _e137 = params.member.member_12;
+    if (_e133 > _e137) {
+        let _e140 = params.member.member_12;
+        let _e141 = (_e133 - _e140);
+        let _e143 = params.member.member_13;
+        if (_e143 == 0u) {
             return;
         }
-        let _e126 = (_e122 / _e124);
-        if (_e124 == 0u) {
+        let _e145 = (_e141 / _e143);
+        if (_e143 == 0u) {
             return;
         }
-        if ((_e122 % _e124) > 0u) {
-            phi_252_ = (_e126 + 1u);
+        if ((_e141 % _e143) > 0u) {
+            phi_270_ = (_e145 + 1u);
         } else {
-            phi_252_ = _e126;
+            phi_270_ = _e145;
         }
-        let _e132 = phi_252_;
-        phi_253_ = _e132;
+        let _e151 = phi_270_;
+        phi_271_ = _e151;
     } else {
-        phi_253_ = 0u;
+        phi_271_ = 0u;
     }
-    let _e134 = phi_253_;
-    let _e136 = params.member.member_14;
-    if (_e136 < _e134) {
-        phi_260_ = _e136;
+    let _e153 = phi_271_;
+    let _e155 = params.member.member_14;
+    if (_e155 < _e153) {
+        phi_278_ = _e155;
     } else {
-        phi_260_ = _e134;
+        phi_278_ = _e153;
     }
-    let _e139 = phi_260_;
-    if (_e139 > _e106) {
-        let _e141 = (_e139 - _e106);
-        if (_e109 == 0u) {
+    let _e158 = phi_278_;
+    let _e159 = (_e158 / 4u);
+    if ((_e158 % 4u) > 0u) {
+        phi_294_ = (_e159 + 1u);
+    } else {
+        phi_294_ = _e159;
+    }
+    let _e164 = phi_294_;
+    if (_e164 > _e123) {
+        let _e166 = (_e164 - _e123);
+        if (_e126 == 0u) {
             return;
         }
-        let _e143 = (_e141 / _e109);
-        if (_e109 == 0u) {
+        let _e168 = (_e166 / _e126);
+        if (_e126 == 0u) {
             return;
         }
-        if ((_e141 % _e109) > 0u) {
-            phi_281_ = (_e143 + 1u);
+        if ((_e166 % _e126) > 0u) {
+            phi_315_ = (_e168 + 1u);
         } else {
-            phi_281_ = _e143;
+            phi_315_ = _e168;
         }
-        let _e149 = phi_281_;
-        phi_282_ = _e149;
+        let _e174 = phi_315_;
+        phi_316_ = _e174;
     } else {
-        phi_282_ = 0u;
+        phi_316_ = 0u;
     }
-    let _e151 = phi_282_;
-    phi_285_ = type_37(0u, _e151);
+    let _e176 = phi_316_;
+    phi_319_ = type_35(0u, _e176);
     loop {
-        let _e154 = phi_285_;
-        if (_e154.member < _e154.member_1) {
-            phi_286_ = type_37((_e154.member + 1u), _e154.member_1);
-            phi_309_ = type_37(1u, _e154.member);
+        let _e179 = phi_319_;
+        if (_e179.member < _e179.member_1) {
+            phi_320_ = type_35((_e179.member + 1u), _e179.member_1);
+            phi_343_ = type_35(1u, _e179.member);
         } else {
-            phi_286_ = _e154;
-            phi_309_ = type_37(0u, type_37().member_1);
+            phi_320_ = _e179;
+            phi_343_ = type_35(0u, type_35().member_1);
         }
-        let _e168 = phi_286_;
-        let _e170 = phi_309_;
-        let _e174 = (bitcast<i32>(_e170.member) != 0i);
-        if _e174 {
-            let _e176 = params.member.member_12;
-            let _e180 = params.member.member_13;
-            let _e183 = (2u * (_e176 + ((_e106 + (_e170.member_1 * _e109)) * _e180)));
-            let _e186 = input.member[(4u + _e183)];
-            let _e189 = input.member[(_e183 + 5u)];
-            if (_e93 < 8u) {
-                atomicStore((&counters[_e93]), 0u);
-            }
-            workgroupBarrier();
-            let _e193 = params.member.member_8;
-            if (_e193 == 0u) {
-                phi_361_ = array<u32, 2>(0u, 2u);
-            } else {
-                phi_361_ = array<u32, 2>(1u, 1u);
-            }
-            let _e196 = phi_361_;
-            let _e199 = (_e93 / 32u);
-            if (_e199 == 0u) {
-                phi_369_ = _e196[0];
-                phi_370_ = _e186;
-            } else {
-                phi_369_ = _e196[1];
-                phi_370_ = _e189;
-            }
-            let _e202 = phi_369_;
-            let _e204 = phi_370_;
-            if (_e199 == 0u) {
-                phi_375_ = _e189;
-                phi_376_ = _e196[1];
-            } else {
-                phi_375_ = _e186;
-                phi_376_ = _e196[0];
-            }
-            let _e207 = phi_375_;
-            let _e209 = phi_376_;
-            let _e211 = params.member.member_9;
-            let _e212 = (_e211 - 1u);
-            if (_e212 < 8u) {
-            } else {
-                return;
-            }
-            if (_e202 < 4u) {
-            } else {
-                return;
-            }
-            let _e221 = params.member.member_18[_e212][_e202];
-            let _e224 = nodes.member[(_e221 + ((_e204 * 32u) + (_e93 % 32u)))];
-            let _e226 = params.member.member_9;
-            if (_e226 < 8u) {
-            } else {
-                return;
-            }
-            if (_e209 < 4u) {
-            } else {
-                return;
-            }
-            let _e232 = params.member.member_18[_e226][_e209];
-            let _e235 = nodes.member[(_e232 + _e207)];
-            if ((((((_e224.member[0] <= _e235.member_1[0]) && (_e235.member[0] <= _e224.member_1[0])) && (_e224.member[1] <= _e235.member_1[1])) && (_e235.member[1] <= _e224.member_1[1])) && (_e224.member[2] <= _e235.member_1[2])) && (_e235.member[2] <= _e224.member_1[2])) {
-                let _e273 = atomicAdd((&counters[_e199]), 1u);
-                let _e274 = ((_e199 * 32u) + _e273);
-                sides[_e274] = type_6(array<f32, 3>(_e224.member[0], _e224.member[1], _e224.member[2]), array<f32, 3>(_e224.member_1[0], _e224.member_1[1], _e224.member_1[2]));
-                names[_e274] = (_e93 % 32u);
-            }
-            workgroupBarrier();
-            let _e290 = atomicLoad((&counters[0u]));
-            let _e292 = atomicLoad((&counters[1u]));
-            if (_e290 <= 1u) {
-                phi_494_ = 0u;
-            } else {
-                let _e294 = (_e290 - 1u);
-                phi_494_ = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e294)), 32u, (_e294 == 0u)));
-            }
-            let _e302 = phi_494_;
-            let _e307 = (_e93 & ((1u << bitcast<u32>((_e302 & 31u))) - 1u));
-            if (_e307 < _e290) {
-                let _e310 = sides[_e307];
-                let _e320 = names[_e307];
-                let _e322 = params.member.member_8;
-                if (_e322 == 1u) {
-                    phi_525_ = (_e186 == _e189);
+        let _e193 = phi_320_;
+        let _e195 = phi_343_;
+        let _e199 = (bitcast<i32>(_e195.member) != 0i);
+        if _e199 {
+            let _e203 = (((_e123 + (_e195.member_1 * _e126)) * 4u) + _e134);
+            let _e205 = params.member.member_12;
+            if (_e133 > _e205) {
+                let _e208 = params.member.member_12;
+                let _e209 = (_e133 - _e208);
+                let _e211 = params.member.member_13;
+                if (_e211 == 0u) {
+                    return;
+                }
+                let _e213 = (_e209 / _e211);
+                if (_e211 == 0u) {
+                    return;
+                }
+                if ((_e209 % _e211) > 0u) {
+                    phi_381_ = (_e213 + 1u);
                 } else {
-                    phi_525_ = false;
+                    phi_381_ = _e213;
                 }
-                let _e326 = phi_525_;
-                phi_530_ = type_37(0u, 32u);
-                phi_533_ = (_e93 >> bitcast<u32>((_e302 & 31u)));
-                loop {
-                    let _e331 = phi_530_;
-                    let _e333 = phi_533_;
-                    if (_e331.member < _e331.member_1) {
-                        phi_531_ = type_37((_e331.member + 1u), _e331.member_1);
-                        phi_556_ = type_37(1u, _e331.member);
-                    } else {
-                        phi_531_ = _e331;
-                        phi_556_ = type_37(0u, type_37().member_1);
-                    }
-                    let _e347 = phi_531_;
-                    let _e349 = phi_556_;
-                    if (bitcast<i32>(_e349.member) != 0i) {
-                        if (_e333 >= _e292) {
-                            phi_639_ = u32();
-                            phi_640_ = false;
-                        } else {
-                            let _e356 = sides[(32u + _e333)];
-                            if ((((((_e310.member[0] <= _e356.member_1[0]) && (_e356.member[0] <= _e310.member_1[0])) && (_e310.member[1] <= _e356.member_1[1])) && (_e356.member[1] <= _e310.member_1[1])) && (_e310.member[2] <= _e356.member_1[2])) && (_e356.member[2] <= _e310.member_1[2])) {
-                                let _e378 = names[(32u + _e333)];
-                                if _e326 {
-                                    if (_e320 < _e378) {
-                                        phi_626_ = true;
-                                    } else {
-                                        phi_626_ = false;
-                                    }
-                                    let _e381 = phi_626_;
-                                    phi_627_ = _e381;
-                                } else {
-                                    phi_627_ = true;
-                                }
-                                let _e383 = phi_627_;
-                                if _e383 {
-                                    let _e385 = atomicAdd((&counters[2u]), 1u);
-                                    hits[_e385] = ((_e320 << bitcast<u32>(5i)) | _e378);
-                                }
-                            }
-                            phi_639_ = (_e333 + (64u >> bitcast<u32>((_e302 & 31u))));
-                            phi_640_ = true;
-                        }
-                        let _e395 = phi_639_;
-                        let _e397 = phi_640_;
-                        phi_534_ = _e395;
-                        phi_641_ = _e397;
-                    } else {
-                        phi_534_ = u32();
-                        phi_641_ = false;
-                    }
-                    let _e399 = phi_534_;
-                    let _e401 = phi_641_;
-                    continue;
-                    continuing {
-                        phi_530_ = _e347;
-                        phi_533_ = _e399;
-                        break if !(_e401);
-                    }
+                let _e219 = phi_381_;
+                phi_382_ = _e219;
+            } else {
+                phi_382_ = 0u;
+            }
+            let _e221 = phi_382_;
+            let _e223 = params.member.member_14;
+            if (_e223 < _e221) {
+                phi_389_ = _e223;
+            } else {
+                phi_389_ = _e221;
+            }
+            let _e226 = phi_389_;
+            let _e227 = (_e203 < _e226);
+            let _e229 = params.member.member_12;
+            if _e227 {
+                let _e231 = params.member.member_13;
+                phi_399_ = (_e203 * _e231);
+            } else {
+                phi_399_ = 0u;
+            }
+            let _e234 = phi_399_;
+            let _e236 = (2u * (_e229 + _e234));
+            let _e239 = input.member[(4u + _e236)];
+            let _e242 = input.member[(_e236 + 5u)];
+            if (_e110 < 8u) {
+                atomicStore((&counters[_e110]), 0u);
+            }
+            workgroupBarrier();
+            let _e249 = params.member.member_18[0u][0u];
+            let _e250 = (_e249 + (_e239 * 32u));
+            let _e255 = params.member.member_18[0u][2u];
+            let _e256 = (_e255 + (_e242 * 32u));
+            if (_e135 == 0u) {
+                firsts[(2u * _e134)] = _e250;
+                firsts[((2u * _e134) + 1u)] = _e256;
+            }
+            let _e264 = params.member.member_8;
+            if (_e264 == 0u) {
+                phi_478_ = array<u32, 2>(0u, 2u);
+            } else {
+                phi_478_ = array<u32, 2>(1u, 1u);
+            }
+            let _e267 = phi_478_;
+            let _e270 = (_e110 / 32u);
+            let _e271 = (_e110 % 32u);
+            let _e273 = params.member.member_9;
+            if (_e273 < 8u) {
+            } else {
+                return;
+            }
+            if (_e267[0] < 4u) {
+            } else {
+                return;
+            }
+            let _e279 = params.member.member_18[_e273][_e267[0]];
+            let _e282 = nodes.member[(_e279 + _e239)];
+            let _e284 = params.member.member_9;
+            if (_e284 < 8u) {
+            } else {
+                return;
+            }
+            if (_e267[1] < 4u) {
+            } else {
+                return;
+            }
+            let _e290 = params.member.member_18[_e284][_e267[1]];
+            let _e293 = nodes.member[(_e290 + _e242)];
+            let _e295 = params.member.member_9;
+            let _e296 = (_e295 - 1u);
+            if (_e296 < 8u) {
+            } else {
+                return;
+            }
+            if (_e267[0] < 4u) {
+            } else {
+                return;
+            }
+            let _e304 = params.member.member_18[_e296][_e267[0]];
+            let _e307 = nodes.member[(_e304 + ((_e239 * 32u) + _e271))];
+            let _e309 = params.member.member_9;
+            let _e310 = (_e309 - 1u);
+            if (_e310 < 8u) {
+            } else {
+                return;
+            }
+            if (_e267[1] < 4u) {
+            } else {
+                return;
+            }
+            let _e318 = params.member.member_18[_e310][_e267[1]];
+            let _e321 = nodes.member[(_e318 + ((_e242 * 32u) + _e271))];
+            if _e227 {
+                if ((((((_e321.member[0] <= _e282.member_1[0]) && (_e282.member[0] <= _e321.member_1[0])) && (_e321.member[1] <= _e282.member_1[1])) && (_e282.member[1] <= _e321.member_1[1])) && (_e321.member[2] <= _e282.member_1[2])) && (_e282.member[2] <= _e321.member_1[2])) {
+                    let _e359 = atomicAdd((&counters[_e270]), 1u);
+                    let _e360 = ((_e270 * 32u) + _e359);
+                    columns[_e360] = type_6(array<f32, 3>(_e321.member[0], _e321.member[1], _e321.member[2]), array<f32, 3>(_e321.member_1[0], _e321.member_1[1], _e321.member_1[2]));
+                    names[_e360] = _e271;
                 }
             }
             workgroupBarrier();
-            let _e404 = atomicLoad((&counters[2u]));
-            phi_646_ = type_35(0i, 16i);
-            phi_649_ = _e93;
+            if _e227 {
+                if ((((((_e307.member[0] <= _e293.member_1[0]) && (_e293.member[0] <= _e307.member_1[0])) && (_e307.member[1] <= _e293.member_1[1])) && (_e293.member[1] <= _e307.member_1[1])) && (_e307.member[2] <= _e293.member_1[2])) && (_e293.member[2] <= _e307.member_1[2])) {
+                    phi_672_ = false;
+                } else {
+                    phi_672_ = true;
+                }
+                let _e410 = phi_672_;
+                phi_673_ = _e410;
+            } else {
+                phi_673_ = true;
+            }
+            let _e412 = phi_673_;
+            if _e412 {
+                phi_677_ = type_6(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            } else {
+                phi_677_ = _e307;
+            }
+            let _e414 = phi_677_;
+            let _e415 = (_e110 / 32u);
+            let _e418 = atomicLoad((&counters[_e415]));
+            phi_690_ = type_35(0u, _e418);
+            phi_693_ = 0u;
             loop {
-                let _e406 = phi_646_;
-                let _e408 = phi_649_;
-                if (_e406.member < _e406.member_1) {
-                    let _e416 = (_e406.member + 1i);
-                    if ((false == (_e416 > _e406.member)) != false) {
-                        phi_670_ = true;
-                    } else {
-                        phi_670_ = false;
-                    }
-                    let _e421 = phi_670_;
-                    if _e421 {
-                        phi_676_ = type_36(0u, type_36().member_1);
-                    } else {
-                        phi_676_ = type_36(1u, _e416);
-                    }
-                    let _e427 = phi_676_;
-                    if (bitcast<i32>(_e427.member) != 0i) {
-                    } else {
-                        return;
-                    }
-                    phi_647_ = type_35(_e427.member_1, _e406.member_1);
-                    phi_690_ = type_36(1u, _e406.member);
+                let _e421 = phi_690_;
+                let _e423 = phi_693_;
+                local_70 = _e423;
+                if (_e421.member < _e421.member_1) {
+                    phi_691_ = type_35((_e421.member + 1u), _e421.member_1);
+                    phi_716_ = type_35(1u, _e421.member);
                 } else {
-                    phi_647_ = _e406;
-                    phi_690_ = type_36(0u, type_36().member_1);
+                    phi_691_ = _e421;
+                    phi_716_ = type_35(0u, type_35().member_1);
                 }
-                let _e437 = phi_647_;
-                let _e439 = phi_690_;
-                if (bitcast<i32>(_e439.member) != 0i) {
-                    if (_e408 >= _e404) {
-                        phi_6909_ = u32();
-                        phi_6910_ = false;
+                let _e437 = phi_691_;
+                let _e439 = phi_716_;
+                let _e443 = (bitcast<i32>(_e439.member) != 0i);
+                if _e443 {
+                    let _e447 = names[((_e415 * 32u) + _e439.member_1)];
+                    let _e451 = columns[((_e415 * 32u) + _e439.member_1)];
+                    if ((((((_e414.member[0] <= _e451.member_1[0]) && (_e451.member[0] <= _e414.member_1[0])) && (_e414.member[1] <= _e451.member_1[1])) && (_e451.member[1] <= _e414.member_1[1])) && (_e414.member[2] <= _e451.member_1[2])) && (_e451.member[2] <= _e414.member_1[2])) {
+                        let _e484 = atomicAdd((&counters[4u]), 1u);
+                        if (_e484 < 1024u) {
+                            hits[_e484] = (((_e415 << bitcast<u32>(10i)) | ((_e110 % 32u) << bitcast<u32>(5i))) | _e447);
+                            phi_806_ = _e423;
+                        } else {
+                            phi_806_ = (_e423 | (1u << bitcast<u32>((_e439.member_1 & 31u))));
+                        }
+                        let _e498 = phi_806_;
+                        phi_808_ = _e498;
                     } else {
-                        let _e445 = hits[_e408];
-                        let _e454 = params.member.member_18[0u][0u];
-                        let _e455 = (_e454 + ((_e186 * 32u) + (_e445 >> bitcast<u32>(5i))));
-                        let _e461 = params.member.member_18[0u][2u];
-                        let _e462 = (_e461 + ((_e189 * 32u) + (_e445 & 31u)));
-                        let _e464 = leaves.member[_e455];
-                        let _e466 = leaves.member[_e462];
-                        local_16 = type_23(array<u32, 3>(_e464.member[0], _e464.member[1], _e464.member[2]), _e464.member_1);
-                        local_17 = type_23(array<u32, 3>(_e466.member[0], _e466.member[1], _e466.member[2]), _e466.member_1);
-                        let _e482 = nodes.member[_e455];
-                        let _e484 = nodes.member[_e462];
-                        let _e486 = params.member.member_1;
-                        if ((_e486 & 1u) != 0u) {
-                            let _e490 = params.member.member_8;
-                            if (_e490 == 0u) {
-                                let _e534 = local_16.member[0u];
-                                let _e537 = local_17.member[0u];
-                                if (_e534 == _e537) {
-                                    phi_828_ = bool();
-                                    phi_829_ = true;
-                                } else {
-                                    let _e541 = local_16.member[0u];
-                                    let _e544 = local_17.member[1u];
-                                    let _e545 = (_e541 == _e544);
-                                    if _e545 {
-                                        phi_827_ = bool();
-                                    } else {
-                                        let _e548 = local_16.member[0u];
-                                        let _e551 = local_17.member[2u];
-                                        phi_827_ = (_e548 == _e551);
-                                    }
-                                    let _e554 = phi_827_;
-                                    phi_828_ = _e554;
-                                    phi_829_ = _e545;
-                                }
-                                let _e556 = phi_828_;
-                                let _e558 = phi_829_;
-                                if _e558 {
-                                    phi_833_ = true;
-                                } else {
-                                    phi_833_ = _e556;
-                                }
-                                let _e560 = phi_833_;
-                                phi_872_ = _e560;
-                            } else {
-                                let _e494 = local_16.member[0u];
-                                let _e497 = local_17.member[0u];
-                                if (_e494 == _e497) {
-                                    phi_866_ = bool();
-                                    phi_867_ = true;
-                                } else {
-                                    let _e501 = local_16.member[0u];
-                                    let _e504 = local_17.member[1u];
-                                    if (_e501 == _e504) {
-                                        phi_864_ = bool();
-                                        phi_865_ = true;
-                                    } else {
-                                        let _e508 = local_16.member[1u];
-                                        let _e511 = local_17.member[0u];
-                                        let _e512 = (_e508 == _e511);
-                                        if _e512 {
-                                            phi_863_ = bool();
-                                        } else {
-                                            let _e515 = local_16.member[1u];
-                                            let _e518 = local_17.member[1u];
-                                            phi_863_ = (_e515 == _e518);
-                                        }
-                                        let _e521 = phi_863_;
-                                        phi_864_ = _e521;
-                                        phi_865_ = _e512;
-                                    }
-                                    let _e523 = phi_864_;
-                                    let _e525 = phi_865_;
-                                    phi_866_ = _e523;
-                                    phi_867_ = _e525;
-                                }
-                                let _e527 = phi_866_;
-                                let _e529 = phi_867_;
-                                if _e529 {
-                                    phi_871_ = true;
-                                } else {
-                                    phi_871_ = _e527;
-                                }
-                                let _e531 = phi_871_;
-                                phi_872_ = _e531;
-                            }
-                            let _e562 = phi_872_;
-                            if _e562 {
-                                phi_876_ = false;
-                            } else {
-                                phi_876_ = true;
-                            }
-                            let _e564 = phi_876_;
-                            phi_877_ = _e564;
-                        } else {
-                            phi_877_ = true;
-                        }
-                        let _e566 = phi_877_;
-                        if _e566 {
-                            let _e568 = params.member.member_1;
-                            if ((_e568 & 2u) != 0u) {
-                                let _e573 = local_16.member[0u];
-                                let _e575 = bodies.member[_e573];
-                                let _e578 = local_17.member[0u];
-                                let _e580 = bodies.member[_e578];
-                                if ((_e575 / 2u) == (_e580 / 2u)) {
-                                    let _e585 = params.member.member_1;
-                                    phi_923_ = !(((_e585 & 4u) != 0u));
-                                } else {
-                                    phi_923_ = false;
-                                }
-                                let _e590 = phi_923_;
-                                if _e590 {
-                                    phi_934_ = true;
-                                } else {
-                                    if (((_e575 & _e580) & 1u) == 0u) {
-                                        phi_933_ = false;
-                                    } else {
-                                        phi_933_ = true;
-                                    }
-                                    let _e595 = phi_933_;
-                                    phi_934_ = _e595;
-                                }
-                                let _e597 = phi_934_;
-                                if _e597 {
-                                    phi_938_ = false;
-                                } else {
-                                    phi_938_ = true;
-                                }
-                                let _e599 = phi_938_;
-                                phi_939_ = _e599;
-                            } else {
-                                phi_939_ = true;
-                            }
-                            let _e601 = phi_939_;
-                            if _e601 {
-                                let _e603 = params.member.member_1;
-                                if ((_e603 & 32u) != 0u) {
-                                    let _e607 = params.member.member_6;
-                                    let _e648 = (((((((_e482.member_1[0] - _e484.member[0]) > _e607) && ((_e484.member_1[0] - _e482.member[0]) > _e607)) && ((_e482.member_1[1] - _e484.member[1]) > _e607)) && ((_e484.member_1[1] - _e482.member[1]) > _e607)) && ((_e482.member_1[2] - _e484.member[2]) > _e607)) && ((_e484.member_1[2] - _e482.member[2]) > _e607));
-                                    if _e648 {
-                                        phi_1688_ = bool();
-                                    } else {
-                                        phi_988_ = type_37(0u, 3u);
-                                        phi_991_ = true;
-                                        loop {
-                                            let _e652 = phi_988_;
-                                            let _e654 = phi_991_;
-                                            local_48 = _e654;
-                                            if (_e652.member < _e652.member_1) {
-                                                phi_989_ = type_37((_e652.member + 1u), _e652.member_1);
-                                                phi_1014_ = type_37(1u, _e652.member);
-                                            } else {
-                                                phi_989_ = _e652;
-                                                phi_1014_ = type_37(0u, type_37().member_1);
-                                            }
-                                            let _e668 = phi_989_;
-                                            let _e670 = phi_1014_;
-                                            let _e674 = (bitcast<i32>(_e670.member) != 0i);
-                                            if _e674 {
-                                                let _e676 = local_16.member[0u];
-                                                let _e678 = keys.member[_e676];
-                                                local_14 = array<array<u32, 2>, 6>(array<u32, 2>(_e678[0][0], _e678[0][1]), array<u32, 2>(_e678[1][0], _e678[1][1]), array<u32, 2>(_e678[2][0], _e678[2][1]), array<u32, 2>(_e678[3][0], _e678[3][1]), array<u32, 2>(_e678[4][0], _e678[4][1]), array<u32, 2>(_e678[5][0], _e678[5][1]));
-                                                if (_e670.member_1 < 6u) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e706 = local_14[_e670.member_1];
-                                                phi_1071_ = type_37(1u, 3u);
-                                                phi_1074_ = array<u32, 2>(_e706[0], _e706[1]);
-                                                loop {
-                                                    let _e711 = phi_1071_;
-                                                    let _e713 = phi_1074_;
-                                                    local_18 = _e713;
-                                                    local_20 = _e713;
-                                                    local_22 = _e713;
-                                                    if (_e711.member < _e711.member_1) {
-                                                        phi_1072_ = type_37((_e711.member + 1u), _e711.member_1);
-                                                        phi_1097_ = type_37(1u, _e711.member);
-                                                    } else {
-                                                        phi_1072_ = _e711;
-                                                        phi_1097_ = type_37(0u, type_37().member_1);
-                                                    }
-                                                    let _e727 = phi_1072_;
-                                                    let _e729 = phi_1097_;
-                                                    let _e733 = (bitcast<i32>(_e729.member) != 0i);
-                                                    if _e733 {
-                                                        if (_e729.member_1 < 3u) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e736 = local_16.member[_e729.member_1];
-                                                        let _e738 = keys.member[_e736];
-                                                        local_15 = array<array<u32, 2>, 6>(array<u32, 2>(_e738[0][0], _e738[0][1]), array<u32, 2>(_e738[1][0], _e738[1][1]), array<u32, 2>(_e738[2][0], _e738[2][1]), array<u32, 2>(_e738[3][0], _e738[3][1]), array<u32, 2>(_e738[4][0], _e738[4][1]), array<u32, 2>(_e738[5][0], _e738[5][1]));
-                                                        if (_e670.member_1 < 6u) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e766 = local_15[_e670.member_1];
-                                                        if (_e713[1] > _e766[1]) {
-                                                            phi_1173_ = true;
-                                                        } else {
-                                                            if (_e713[1] == _e766[1]) {
-                                                                phi_1172_ = (_e713[0] > _e766[0]);
-                                                            } else {
-                                                                phi_1172_ = false;
-                                                            }
-                                                            let _e777 = phi_1172_;
-                                                            phi_1173_ = _e777;
-                                                        }
-                                                        let _e779 = phi_1173_;
-                                                        if _e779 {
-                                                            phi_1177_ = array<u32, 2>(_e766[0], _e766[1]);
-                                                        } else {
-                                                            phi_1177_ = _e713;
-                                                        }
-                                                        let _e781 = phi_1177_;
-                                                        phi_1075_ = _e781;
-                                                    } else {
-                                                        phi_1075_ = array<u32, 2>();
-                                                    }
-                                                    let _e783 = phi_1075_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_1071_ = _e727;
-                                                        phi_1074_ = _e783;
-                                                        break if !(_e733);
-                                                    }
-                                                }
-                                                let _e786 = local_17.member[0u];
-                                                let _e788 = keys.member[_e786];
-                                                local_12 = array<array<u32, 2>, 6>(array<u32, 2>(_e788[0][0], _e788[0][1]), array<u32, 2>(_e788[1][0], _e788[1][1]), array<u32, 2>(_e788[2][0], _e788[2][1]), array<u32, 2>(_e788[3][0], _e788[3][1]), array<u32, 2>(_e788[4][0], _e788[4][1]), array<u32, 2>(_e788[5][0], _e788[5][1]));
-                                                let _e814 = (3u + _e670.member_1);
-                                                if (_e814 < 6u) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e817 = local_12[_e814];
-                                                phi_1228_ = type_37(1u, 3u);
-                                                phi_1231_ = array<u32, 2>(_e817[0], _e817[1]);
-                                                loop {
-                                                    let _e822 = phi_1228_;
-                                                    let _e824 = phi_1231_;
-                                                    local_19 = _e824;
-                                                    local_21 = _e824;
-                                                    local_23 = _e824;
-                                                    if (_e822.member < _e822.member_1) {
-                                                        phi_1229_ = type_37((_e822.member + 1u), _e822.member_1);
-                                                        phi_1254_ = type_37(1u, _e822.member);
-                                                    } else {
-                                                        phi_1229_ = _e822;
-                                                        phi_1254_ = type_37(0u, type_37().member_1);
-                                                    }
-                                                    let _e838 = phi_1229_;
-                                                    let _e840 = phi_1254_;
-                                                    let _e844 = (bitcast<i32>(_e840.member) != 0i);
-                                                    if _e844 {
-                                                        if (_e840.member_1 < 3u) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e847 = local_17.member[_e840.member_1];
-                                                        let _e849 = keys.member[_e847];
-                                                        local_13 = array<array<u32, 2>, 6>(array<u32, 2>(_e849[0][0], _e849[0][1]), array<u32, 2>(_e849[1][0], _e849[1][1]), array<u32, 2>(_e849[2][0], _e849[2][1]), array<u32, 2>(_e849[3][0], _e849[3][1]), array<u32, 2>(_e849[4][0], _e849[4][1]), array<u32, 2>(_e849[5][0], _e849[5][1]));
-                                                        let _e875 = (3u + _e670.member_1);
-                                                        if (_e875 < 6u) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e878 = local_13[_e875];
-                                                        if (_e878[1] > _e824[1]) {
-                                                            phi_1331_ = true;
-                                                        } else {
-                                                            if (_e878[1] == _e824[1]) {
-                                                                phi_1330_ = (_e878[0] > _e824[0]);
-                                                            } else {
-                                                                phi_1330_ = false;
-                                                            }
-                                                            let _e889 = phi_1330_;
-                                                            phi_1331_ = _e889;
-                                                        }
-                                                        let _e891 = phi_1331_;
-                                                        if _e891 {
-                                                            phi_1335_ = array<u32, 2>(_e878[0], _e878[1]);
-                                                        } else {
-                                                            phi_1335_ = _e824;
-                                                        }
-                                                        let _e893 = phi_1335_;
-                                                        phi_1232_ = _e893;
-                                                    } else {
-                                                        phi_1232_ = array<u32, 2>();
-                                                    }
-                                                    let _e895 = phi_1232_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_1228_ = _e838;
-                                                        phi_1231_ = _e895;
-                                                        break if !(_e844);
-                                                    }
-                                                }
-                                                let _e898 = local_18;
-                                                let _e901 = local_19;
-                                                if (_e898[1] > _e901[1]) {
-                                                    phi_1352_ = true;
-                                                } else {
-                                                    let _e905 = local_20;
-                                                    let _e908 = local_21;
-                                                    if (_e905[1] == _e908[1]) {
-                                                        let _e912 = local_22;
-                                                        let _e915 = local_23;
-                                                        phi_1351_ = (_e912[0] > _e915[0]);
-                                                    } else {
-                                                        phi_1351_ = false;
-                                                    }
-                                                    let _e919 = phi_1351_;
-                                                    phi_1352_ = _e919;
-                                                }
-                                                let _e921 = phi_1352_;
-                                                let _e924 = local_17.member[0u];
-                                                let _e926 = keys.member[_e924];
-                                                local_10 = array<array<u32, 2>, 6>(array<u32, 2>(_e926[0][0], _e926[0][1]), array<u32, 2>(_e926[1][0], _e926[1][1]), array<u32, 2>(_e926[2][0], _e926[2][1]), array<u32, 2>(_e926[3][0], _e926[3][1]), array<u32, 2>(_e926[4][0], _e926[4][1]), array<u32, 2>(_e926[5][0], _e926[5][1]));
-                                                if (_e670.member_1 < 6u) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e954 = local_10[_e670.member_1];
-                                                phi_1403_ = type_37(1u, 3u);
-                                                phi_1406_ = array<u32, 2>(_e954[0], _e954[1]);
-                                                loop {
-                                                    let _e959 = phi_1403_;
-                                                    let _e961 = phi_1406_;
-                                                    local_24 = _e961;
-                                                    local_26 = _e961;
-                                                    local_28 = _e961;
-                                                    if (_e959.member < _e959.member_1) {
-                                                        phi_1404_ = type_37((_e959.member + 1u), _e959.member_1);
-                                                        phi_1429_ = type_37(1u, _e959.member);
-                                                    } else {
-                                                        phi_1404_ = _e959;
-                                                        phi_1429_ = type_37(0u, type_37().member_1);
-                                                    }
-                                                    let _e975 = phi_1404_;
-                                                    let _e977 = phi_1429_;
-                                                    let _e981 = (bitcast<i32>(_e977.member) != 0i);
-                                                    if _e981 {
-                                                        if (_e977.member_1 < 3u) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e984 = local_17.member[_e977.member_1];
-                                                        let _e986 = keys.member[_e984];
-                                                        local_11 = array<array<u32, 2>, 6>(array<u32, 2>(_e986[0][0], _e986[0][1]), array<u32, 2>(_e986[1][0], _e986[1][1]), array<u32, 2>(_e986[2][0], _e986[2][1]), array<u32, 2>(_e986[3][0], _e986[3][1]), array<u32, 2>(_e986[4][0], _e986[4][1]), array<u32, 2>(_e986[5][0], _e986[5][1]));
-                                                        if (_e670.member_1 < 6u) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e1014 = local_11[_e670.member_1];
-                                                        if (_e961[1] > _e1014[1]) {
-                                                            phi_1505_ = true;
-                                                        } else {
-                                                            if (_e961[1] == _e1014[1]) {
-                                                                phi_1504_ = (_e961[0] > _e1014[0]);
-                                                            } else {
-                                                                phi_1504_ = false;
-                                                            }
-                                                            let _e1025 = phi_1504_;
-                                                            phi_1505_ = _e1025;
-                                                        }
-                                                        let _e1027 = phi_1505_;
-                                                        if _e1027 {
-                                                            phi_1509_ = array<u32, 2>(_e1014[0], _e1014[1]);
-                                                        } else {
-                                                            phi_1509_ = _e961;
-                                                        }
-                                                        let _e1029 = phi_1509_;
-                                                        phi_1407_ = _e1029;
-                                                    } else {
-                                                        phi_1407_ = array<u32, 2>();
-                                                    }
-                                                    let _e1031 = phi_1407_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_1403_ = _e975;
-                                                        phi_1406_ = _e1031;
-                                                        break if !(_e981);
-                                                    }
-                                                }
-                                                let _e1034 = local_16.member[0u];
-                                                let _e1036 = keys.member[_e1034];
-                                                local_8 = array<array<u32, 2>, 6>(array<u32, 2>(_e1036[0][0], _e1036[0][1]), array<u32, 2>(_e1036[1][0], _e1036[1][1]), array<u32, 2>(_e1036[2][0], _e1036[2][1]), array<u32, 2>(_e1036[3][0], _e1036[3][1]), array<u32, 2>(_e1036[4][0], _e1036[4][1]), array<u32, 2>(_e1036[5][0], _e1036[5][1]));
-                                                let _e1062 = (3u + _e670.member_1);
-                                                if (_e1062 < 6u) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e1065 = local_8[_e1062];
-                                                phi_1560_ = type_37(1u, 3u);
-                                                phi_1563_ = array<u32, 2>(_e1065[0], _e1065[1]);
-                                                loop {
-                                                    let _e1070 = phi_1560_;
-                                                    let _e1072 = phi_1563_;
-                                                    local_25 = _e1072;
-                                                    local_27 = _e1072;
-                                                    local_29 = _e1072;
-                                                    if (_e1070.member < _e1070.member_1) {
-                                                        phi_1561_ = type_37((_e1070.member + 1u), _e1070.member_1);
-                                                        phi_1586_ = type_37(1u, _e1070.member);
-                                                    } else {
-                                                        phi_1561_ = _e1070;
-                                                        phi_1586_ = type_37(0u, type_37().member_1);
-                                                    }
-                                                    let _e1086 = phi_1561_;
-                                                    let _e1088 = phi_1586_;
-                                                    let _e1092 = (bitcast<i32>(_e1088.member) != 0i);
-                                                    if _e1092 {
-                                                        if (_e1088.member_1 < 3u) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e1095 = local_16.member[_e1088.member_1];
-                                                        let _e1097 = keys.member[_e1095];
-                                                        local_9 = array<array<u32, 2>, 6>(array<u32, 2>(_e1097[0][0], _e1097[0][1]), array<u32, 2>(_e1097[1][0], _e1097[1][1]), array<u32, 2>(_e1097[2][0], _e1097[2][1]), array<u32, 2>(_e1097[3][0], _e1097[3][1]), array<u32, 2>(_e1097[4][0], _e1097[4][1]), array<u32, 2>(_e1097[5][0], _e1097[5][1]));
-                                                        let _e1123 = (3u + _e670.member_1);
-                                                        if (_e1123 < 6u) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e1126 = local_9[_e1123];
-                                                        if (_e1126[1] > _e1072[1]) {
-                                                            phi_1663_ = true;
-                                                        } else {
-                                                            if (_e1126[1] == _e1072[1]) {
-                                                                phi_1662_ = (_e1126[0] > _e1072[0]);
-                                                            } else {
-                                                                phi_1662_ = false;
-                                                            }
-                                                            let _e1137 = phi_1662_;
-                                                            phi_1663_ = _e1137;
-                                                        }
-                                                        let _e1139 = phi_1663_;
-                                                        if _e1139 {
-                                                            phi_1667_ = array<u32, 2>(_e1126[0], _e1126[1]);
-                                                        } else {
-                                                            phi_1667_ = _e1072;
-                                                        }
-                                                        let _e1141 = phi_1667_;
-                                                        phi_1564_ = _e1141;
-                                                    } else {
-                                                        phi_1564_ = array<u32, 2>();
-                                                    }
-                                                    let _e1143 = phi_1564_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_1560_ = _e1086;
-                                                        phi_1563_ = _e1143;
-                                                        break if !(_e1092);
-                                                    }
-                                                }
-                                                let _e1146 = local_24;
-                                                let _e1149 = local_25;
-                                                if (_e1146[1] > _e1149[1]) {
-                                                    phi_1684_ = true;
-                                                } else {
-                                                    let _e1153 = local_26;
-                                                    let _e1156 = local_27;
-                                                    if (_e1153[1] == _e1156[1]) {
-                                                        let _e1160 = local_28;
-                                                        let _e1163 = local_29;
-                                                        phi_1683_ = (_e1160[0] > _e1163[0]);
-                                                    } else {
-                                                        phi_1683_ = false;
-                                                    }
-                                                    let _e1167 = phi_1683_;
-                                                    phi_1684_ = _e1167;
-                                                }
-                                                let _e1169 = phi_1684_;
-                                                phi_992_ = (_e654 && (!(_e921) && !(_e1169)));
-                                            } else {
-                                                phi_992_ = bool();
-                                            }
-                                            let _e1174 = phi_992_;
-                                            continue;
-                                            continuing {
-                                                phi_988_ = _e668;
-                                                phi_991_ = _e1174;
-                                                break if !(_e674);
-                                            }
-                                        }
-                                        let _e4757 = local_48;
-                                        phi_1688_ = _e4757;
-                                    }
-                                    let _e1177 = phi_1688_;
-                                    phi_1689_ = _e1177;
-                                    phi_1690_ = _e648;
-                                } else {
-                                    phi_1689_ = bool();
-                                    phi_1690_ = true;
-                                }
-                                let _e1179 = phi_1689_;
-                                let _e1181 = phi_1690_;
-                                if _e1181 {
-                                    phi_1694_ = false;
-                                } else {
-                                    phi_1694_ = true;
-                                }
-                                let _e1183 = phi_1694_;
-                                phi_1695_ = _e1179;
-                                phi_1696_ = _e1183;
-                            } else {
-                                phi_1695_ = false;
-                                phi_1696_ = true;
-                            }
-                            let _e1185 = phi_1695_;
-                            let _e1187 = phi_1696_;
-                            phi_1697_ = _e1185;
-                            phi_1698_ = _e1187;
-                        } else {
-                            phi_1697_ = false;
-                            phi_1698_ = true;
-                        }
-                        let _e1189 = phi_1697_;
-                        let _e1191 = phi_1698_;
-                        if _e1191 {
-                            phi_1702_ = _e1189;
-                        } else {
-                            phi_1702_ = true;
-                        }
-                        let _e1193 = phi_1702_;
-                        if _e1193 {
-                            let _e1195 = atomicAdd((&counters[5u]), 1u);
-                            let _e1197 = params.member.member_4;
-                            let _e1199 = params.member.member_5;
-                            let _e1202 = local_16.member[0u];
-                            let _e1205 = local_17.member[0u];
-                            let _e1208 = local_17.member[1u];
-                            let _e1211 = local_17.member[2u];
-                            let _e1213 = paths.member[_e1202];
-                            let _e1215 = paths.member[_e1205];
-                            let _e1221 = paths.member[_e1208];
-                            let _e1223 = paths.member[_e1211];
-                            local_7 = type_72(array<array<f32, 3>, 2>(array<f32, 3>((_e1213.member[0] - _e1215.member[0]), (_e1213.member[1] - _e1215.member[1]), (_e1213.member[2] - _e1215.member[2])), array<f32, 3>((_e1213.member_1[0] - _e1215.member_1[0]), (_e1213.member_1[1] - _e1215.member_1[1]), (_e1213.member_1[2] - _e1215.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1221.member[0] - _e1215.member[0]), (_e1221.member[1] - _e1215.member[1]), (_e1221.member[2] - _e1215.member[2])), array<f32, 3>((_e1221.member_1[0] - _e1215.member_1[0]), (_e1221.member_1[1] - _e1215.member_1[1]), (_e1221.member_1[2] - _e1215.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1223.member[0] - _e1215.member[0]), (_e1223.member[1] - _e1215.member[1]), (_e1223.member[2] - _e1215.member[2])), array<f32, 3>((_e1223.member_1[0] - _e1215.member_1[0]), (_e1223.member_1[1] - _e1215.member_1[1]), (_e1223.member_1[2] - _e1215.member_1[2]))), (_e1197 + _e1197));
-                            let _e1283 = local_7.member_1[0u];
-                            let _e1289 = local_7.member_2[0u];
-                            let _e1295 = ((_e1283[1] * _e1289[2]) - (_e1283[2] * _e1289[1]));
-                            let _e1298 = ((_e1283[2] * _e1289[0]) - (_e1283[0] * _e1289[2]));
-                            let _e1301 = ((_e1283[0] * _e1289[1]) - (_e1283[1] * _e1289[0]));
-                            let _e1304 = local_7.member_1[1u];
-                            let _e1310 = local_7.member_2[1u];
-                            let _e1316 = ((_e1304[1] * _e1310[2]) - (_e1304[2] * _e1310[1]));
-                            let _e1319 = ((_e1304[2] * _e1310[0]) - (_e1304[0] * _e1310[2]));
-                            let _e1322 = ((_e1304[0] * _e1310[1]) - (_e1304[1] * _e1310[0]));
-                            let _e1325 = local_7.member_1[0u];
-                            let _e1331 = local_7.member_2[1u];
-                            let _e1346 = local_7.member_1[1u];
-                            let _e1352 = local_7.member_2[0u];
-                            let _e1365 = (((_e1325[1] * _e1331[2]) - (_e1325[2] * _e1331[1])) + ((_e1346[1] * _e1352[2]) - (_e1346[2] * _e1352[1])));
-                            let _e1366 = (((_e1325[2] * _e1331[0]) - (_e1325[0] * _e1331[2])) + ((_e1346[2] * _e1352[0]) - (_e1346[0] * _e1352[2])));
-                            let _e1367 = (((_e1325[0] * _e1331[1]) - (_e1325[1] * _e1331[0])) + ((_e1346[0] * _e1352[1]) - (_e1346[1] * _e1352[0])));
-                            let _e1370 = local_7.member[0u];
-                            let _e1381 = local_7.member[1u];
-                            let _e1392 = local_7.member[0u];
-                            let _e1401 = ((((_e1381[0] * _e1295) + (_e1381[1] * _e1298)) + (_e1381[2] * _e1301)) + (((_e1392[0] * _e1365) + (_e1392[1] * _e1366)) + (_e1392[2] * _e1367)));
-                            let _e1404 = local_7.member[0u];
-                            let _e1415 = local_7.member[1u];
-                            let _e1424 = ((((_e1404[0] * _e1316) + (_e1404[1] * _e1319)) + (_e1404[2] * _e1322)) + (((_e1415[0] * _e1365) + (_e1415[1] * _e1366)) + (_e1415[2] * _e1367)));
-                            let _e1427 = local_7.member[1u];
-                            let _e1438 = local_7.member[0u];
-                            if (_e1438[0] < 0f) {
-                                phi_2100_ = -(_e1438[0]);
-                            } else {
-                                phi_2100_ = _e1438[0];
-                            }
-                            let _e1445 = phi_2100_;
-                            if (_e1438[1] < 0f) {
-                                phi_2107_ = -(_e1438[1]);
-                            } else {
-                                phi_2107_ = _e1438[1];
-                            }
-                            let _e1449 = phi_2107_;
-                            if (_e1445 > _e1449) {
-                                phi_2112_ = _e1445;
-                            } else {
-                                phi_2112_ = _e1449;
-                            }
-                            let _e1452 = phi_2112_;
-                            if (_e1438[2] < 0f) {
-                                phi_2119_ = -(_e1438[2]);
-                            } else {
-                                phi_2119_ = _e1438[2];
-                            }
-                            let _e1456 = phi_2119_;
-                            if (_e1452 > _e1456) {
-                                phi_2124_ = _e1452;
-                            } else {
-                                phi_2124_ = _e1456;
-                            }
-                            let _e1459 = phi_2124_;
-                            let _e1462 = local_7.member[1u];
-                            if (_e1462[0] < 0f) {
-                                phi_2137_ = -(_e1462[0]);
-                            } else {
-                                phi_2137_ = _e1462[0];
-                            }
-                            let _e1469 = phi_2137_;
-                            if (_e1462[1] < 0f) {
-                                phi_2144_ = -(_e1462[1]);
-                            } else {
-                                phi_2144_ = _e1462[1];
-                            }
-                            let _e1473 = phi_2144_;
-                            if (_e1469 > _e1473) {
-                                phi_2149_ = _e1469;
-                            } else {
-                                phi_2149_ = _e1473;
-                            }
-                            let _e1476 = phi_2149_;
-                            if (_e1462[2] < 0f) {
-                                phi_2156_ = -(_e1462[2]);
-                            } else {
-                                phi_2156_ = _e1462[2];
-                            }
-                            let _e1480 = phi_2156_;
-                            if (_e1476 > _e1480) {
-                                phi_2161_ = _e1476;
-                            } else {
-                                phi_2161_ = _e1480;
-                            }
-                            let _e1483 = phi_2161_;
-                            if (_e1459 > _e1483) {
-                                phi_2166_ = _e1459;
-                            } else {
-                                phi_2166_ = _e1483;
-                            }
-                            let _e1486 = phi_2166_;
-                            let _e1488 = local_7.member_3;
-                            let _e1489 = (_e1486 + _e1488);
-                            let _e1492 = local_7.member_1[0u];
-                            if (_e1492[0] < 0f) {
-                                phi_2183_ = -(_e1492[0]);
-                            } else {
-                                phi_2183_ = _e1492[0];
-                            }
-                            let _e1499 = phi_2183_;
-                            if (_e1492[1] < 0f) {
-                                phi_2190_ = -(_e1492[1]);
-                            } else {
-                                phi_2190_ = _e1492[1];
-                            }
-                            let _e1503 = phi_2190_;
-                            if (_e1499 > _e1503) {
-                                phi_2195_ = _e1499;
-                            } else {
-                                phi_2195_ = _e1503;
-                            }
-                            let _e1506 = phi_2195_;
-                            if (_e1492[2] < 0f) {
-                                phi_2202_ = -(_e1492[2]);
-                            } else {
-                                phi_2202_ = _e1492[2];
-                            }
-                            let _e1510 = phi_2202_;
-                            if (_e1506 > _e1510) {
-                                phi_2207_ = _e1506;
-                            } else {
-                                phi_2207_ = _e1510;
-                            }
-                            let _e1513 = phi_2207_;
-                            let _e1516 = local_7.member_1[1u];
-                            if (_e1516[0] < 0f) {
-                                phi_2221_ = -(_e1516[0]);
-                            } else {
-                                phi_2221_ = _e1516[0];
-                            }
-                            let _e1523 = phi_2221_;
-                            if (_e1516[1] < 0f) {
-                                phi_2228_ = -(_e1516[1]);
-                            } else {
-                                phi_2228_ = _e1516[1];
-                            }
-                            let _e1527 = phi_2228_;
-                            if (_e1523 > _e1527) {
-                                phi_2233_ = _e1523;
-                            } else {
-                                phi_2233_ = _e1527;
-                            }
-                            let _e1530 = phi_2233_;
-                            if (_e1516[2] < 0f) {
-                                phi_2240_ = -(_e1516[2]);
-                            } else {
-                                phi_2240_ = _e1516[2];
-                            }
-                            let _e1534 = phi_2240_;
-                            if (_e1530 > _e1534) {
-                                phi_2245_ = _e1530;
-                            } else {
-                                phi_2245_ = _e1534;
-                            }
-                            let _e1537 = phi_2245_;
-                            if (_e1513 > _e1537) {
-                                phi_2250_ = _e1513;
-                            } else {
-                                phi_2250_ = _e1537;
-                            }
-                            let _e1540 = phi_2250_;
-                            let _e1542 = local_7.member_3;
-                            let _e1543 = (_e1540 + _e1542);
-                            let _e1546 = local_7.member_2[0u];
-                            if (_e1546[0] < 0f) {
-                                phi_2267_ = -(_e1546[0]);
-                            } else {
-                                phi_2267_ = _e1546[0];
-                            }
-                            let _e1553 = phi_2267_;
-                            if (_e1546[1] < 0f) {
-                                phi_2274_ = -(_e1546[1]);
-                            } else {
-                                phi_2274_ = _e1546[1];
-                            }
-                            let _e1557 = phi_2274_;
-                            if (_e1553 > _e1557) {
-                                phi_2279_ = _e1553;
-                            } else {
-                                phi_2279_ = _e1557;
-                            }
-                            let _e1560 = phi_2279_;
-                            if (_e1546[2] < 0f) {
-                                phi_2286_ = -(_e1546[2]);
-                            } else {
-                                phi_2286_ = _e1546[2];
-                            }
-                            let _e1564 = phi_2286_;
-                            if (_e1560 > _e1564) {
-                                phi_2291_ = _e1560;
-                            } else {
-                                phi_2291_ = _e1564;
-                            }
-                            let _e1567 = phi_2291_;
-                            let _e1570 = local_7.member_2[1u];
-                            if (_e1570[0] < 0f) {
-                                phi_2305_ = -(_e1570[0]);
-                            } else {
-                                phi_2305_ = _e1570[0];
-                            }
-                            let _e1577 = phi_2305_;
-                            if (_e1570[1] < 0f) {
-                                phi_2312_ = -(_e1570[1]);
-                            } else {
-                                phi_2312_ = _e1570[1];
-                            }
-                            let _e1581 = phi_2312_;
-                            if (_e1577 > _e1581) {
-                                phi_2317_ = _e1577;
-                            } else {
-                                phi_2317_ = _e1581;
-                            }
-                            let _e1584 = phi_2317_;
-                            if (_e1570[2] < 0f) {
-                                phi_2324_ = -(_e1570[2]);
-                            } else {
-                                phi_2324_ = _e1570[2];
-                            }
-                            let _e1588 = phi_2324_;
-                            if (_e1584 > _e1588) {
-                                phi_2329_ = _e1584;
-                            } else {
-                                phi_2329_ = _e1588;
-                            }
-                            let _e1591 = phi_2329_;
-                            if (_e1567 > _e1591) {
-                                phi_2334_ = _e1567;
-                            } else {
-                                phi_2334_ = _e1591;
-                            }
-                            let _e1594 = phi_2334_;
-                            let _e1596 = local_7.member_3;
-                            let _e1597 = (_e1594 + _e1596);
-                            let _e1599 = ((_e1543 * 8f) * _e1597);
-                            let _e1606 = local_7.member_3;
-                            if (_e1295 < 0f) {
-                                phi_2365_ = -(_e1295);
-                            } else {
-                                phi_2365_ = _e1295;
-                            }
-                            let _e1623 = phi_2365_;
-                            if (_e1298 < 0f) {
-                                phi_2371_ = -(_e1298);
-                            } else {
-                                phi_2371_ = _e1298;
-                            }
-                            let _e1627 = phi_2371_;
-                            if (_e1301 < 0f) {
-                                phi_2378_ = -(_e1301);
-                            } else {
-                                phi_2378_ = _e1301;
-                            }
-                            let _e1632 = phi_2378_;
-                            let _e1633 = ((_e1623 + _e1627) + _e1632);
-                            if (_e1316 < 0f) {
-                                phi_2385_ = -(_e1316);
-                            } else {
-                                phi_2385_ = _e1316;
-                            }
-                            let _e1637 = phi_2385_;
-                            if (_e1319 < 0f) {
-                                phi_2391_ = -(_e1319);
-                            } else {
-                                phi_2391_ = _e1319;
-                            }
-                            let _e1641 = phi_2391_;
-                            if (_e1322 < 0f) {
-                                phi_2398_ = -(_e1322);
-                            } else {
-                                phi_2398_ = _e1322;
-                            }
-                            let _e1646 = phi_2398_;
-                            let _e1647 = ((_e1637 + _e1641) + _e1646);
-                            if (_e1633 > _e1647) {
-                                phi_2404_ = _e1633;
-                            } else {
-                                phi_2404_ = _e1647;
-                            }
-                            let _e1650 = phi_2404_;
-                            if (_e1365 < 0f) {
-                                phi_2410_ = -(_e1365);
-                            } else {
-                                phi_2410_ = _e1365;
-                            }
-                            let _e1654 = phi_2410_;
-                            if (_e1366 < 0f) {
-                                phi_2416_ = -(_e1366);
-                            } else {
-                                phi_2416_ = _e1366;
-                            }
-                            let _e1658 = phi_2416_;
-                            if (_e1367 < 0f) {
-                                phi_2423_ = -(_e1367);
-                            } else {
-                                phi_2423_ = _e1367;
-                            }
-                            let _e1663 = phi_2423_;
-                            let _e1665 = (((_e1654 + _e1658) + _e1663) * 0.5f);
-                            if (_e1650 > _e1665) {
-                                phi_2430_ = _e1650;
-                            } else {
-                                phi_2430_ = _e1665;
-                            }
-                            let _e1668 = phi_2430_;
-                            let _e1673 = local_7.member_3;
-                            let _e1686 = ((((_e1370[0] * _e1295) + (_e1370[1] * _e1298)) + (_e1370[2] * _e1301)) * 3f);
-                            let _e1687 = ((((_e1427[0] * _e1316) + (_e1427[1] * _e1319)) + (_e1427[2] * _e1322)) * 3f);
-                            if (_e1686 < _e1687) {
-                                phi_2454_ = _e1686;
-                            } else {
-                                phi_2454_ = _e1687;
-                            }
-                            let _e1690 = phi_2454_;
-                            if (_e1401 < _e1424) {
-                                phi_2459_ = _e1401;
-                            } else {
-                                phi_2459_ = _e1424;
-                            }
-                            let _e1693 = phi_2459_;
-                            if (_e1690 < _e1693) {
-                                phi_2464_ = _e1690;
-                            } else {
-                                phi_2464_ = _e1693;
-                            }
-                            let _e1696 = phi_2464_;
-                            if (_e1686 > _e1687) {
-                                phi_2469_ = _e1686;
-                            } else {
-                                phi_2469_ = _e1687;
-                            }
-                            let _e1699 = phi_2469_;
-                            if (_e1401 > _e1424) {
-                                phi_2474_ = _e1401;
-                            } else {
-                                phi_2474_ = _e1424;
-                            }
-                            let _e1702 = phi_2474_;
-                            if (_e1699 > _e1702) {
-                                phi_2479_ = _e1699;
-                            } else {
-                                phi_2479_ = _e1702;
-                            }
-                            let _e1705 = phi_2479_;
-                            let _e1710 = -(_e1705);
-                            if (_e1696 > _e1710) {
-                                phi_2489_ = _e1696;
-                            } else {
-                                phi_2489_ = _e1710;
-                            }
-                            let _e1713 = phi_2489_;
-                            if ((_e1713 - ((((((_e1489 * 8f) * _e1599) * (0.000000059604645f * (490f / 64f))) + ((_e1606 * 19f) * ((_e1489 * (_e1543 + _e1597)) + (_e1543 * _e1597)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1489) * ((1f + _e1543) * (1f + _e1597))))) + ((_e1199 * (((_e1668 + (_e1599 * (0.000000059604645f * 4f))) + ((_e1673 * 6f) * (_e1543 + _e1597))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1543) * (1f + _e1597))))) * (3f * 1.0001f)))) > 0f) {
-                                phi_3465_ = true;
-                            } else {
-                                let _e1718 = local_7.member_1[0u];
-                                let _e1724 = local_7.member_1[1u];
-                                let _e1728 = (_e1718[0] + _e1724[0]);
-                                let _e1729 = (_e1718[1] + _e1724[1]);
-                                let _e1730 = (_e1718[2] + _e1724[2]);
-                                let _e1733 = local_7.member_2[0u];
-                                let _e1739 = local_7.member_2[1u];
-                                let _e1743 = (_e1733[0] + _e1739[0]);
-                                let _e1744 = (_e1733[1] + _e1739[1]);
-                                let _e1745 = (_e1733[2] + _e1739[2]);
-                                let _e1748 = ((_e1729 * _e1745) - (_e1730 * _e1744));
-                                let _e1751 = ((_e1730 * _e1743) - (_e1728 * _e1745));
-                                let _e1754 = ((_e1728 * _e1744) - (_e1729 * _e1743));
-                                let _e1757 = local_7.member[0u];
-                                let _e1763 = local_7.member_1[0u];
-                                let _e1769 = local_7.member_2[0u];
-                                let _e1781 = local_7.member[1u];
-                                let _e1787 = local_7.member_1[1u];
-                                let _e1793 = local_7.member_2[1u];
-                                local_5 = array<array<f32, 3>, 4>(_e1757, array<f32, 3>((_e1757[0] - _e1763[0]), (_e1757[1] - _e1763[1]), (_e1757[2] - _e1763[2])), array<f32, 3>((_e1757[0] - _e1769[0]), (_e1757[1] - _e1769[1]), (_e1757[2] - _e1769[2])), _e1757);
-                                local_6 = array<array<f32, 3>, 4>(_e1781, array<f32, 3>((_e1781[0] - _e1787[0]), (_e1781[1] - _e1787[1]), (_e1781[2] - _e1787[2])), array<f32, 3>((_e1781[0] - _e1793[0]), (_e1781[1] - _e1793[1]), (_e1781[2] - _e1793[2])), _e1781);
-                                let _e1811 = local_7.member[0u];
-                                if (_e1811[0] < 0f) {
-                                    phi_2740_ = -(_e1811[0]);
-                                } else {
-                                    phi_2740_ = _e1811[0];
-                                }
-                                let _e1818 = phi_2740_;
-                                if (_e1811[1] < 0f) {
-                                    phi_2747_ = -(_e1811[1]);
-                                } else {
-                                    phi_2747_ = _e1811[1];
-                                }
-                                let _e1822 = phi_2747_;
-                                if (_e1818 > _e1822) {
-                                    phi_2752_ = _e1818;
-                                } else {
-                                    phi_2752_ = _e1822;
-                                }
-                                let _e1825 = phi_2752_;
-                                if (_e1811[2] < 0f) {
-                                    phi_2759_ = -(_e1811[2]);
-                                } else {
-                                    phi_2759_ = _e1811[2];
-                                }
-                                let _e1829 = phi_2759_;
-                                if (_e1825 > _e1829) {
-                                    phi_2764_ = _e1825;
-                                } else {
-                                    phi_2764_ = _e1829;
-                                }
-                                let _e1832 = phi_2764_;
-                                let _e1835 = local_7.member[1u];
-                                if (_e1835[0] < 0f) {
-                                    phi_2777_ = -(_e1835[0]);
-                                } else {
-                                    phi_2777_ = _e1835[0];
-                                }
-                                let _e1842 = phi_2777_;
-                                if (_e1835[1] < 0f) {
-                                    phi_2784_ = -(_e1835[1]);
-                                } else {
-                                    phi_2784_ = _e1835[1];
-                                }
-                                let _e1846 = phi_2784_;
-                                if (_e1842 > _e1846) {
-                                    phi_2789_ = _e1842;
-                                } else {
-                                    phi_2789_ = _e1846;
-                                }
-                                let _e1849 = phi_2789_;
-                                if (_e1835[2] < 0f) {
-                                    phi_2796_ = -(_e1835[2]);
-                                } else {
-                                    phi_2796_ = _e1835[2];
-                                }
-                                let _e1853 = phi_2796_;
-                                if (_e1849 > _e1853) {
-                                    phi_2801_ = _e1849;
-                                } else {
-                                    phi_2801_ = _e1853;
-                                }
-                                let _e1856 = phi_2801_;
-                                if (_e1832 > _e1856) {
-                                    phi_2806_ = _e1832;
-                                } else {
-                                    phi_2806_ = _e1856;
-                                }
-                                let _e1859 = phi_2806_;
-                                let _e1861 = local_7.member_3;
-                                let _e1865 = local_7.member_1[0u];
-                                if (_e1865[0] < 0f) {
-                                    phi_2823_ = -(_e1865[0]);
-                                } else {
-                                    phi_2823_ = _e1865[0];
-                                }
-                                let _e1872 = phi_2823_;
-                                if (_e1865[1] < 0f) {
-                                    phi_2830_ = -(_e1865[1]);
-                                } else {
-                                    phi_2830_ = _e1865[1];
-                                }
-                                let _e1876 = phi_2830_;
-                                if (_e1872 > _e1876) {
-                                    phi_2835_ = _e1872;
-                                } else {
-                                    phi_2835_ = _e1876;
-                                }
-                                let _e1879 = phi_2835_;
-                                if (_e1865[2] < 0f) {
-                                    phi_2842_ = -(_e1865[2]);
-                                } else {
-                                    phi_2842_ = _e1865[2];
-                                }
-                                let _e1883 = phi_2842_;
-                                if (_e1879 > _e1883) {
-                                    phi_2847_ = _e1879;
-                                } else {
-                                    phi_2847_ = _e1883;
-                                }
-                                let _e1886 = phi_2847_;
-                                let _e1889 = local_7.member_1[1u];
-                                if (_e1889[0] < 0f) {
-                                    phi_2861_ = -(_e1889[0]);
-                                } else {
-                                    phi_2861_ = _e1889[0];
-                                }
-                                let _e1896 = phi_2861_;
-                                if (_e1889[1] < 0f) {
-                                    phi_2868_ = -(_e1889[1]);
-                                } else {
-                                    phi_2868_ = _e1889[1];
-                                }
-                                let _e1900 = phi_2868_;
-                                if (_e1896 > _e1900) {
-                                    phi_2873_ = _e1896;
-                                } else {
-                                    phi_2873_ = _e1900;
-                                }
-                                let _e1903 = phi_2873_;
-                                if (_e1889[2] < 0f) {
-                                    phi_2880_ = -(_e1889[2]);
-                                } else {
-                                    phi_2880_ = _e1889[2];
-                                }
-                                let _e1907 = phi_2880_;
-                                if (_e1903 > _e1907) {
-                                    phi_2885_ = _e1903;
-                                } else {
-                                    phi_2885_ = _e1907;
-                                }
-                                let _e1910 = phi_2885_;
-                                if (_e1886 > _e1910) {
-                                    phi_2890_ = _e1886;
-                                } else {
-                                    phi_2890_ = _e1910;
-                                }
-                                let _e1913 = phi_2890_;
-                                let _e1915 = local_7.member_3;
-                                let _e1919 = local_7.member_2[0u];
-                                if (_e1919[0] < 0f) {
-                                    phi_2907_ = -(_e1919[0]);
-                                } else {
-                                    phi_2907_ = _e1919[0];
-                                }
-                                let _e1926 = phi_2907_;
-                                if (_e1919[1] < 0f) {
-                                    phi_2914_ = -(_e1919[1]);
-                                } else {
-                                    phi_2914_ = _e1919[1];
-                                }
-                                let _e1930 = phi_2914_;
-                                if (_e1926 > _e1930) {
-                                    phi_2919_ = _e1926;
-                                } else {
-                                    phi_2919_ = _e1930;
-                                }
-                                let _e1933 = phi_2919_;
-                                if (_e1919[2] < 0f) {
-                                    phi_2926_ = -(_e1919[2]);
-                                } else {
-                                    phi_2926_ = _e1919[2];
-                                }
-                                let _e1937 = phi_2926_;
-                                if (_e1933 > _e1937) {
-                                    phi_2931_ = _e1933;
-                                } else {
-                                    phi_2931_ = _e1937;
-                                }
-                                let _e1940 = phi_2931_;
-                                let _e1943 = local_7.member_2[1u];
-                                if (_e1943[0] < 0f) {
-                                    phi_2945_ = -(_e1943[0]);
-                                } else {
-                                    phi_2945_ = _e1943[0];
-                                }
-                                let _e1950 = phi_2945_;
-                                if (_e1943[1] < 0f) {
-                                    phi_2952_ = -(_e1943[1]);
-                                } else {
-                                    phi_2952_ = _e1943[1];
-                                }
-                                let _e1954 = phi_2952_;
-                                if (_e1950 > _e1954) {
-                                    phi_2957_ = _e1950;
-                                } else {
-                                    phi_2957_ = _e1954;
-                                }
-                                let _e1957 = phi_2957_;
-                                if (_e1943[2] < 0f) {
-                                    phi_2964_ = -(_e1943[2]);
-                                } else {
-                                    phi_2964_ = _e1943[2];
-                                }
-                                let _e1961 = phi_2964_;
-                                if (_e1957 > _e1961) {
-                                    phi_2969_ = _e1957;
-                                } else {
-                                    phi_2969_ = _e1961;
-                                }
-                                let _e1964 = phi_2969_;
-                                if (_e1940 > _e1964) {
-                                    phi_2974_ = _e1940;
-                                } else {
-                                    phi_2974_ = _e1964;
-                                }
-                                let _e1967 = phi_2974_;
-                                let _e1969 = local_7.member_3;
-                                let _e1972 = (((_e1859 + _e1861) + (_e1913 + _e1915)) + (_e1967 + _e1969));
-                                let _e1975 = local_7.member_3;
-                                let _e1979 = (((_e1199 * 1.0001f) + (_e1975 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                let _e1982 = ((_e1751 * _e1730) - (_e1754 * _e1729));
-                                let _e1985 = ((_e1754 * _e1728) - (_e1748 * _e1730));
-                                let _e1988 = ((_e1748 * _e1729) - (_e1751 * _e1728));
-                                let _e1990 = local_5[0u];
-                                let _e1998 = (((_e1982 * _e1990[0]) + (_e1985 * _e1990[1])) + (_e1988 * _e1990[2]));
-                                phi_3012_ = type_37(0u, 4u);
-                                phi_3015_ = _e1998;
-                                phi_3017_ = _e1998;
-                                loop {
-                                    let _e2000 = phi_3012_;
-                                    let _e2002 = phi_3015_;
-                                    let _e2004 = phi_3017_;
-                                    local_30 = _e2002;
-                                    local_31 = _e2004;
-                                    local_49 = _e2004;
-                                    if (_e2000.member < _e2000.member_1) {
-                                        phi_3013_ = type_37((_e2000.member + 1u), _e2000.member_1);
-                                        phi_3040_ = type_37(1u, _e2000.member);
-                                    } else {
-                                        phi_3013_ = _e2000;
-                                        phi_3040_ = type_37(0u, type_37().member_1);
-                                    }
-                                    let _e2018 = phi_3013_;
-                                    let _e2020 = phi_3040_;
-                                    let _e2024 = (bitcast<i32>(_e2020.member) != 0i);
-                                    if _e2024 {
-                                        if (_e2020.member_1 < 4u) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e2027 = local_5[_e2020.member_1];
-                                        let _e2035 = (((_e1982 * _e2027[0]) + (_e1985 * _e2027[1])) + (_e1988 * _e2027[2]));
-                                        if (_e2020.member_1 < 4u) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e2038 = local_6[_e2020.member_1];
-                                        let _e2046 = (((_e1982 * _e2038[0]) + (_e1985 * _e2038[1])) + (_e1988 * _e2038[2]));
-                                        if (_e2004 < _e2035) {
-                                            phi_3090_ = _e2004;
-                                        } else {
-                                            phi_3090_ = _e2035;
-                                        }
-                                        let _e2049 = phi_3090_;
-                                        if (_e2049 < _e2046) {
-                                            phi_3095_ = _e2049;
-                                        } else {
-                                            phi_3095_ = _e2046;
-                                        }
-                                        let _e2052 = phi_3095_;
-                                        if (_e2002 > _e2035) {
-                                            phi_3100_ = _e2002;
-                                        } else {
-                                            phi_3100_ = _e2035;
-                                        }
-                                        let _e2055 = phi_3100_;
-                                        if (_e2055 > _e2046) {
-                                            phi_3105_ = _e2055;
-                                        } else {
-                                            phi_3105_ = _e2046;
-                                        }
-                                        let _e2058 = phi_3105_;
-                                        phi_3016_ = _e2058;
-                                        phi_3018_ = _e2052;
-                                    } else {
-                                        phi_3016_ = f32();
-                                        phi_3018_ = f32();
-                                    }
-                                    let _e2060 = phi_3016_;
-                                    let _e2062 = phi_3018_;
-                                    continue;
-                                    continuing {
-                                        phi_3012_ = _e2018;
-                                        phi_3015_ = _e2060;
-                                        phi_3017_ = _e2062;
-                                        break if !(_e2024);
-                                    }
-                                }
-                                if (_e1982 < 0f) {
-                                    phi_3111_ = -(_e1982);
-                                } else {
-                                    phi_3111_ = _e1982;
-                                }
-                                let _e2067 = phi_3111_;
-                                if (_e1985 < 0f) {
-                                    phi_3117_ = -(_e1985);
-                                } else {
-                                    phi_3117_ = _e1985;
-                                }
-                                let _e2071 = phi_3117_;
-                                if (_e1988 < 0f) {
-                                    phi_3124_ = -(_e1988);
-                                } else {
-                                    phi_3124_ = _e1988;
-                                }
-                                let _e2076 = phi_3124_;
-                                let _e2077 = ((_e2067 + _e2071) + _e2076);
-                                let _e2082 = local_30;
-                                let _e2083 = -(_e2082);
-                                let _e2085 = local_31;
-                                if (_e2085 > _e2083) {
-                                    let _e4868 = local_49;
-                                    phi_3134_ = _e4868;
-                                } else {
-                                    phi_3134_ = _e2083;
-                                }
-                                let _e2088 = phi_3134_;
-                                let _e2093 = (((_e2088 - ((_e2077 * _e1972) * (0.000000059604645f * 17f))) - (_e2077 * _e1979)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                let _e2096 = ((_e1751 * _e1745) - (_e1754 * _e1744));
-                                let _e2099 = ((_e1754 * _e1743) - (_e1748 * _e1745));
-                                let _e2102 = ((_e1748 * _e1744) - (_e1751 * _e1743));
-                                let _e2104 = local_5[0u];
-                                let _e2112 = (((_e2096 * _e2104[0]) + (_e2099 * _e2104[1])) + (_e2102 * _e2104[2]));
-                                phi_3165_ = type_37(0u, 4u);
-                                phi_3168_ = _e2112;
-                                phi_3170_ = _e2112;
-                                loop {
-                                    let _e2114 = phi_3165_;
-                                    let _e2116 = phi_3168_;
-                                    let _e2118 = phi_3170_;
-                                    local_32 = _e2116;
-                                    local_33 = _e2118;
-                                    local_50 = _e2118;
-                                    if (_e2114.member < _e2114.member_1) {
-                                        phi_3166_ = type_37((_e2114.member + 1u), _e2114.member_1);
-                                        phi_3193_ = type_37(1u, _e2114.member);
-                                    } else {
-                                        phi_3166_ = _e2114;
-                                        phi_3193_ = type_37(0u, type_37().member_1);
-                                    }
-                                    let _e2132 = phi_3166_;
-                                    let _e2134 = phi_3193_;
-                                    let _e2138 = (bitcast<i32>(_e2134.member) != 0i);
-                                    if _e2138 {
-                                        if (_e2134.member_1 < 4u) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e2141 = local_5[_e2134.member_1];
-                                        let _e2149 = (((_e2096 * _e2141[0]) + (_e2099 * _e2141[1])) + (_e2102 * _e2141[2]));
-                                        if (_e2134.member_1 < 4u) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e2152 = local_6[_e2134.member_1];
-                                        let _e2160 = (((_e2096 * _e2152[0]) + (_e2099 * _e2152[1])) + (_e2102 * _e2152[2]));
-                                        if (_e2118 < _e2149) {
-                                            phi_3243_ = _e2118;
-                                        } else {
-                                            phi_3243_ = _e2149;
-                                        }
-                                        let _e2163 = phi_3243_;
-                                        if (_e2163 < _e2160) {
-                                            phi_3248_ = _e2163;
-                                        } else {
-                                            phi_3248_ = _e2160;
-                                        }
-                                        let _e2166 = phi_3248_;
-                                        if (_e2116 > _e2149) {
-                                            phi_3253_ = _e2116;
-                                        } else {
-                                            phi_3253_ = _e2149;
-                                        }
-                                        let _e2169 = phi_3253_;
-                                        if (_e2169 > _e2160) {
-                                            phi_3258_ = _e2169;
-                                        } else {
-                                            phi_3258_ = _e2160;
-                                        }
-                                        let _e2172 = phi_3258_;
-                                        phi_3169_ = _e2172;
-                                        phi_3171_ = _e2166;
-                                    } else {
-                                        phi_3169_ = f32();
-                                        phi_3171_ = f32();
-                                    }
-                                    let _e2174 = phi_3169_;
-                                    let _e2176 = phi_3171_;
-                                    continue;
-                                    continuing {
-                                        phi_3165_ = _e2132;
-                                        phi_3168_ = _e2174;
-                                        phi_3170_ = _e2176;
-                                        break if !(_e2138);
-                                    }
-                                }
-                                if (_e2096 < 0f) {
-                                    phi_3264_ = -(_e2096);
-                                } else {
-                                    phi_3264_ = _e2096;
-                                }
-                                let _e2181 = phi_3264_;
-                                if (_e2099 < 0f) {
-                                    phi_3270_ = -(_e2099);
-                                } else {
-                                    phi_3270_ = _e2099;
-                                }
-                                let _e2185 = phi_3270_;
-                                if (_e2102 < 0f) {
-                                    phi_3277_ = -(_e2102);
-                                } else {
-                                    phi_3277_ = _e2102;
-                                }
-                                let _e2190 = phi_3277_;
-                                let _e2191 = ((_e2181 + _e2185) + _e2190);
-                                let _e2196 = local_32;
-                                let _e2197 = -(_e2196);
-                                let _e2199 = local_33;
-                                if (_e2199 > _e2197) {
-                                    let _e4887 = local_50;
-                                    phi_3287_ = _e4887;
-                                } else {
-                                    phi_3287_ = _e2197;
-                                }
-                                let _e2202 = phi_3287_;
-                                let _e2207 = (((_e2202 - ((_e2191 * _e1972) * (0.000000059604645f * 17f))) - (_e2191 * _e1979)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2093 > _e2207) {
-                                    phi_3297_ = _e2093;
-                                } else {
-                                    phi_3297_ = _e2207;
-                                }
-                                let _e2210 = phi_3297_;
-                                let _e2211 = (_e1743 - _e1728);
-                                let _e2212 = (_e1744 - _e1729);
-                                let _e2213 = (_e1745 - _e1730);
-                                let _e2216 = ((_e1751 * _e2213) - (_e1754 * _e2212));
-                                let _e2219 = ((_e1754 * _e2211) - (_e1748 * _e2213));
-                                let _e2222 = ((_e1748 * _e2212) - (_e1751 * _e2211));
-                                let _e2224 = local_5[0u];
-                                let _e2232 = (((_e2216 * _e2224[0]) + (_e2219 * _e2224[1])) + (_e2222 * _e2224[2]));
-                                phi_3330_ = type_37(0u, 4u);
-                                phi_3333_ = _e2232;
-                                phi_3335_ = _e2232;
-                                loop {
-                                    let _e2234 = phi_3330_;
-                                    let _e2236 = phi_3333_;
-                                    let _e2238 = phi_3335_;
-                                    local_34 = _e2236;
-                                    local_35 = _e2238;
-                                    local_51 = _e2238;
-                                    if (_e2234.member < _e2234.member_1) {
-                                        phi_3331_ = type_37((_e2234.member + 1u), _e2234.member_1);
-                                        phi_3358_ = type_37(1u, _e2234.member);
-                                    } else {
-                                        phi_3331_ = _e2234;
-                                        phi_3358_ = type_37(0u, type_37().member_1);
-                                    }
-                                    let _e2252 = phi_3331_;
-                                    let _e2254 = phi_3358_;
-                                    let _e2258 = (bitcast<i32>(_e2254.member) != 0i);
-                                    if _e2258 {
-                                        if (_e2254.member_1 < 4u) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e2261 = local_5[_e2254.member_1];
-                                        let _e2269 = (((_e2216 * _e2261[0]) + (_e2219 * _e2261[1])) + (_e2222 * _e2261[2]));
-                                        if (_e2254.member_1 < 4u) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e2272 = local_6[_e2254.member_1];
-                                        let _e2280 = (((_e2216 * _e2272[0]) + (_e2219 * _e2272[1])) + (_e2222 * _e2272[2]));
-                                        if (_e2238 < _e2269) {
-                                            phi_3408_ = _e2238;
-                                        } else {
-                                            phi_3408_ = _e2269;
-                                        }
-                                        let _e2283 = phi_3408_;
-                                        if (_e2283 < _e2280) {
-                                            phi_3413_ = _e2283;
-                                        } else {
-                                            phi_3413_ = _e2280;
-                                        }
-                                        let _e2286 = phi_3413_;
-                                        if (_e2236 > _e2269) {
-                                            phi_3418_ = _e2236;
-                                        } else {
-                                            phi_3418_ = _e2269;
-                                        }
-                                        let _e2289 = phi_3418_;
-                                        if (_e2289 > _e2280) {
-                                            phi_3423_ = _e2289;
-                                        } else {
-                                            phi_3423_ = _e2280;
-                                        }
-                                        let _e2292 = phi_3423_;
-                                        phi_3334_ = _e2292;
-                                        phi_3336_ = _e2286;
-                                    } else {
-                                        phi_3334_ = f32();
-                                        phi_3336_ = f32();
-                                    }
-                                    let _e2294 = phi_3334_;
-                                    let _e2296 = phi_3336_;
-                                    continue;
-                                    continuing {
-                                        phi_3330_ = _e2252;
-                                        phi_3333_ = _e2294;
-                                        phi_3335_ = _e2296;
-                                        break if !(_e2258);
-                                    }
-                                }
-                                if (_e2216 < 0f) {
-                                    phi_3429_ = -(_e2216);
-                                } else {
-                                    phi_3429_ = _e2216;
-                                }
-                                let _e2301 = phi_3429_;
-                                if (_e2219 < 0f) {
-                                    phi_3435_ = -(_e2219);
-                                } else {
-                                    phi_3435_ = _e2219;
-                                }
-                                let _e2305 = phi_3435_;
-                                if (_e2222 < 0f) {
-                                    phi_3442_ = -(_e2222);
-                                } else {
-                                    phi_3442_ = _e2222;
-                                }
-                                let _e2310 = phi_3442_;
-                                let _e2311 = ((_e2301 + _e2305) + _e2310);
-                                let _e2316 = local_34;
-                                let _e2317 = -(_e2316);
-                                let _e2319 = local_35;
-                                if (_e2319 > _e2317) {
-                                    let _e4907 = local_51;
-                                    phi_3452_ = _e4907;
-                                } else {
-                                    phi_3452_ = _e2317;
-                                }
-                                let _e2322 = phi_3452_;
-                                let _e2327 = (((_e2322 - ((_e2311 * _e1972) * (0.000000059604645f * 17f))) - (_e2311 * _e1979)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2210 > _e2327) {
-                                    phi_3462_ = _e2210;
-                                } else {
-                                    phi_3462_ = _e2327;
-                                }
-                                let _e2330 = phi_3462_;
-                                phi_3465_ = (_e2330 > 0f);
-                            }
-                            let _e2333 = phi_3465_;
-                            if _e2333 {
-                                phi_6901_ = false;
-                            } else {
-                                let _e2336 = local_7.member[0u];
-                                let _e2342 = local_7.member[1u];
-                                let _e2349 = ((_e2336[0] + _e2342[0]) * 0.5f);
-                                let _e2350 = ((_e2336[1] + _e2342[1]) * 0.5f);
-                                let _e2351 = ((_e2336[2] + _e2342[2]) * 0.5f);
-                                let _e2354 = local_7.member_1[0u];
-                                let _e2360 = local_7.member_1[1u];
-                                let _e2367 = ((_e2354[0] + _e2360[0]) * 0.5f);
-                                let _e2368 = ((_e2354[1] + _e2360[1]) * 0.5f);
-                                let _e2369 = ((_e2354[2] + _e2360[2]) * 0.5f);
-                                let _e2372 = local_7.member_2[0u];
-                                let _e2378 = local_7.member_2[1u];
-                                let _e2385 = ((_e2372[0] + _e2378[0]) * 0.5f);
-                                let _e2386 = ((_e2372[1] + _e2378[1]) * 0.5f);
-                                let _e2387 = ((_e2372[2] + _e2378[2]) * 0.5f);
-                                let _e2390 = local_7.member[0u];
-                                let _e2393 = local_7.member_1[0u];
-                                let _e2396 = local_7.member_2[0u];
-                                let _e2398 = local_7.member_3;
-                                let _e2401 = local_7.member[1u];
-                                let _e2404 = local_7.member_1[1u];
-                                let _e2407 = local_7.member_2[1u];
-                                let _e2409 = local_7.member_3;
-                                local_4 = array<type_72, 2>(type_72(array<array<f32, 3>, 2>(_e2390, array<f32, 3>(_e2349, _e2350, _e2351)), array<array<f32, 3>, 2>(_e2393, array<f32, 3>(_e2367, _e2368, _e2369)), array<array<f32, 3>, 2>(_e2396, array<f32, 3>(_e2385, _e2386, _e2387)), _e2398), type_72(array<array<f32, 3>, 2>(array<f32, 3>(_e2349, _e2350, _e2351), _e2401), array<array<f32, 3>, 2>(array<f32, 3>(_e2367, _e2368, _e2369), _e2404), array<array<f32, 3>, 2>(array<f32, 3>(_e2385, _e2386, _e2387), _e2407), _e2409));
-                                let _e2428 = local_4[0u].member_1[0u];
-                                let _e2434 = local_4[0u].member_2[0u];
-                                let _e2440 = ((_e2428[1] * _e2434[2]) - (_e2428[2] * _e2434[1]));
-                                let _e2443 = ((_e2428[2] * _e2434[0]) - (_e2428[0] * _e2434[2]));
-                                let _e2446 = ((_e2428[0] * _e2434[1]) - (_e2428[1] * _e2434[0]));
-                                let _e2449 = local_4[0u].member_1[1u];
-                                let _e2455 = local_4[0u].member_2[1u];
-                                let _e2461 = ((_e2449[1] * _e2455[2]) - (_e2449[2] * _e2455[1]));
-                                let _e2464 = ((_e2449[2] * _e2455[0]) - (_e2449[0] * _e2455[2]));
-                                let _e2467 = ((_e2449[0] * _e2455[1]) - (_e2449[1] * _e2455[0]));
-                                let _e2470 = local_4[0u].member_1[0u];
-                                let _e2476 = local_4[0u].member_2[1u];
-                                let _e2491 = local_4[0u].member_1[1u];
-                                let _e2497 = local_4[0u].member_2[0u];
-                                let _e2510 = (((_e2470[1] * _e2476[2]) - (_e2470[2] * _e2476[1])) + ((_e2491[1] * _e2497[2]) - (_e2491[2] * _e2497[1])));
-                                let _e2511 = (((_e2470[2] * _e2476[0]) - (_e2470[0] * _e2476[2])) + ((_e2491[2] * _e2497[0]) - (_e2491[0] * _e2497[2])));
-                                let _e2512 = (((_e2470[0] * _e2476[1]) - (_e2470[1] * _e2476[0])) + ((_e2491[0] * _e2497[1]) - (_e2491[1] * _e2497[0])));
-                                let _e2515 = local_4[0u].member[0u];
-                                let _e2526 = local_4[0u].member[1u];
-                                let _e2537 = local_4[0u].member[0u];
-                                let _e2546 = ((((_e2526[0] * _e2440) + (_e2526[1] * _e2443)) + (_e2526[2] * _e2446)) + (((_e2537[0] * _e2510) + (_e2537[1] * _e2511)) + (_e2537[2] * _e2512)));
-                                let _e2549 = local_4[0u].member[0u];
-                                let _e2560 = local_4[0u].member[1u];
-                                let _e2569 = ((((_e2549[0] * _e2461) + (_e2549[1] * _e2464)) + (_e2549[2] * _e2467)) + (((_e2560[0] * _e2510) + (_e2560[1] * _e2511)) + (_e2560[2] * _e2512)));
-                                let _e2572 = local_4[0u].member[1u];
-                                let _e2583 = local_4[0u].member[0u];
-                                if (_e2583[0] < 0f) {
-                                    phi_3922_ = -(_e2583[0]);
-                                } else {
-                                    phi_3922_ = _e2583[0];
-                                }
-                                let _e2590 = phi_3922_;
-                                if (_e2583[1] < 0f) {
-                                    phi_3929_ = -(_e2583[1]);
-                                } else {
-                                    phi_3929_ = _e2583[1];
-                                }
-                                let _e2594 = phi_3929_;
-                                if (_e2590 > _e2594) {
-                                    phi_3934_ = _e2590;
-                                } else {
-                                    phi_3934_ = _e2594;
-                                }
-                                let _e2597 = phi_3934_;
-                                if (_e2583[2] < 0f) {
-                                    phi_3941_ = -(_e2583[2]);
-                                } else {
-                                    phi_3941_ = _e2583[2];
-                                }
-                                let _e2601 = phi_3941_;
-                                if (_e2597 > _e2601) {
-                                    phi_3946_ = _e2597;
-                                } else {
-                                    phi_3946_ = _e2601;
-                                }
-                                let _e2604 = phi_3946_;
-                                let _e2607 = local_4[0u].member[1u];
-                                if (_e2607[0] < 0f) {
-                                    phi_3959_ = -(_e2607[0]);
-                                } else {
-                                    phi_3959_ = _e2607[0];
-                                }
-                                let _e2614 = phi_3959_;
-                                if (_e2607[1] < 0f) {
-                                    phi_3966_ = -(_e2607[1]);
-                                } else {
-                                    phi_3966_ = _e2607[1];
-                                }
-                                let _e2618 = phi_3966_;
-                                if (_e2614 > _e2618) {
-                                    phi_3971_ = _e2614;
-                                } else {
-                                    phi_3971_ = _e2618;
-                                }
-                                let _e2621 = phi_3971_;
-                                if (_e2607[2] < 0f) {
-                                    phi_3978_ = -(_e2607[2]);
-                                } else {
-                                    phi_3978_ = _e2607[2];
-                                }
-                                let _e2625 = phi_3978_;
-                                if (_e2621 > _e2625) {
-                                    phi_3983_ = _e2621;
-                                } else {
-                                    phi_3983_ = _e2625;
-                                }
-                                let _e2628 = phi_3983_;
-                                if (_e2604 > _e2628) {
-                                    phi_3988_ = _e2604;
-                                } else {
-                                    phi_3988_ = _e2628;
-                                }
-                                let _e2631 = phi_3988_;
-                                let _e2633 = local_4[0u].member_3;
-                                let _e2634 = (_e2631 + _e2633);
-                                let _e2637 = local_4[0u].member_1[0u];
-                                if (_e2637[0] < 0f) {
-                                    phi_4005_ = -(_e2637[0]);
-                                } else {
-                                    phi_4005_ = _e2637[0];
-                                }
-                                let _e2644 = phi_4005_;
-                                if (_e2637[1] < 0f) {
-                                    phi_4012_ = -(_e2637[1]);
-                                } else {
-                                    phi_4012_ = _e2637[1];
-                                }
-                                let _e2648 = phi_4012_;
-                                if (_e2644 > _e2648) {
-                                    phi_4017_ = _e2644;
-                                } else {
-                                    phi_4017_ = _e2648;
-                                }
-                                let _e2651 = phi_4017_;
-                                if (_e2637[2] < 0f) {
-                                    phi_4024_ = -(_e2637[2]);
-                                } else {
-                                    phi_4024_ = _e2637[2];
-                                }
-                                let _e2655 = phi_4024_;
-                                if (_e2651 > _e2655) {
-                                    phi_4029_ = _e2651;
-                                } else {
-                                    phi_4029_ = _e2655;
-                                }
-                                let _e2658 = phi_4029_;
-                                let _e2661 = local_4[0u].member_1[1u];
-                                if (_e2661[0] < 0f) {
-                                    phi_4043_ = -(_e2661[0]);
-                                } else {
-                                    phi_4043_ = _e2661[0];
-                                }
-                                let _e2668 = phi_4043_;
-                                if (_e2661[1] < 0f) {
-                                    phi_4050_ = -(_e2661[1]);
-                                } else {
-                                    phi_4050_ = _e2661[1];
-                                }
-                                let _e2672 = phi_4050_;
-                                if (_e2668 > _e2672) {
-                                    phi_4055_ = _e2668;
-                                } else {
-                                    phi_4055_ = _e2672;
-                                }
-                                let _e2675 = phi_4055_;
-                                if (_e2661[2] < 0f) {
-                                    phi_4062_ = -(_e2661[2]);
-                                } else {
-                                    phi_4062_ = _e2661[2];
-                                }
-                                let _e2679 = phi_4062_;
-                                if (_e2675 > _e2679) {
-                                    phi_4067_ = _e2675;
-                                } else {
-                                    phi_4067_ = _e2679;
-                                }
-                                let _e2682 = phi_4067_;
-                                if (_e2658 > _e2682) {
-                                    phi_4072_ = _e2658;
-                                } else {
-                                    phi_4072_ = _e2682;
-                                }
-                                let _e2685 = phi_4072_;
-                                let _e2687 = local_4[0u].member_3;
-                                let _e2688 = (_e2685 + _e2687);
-                                let _e2691 = local_4[0u].member_2[0u];
-                                if (_e2691[0] < 0f) {
-                                    phi_4089_ = -(_e2691[0]);
-                                } else {
-                                    phi_4089_ = _e2691[0];
-                                }
-                                let _e2698 = phi_4089_;
-                                if (_e2691[1] < 0f) {
-                                    phi_4096_ = -(_e2691[1]);
-                                } else {
-                                    phi_4096_ = _e2691[1];
-                                }
-                                let _e2702 = phi_4096_;
-                                if (_e2698 > _e2702) {
-                                    phi_4101_ = _e2698;
-                                } else {
-                                    phi_4101_ = _e2702;
-                                }
-                                let _e2705 = phi_4101_;
-                                if (_e2691[2] < 0f) {
-                                    phi_4108_ = -(_e2691[2]);
-                                } else {
-                                    phi_4108_ = _e2691[2];
-                                }
-                                let _e2709 = phi_4108_;
-                                if (_e2705 > _e2709) {
-                                    phi_4113_ = _e2705;
-                                } else {
-                                    phi_4113_ = _e2709;
-                                }
-                                let _e2712 = phi_4113_;
-                                let _e2715 = local_4[0u].member_2[1u];
-                                if (_e2715[0] < 0f) {
-                                    phi_4127_ = -(_e2715[0]);
-                                } else {
-                                    phi_4127_ = _e2715[0];
-                                }
-                                let _e2722 = phi_4127_;
-                                if (_e2715[1] < 0f) {
-                                    phi_4134_ = -(_e2715[1]);
-                                } else {
-                                    phi_4134_ = _e2715[1];
-                                }
-                                let _e2726 = phi_4134_;
-                                if (_e2722 > _e2726) {
-                                    phi_4139_ = _e2722;
-                                } else {
-                                    phi_4139_ = _e2726;
-                                }
-                                let _e2729 = phi_4139_;
-                                if (_e2715[2] < 0f) {
-                                    phi_4146_ = -(_e2715[2]);
-                                } else {
-                                    phi_4146_ = _e2715[2];
-                                }
-                                let _e2733 = phi_4146_;
-                                if (_e2729 > _e2733) {
-                                    phi_4151_ = _e2729;
-                                } else {
-                                    phi_4151_ = _e2733;
-                                }
-                                let _e2736 = phi_4151_;
-                                if (_e2712 > _e2736) {
-                                    phi_4156_ = _e2712;
-                                } else {
-                                    phi_4156_ = _e2736;
-                                }
-                                let _e2739 = phi_4156_;
-                                let _e2741 = local_4[0u].member_3;
-                                let _e2742 = (_e2739 + _e2741);
-                                let _e2744 = ((_e2688 * 8f) * _e2742);
-                                let _e2751 = local_4[0u].member_3;
-                                if (_e2440 < 0f) {
-                                    phi_4187_ = -(_e2440);
-                                } else {
-                                    phi_4187_ = _e2440;
-                                }
-                                let _e2768 = phi_4187_;
-                                if (_e2443 < 0f) {
-                                    phi_4193_ = -(_e2443);
-                                } else {
-                                    phi_4193_ = _e2443;
-                                }
-                                let _e2772 = phi_4193_;
-                                if (_e2446 < 0f) {
-                                    phi_4200_ = -(_e2446);
-                                } else {
-                                    phi_4200_ = _e2446;
-                                }
-                                let _e2777 = phi_4200_;
-                                let _e2778 = ((_e2768 + _e2772) + _e2777);
-                                if (_e2461 < 0f) {
-                                    phi_4207_ = -(_e2461);
-                                } else {
-                                    phi_4207_ = _e2461;
-                                }
-                                let _e2782 = phi_4207_;
-                                if (_e2464 < 0f) {
-                                    phi_4213_ = -(_e2464);
-                                } else {
-                                    phi_4213_ = _e2464;
-                                }
-                                let _e2786 = phi_4213_;
-                                if (_e2467 < 0f) {
-                                    phi_4220_ = -(_e2467);
-                                } else {
-                                    phi_4220_ = _e2467;
-                                }
-                                let _e2791 = phi_4220_;
-                                let _e2792 = ((_e2782 + _e2786) + _e2791);
-                                if (_e2778 > _e2792) {
-                                    phi_4226_ = _e2778;
-                                } else {
-                                    phi_4226_ = _e2792;
-                                }
-                                let _e2795 = phi_4226_;
-                                if (_e2510 < 0f) {
-                                    phi_4232_ = -(_e2510);
-                                } else {
-                                    phi_4232_ = _e2510;
-                                }
-                                let _e2799 = phi_4232_;
-                                if (_e2511 < 0f) {
-                                    phi_4238_ = -(_e2511);
-                                } else {
-                                    phi_4238_ = _e2511;
-                                }
-                                let _e2803 = phi_4238_;
-                                if (_e2512 < 0f) {
-                                    phi_4245_ = -(_e2512);
-                                } else {
-                                    phi_4245_ = _e2512;
-                                }
-                                let _e2808 = phi_4245_;
-                                let _e2810 = (((_e2799 + _e2803) + _e2808) * 0.5f);
-                                if (_e2795 > _e2810) {
-                                    phi_4252_ = _e2795;
-                                } else {
-                                    phi_4252_ = _e2810;
-                                }
-                                let _e2813 = phi_4252_;
-                                let _e2818 = local_4[0u].member_3;
-                                let _e2831 = ((((_e2515[0] * _e2440) + (_e2515[1] * _e2443)) + (_e2515[2] * _e2446)) * 3f);
-                                let _e2832 = ((((_e2572[0] * _e2461) + (_e2572[1] * _e2464)) + (_e2572[2] * _e2467)) * 3f);
-                                if (_e2831 < _e2832) {
-                                    phi_4276_ = _e2831;
-                                } else {
-                                    phi_4276_ = _e2832;
-                                }
-                                let _e2835 = phi_4276_;
-                                if (_e2546 < _e2569) {
-                                    phi_4281_ = _e2546;
-                                } else {
-                                    phi_4281_ = _e2569;
-                                }
-                                let _e2838 = phi_4281_;
-                                if (_e2835 < _e2838) {
-                                    phi_4286_ = _e2835;
-                                } else {
-                                    phi_4286_ = _e2838;
-                                }
-                                let _e2841 = phi_4286_;
-                                if (_e2831 > _e2832) {
-                                    phi_4291_ = _e2831;
-                                } else {
-                                    phi_4291_ = _e2832;
-                                }
-                                let _e2844 = phi_4291_;
-                                if (_e2546 > _e2569) {
-                                    phi_4296_ = _e2546;
-                                } else {
-                                    phi_4296_ = _e2569;
-                                }
-                                let _e2847 = phi_4296_;
-                                if (_e2844 > _e2847) {
-                                    phi_4301_ = _e2844;
-                                } else {
-                                    phi_4301_ = _e2847;
-                                }
-                                let _e2850 = phi_4301_;
-                                let _e2855 = -(_e2850);
-                                if (_e2841 > _e2855) {
-                                    phi_4311_ = _e2841;
-                                } else {
-                                    phi_4311_ = _e2855;
-                                }
-                                let _e2858 = phi_4311_;
-                                if ((_e2858 - ((((((_e2634 * 8f) * _e2744) * (0.000000059604645f * (490f / 64f))) + ((_e2751 * 19f) * ((_e2634 * (_e2688 + _e2742)) + (_e2688 * _e2742)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2634) * ((1f + _e2688) * (1f + _e2742))))) + ((_e1199 * (((_e2813 + (_e2744 * (0.000000059604645f * 4f))) + ((_e2818 * 6f) * (_e2688 + _e2742))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2688) * (1f + _e2742))))) * (3f * 1.0001f)))) > 0f) {
-                                    phi_5287_ = true;
-                                } else {
-                                    let _e2863 = local_4[0u].member_1[0u];
-                                    let _e2869 = local_4[0u].member_1[1u];
-                                    let _e2873 = (_e2863[0] + _e2869[0]);
-                                    let _e2874 = (_e2863[1] + _e2869[1]);
-                                    let _e2875 = (_e2863[2] + _e2869[2]);
-                                    let _e2878 = local_4[0u].member_2[0u];
-                                    let _e2884 = local_4[0u].member_2[1u];
-                                    let _e2888 = (_e2878[0] + _e2884[0]);
-                                    let _e2889 = (_e2878[1] + _e2884[1]);
-                                    let _e2890 = (_e2878[2] + _e2884[2]);
-                                    let _e2893 = ((_e2874 * _e2890) - (_e2875 * _e2889));
-                                    let _e2896 = ((_e2875 * _e2888) - (_e2873 * _e2890));
-                                    let _e2899 = ((_e2873 * _e2889) - (_e2874 * _e2888));
-                                    let _e2902 = local_4[0u].member[0u];
-                                    let _e2908 = local_4[0u].member_1[0u];
-                                    let _e2914 = local_4[0u].member_2[0u];
-                                    let _e2926 = local_4[0u].member[1u];
-                                    let _e2932 = local_4[0u].member_1[1u];
-                                    let _e2938 = local_4[0u].member_2[1u];
-                                    local_2 = array<array<f32, 3>, 4>(_e2902, array<f32, 3>((_e2902[0] - _e2908[0]), (_e2902[1] - _e2908[1]), (_e2902[2] - _e2908[2])), array<f32, 3>((_e2902[0] - _e2914[0]), (_e2902[1] - _e2914[1]), (_e2902[2] - _e2914[2])), _e2902);
-                                    local_3 = array<array<f32, 3>, 4>(_e2926, array<f32, 3>((_e2926[0] - _e2932[0]), (_e2926[1] - _e2932[1]), (_e2926[2] - _e2932[2])), array<f32, 3>((_e2926[0] - _e2938[0]), (_e2926[1] - _e2938[1]), (_e2926[2] - _e2938[2])), _e2926);
-                                    let _e2956 = local_4[0u].member[0u];
-                                    if (_e2956[0] < 0f) {
-                                        phi_4562_ = -(_e2956[0]);
-                                    } else {
-                                        phi_4562_ = _e2956[0];
-                                    }
-                                    let _e2963 = phi_4562_;
-                                    if (_e2956[1] < 0f) {
-                                        phi_4569_ = -(_e2956[1]);
-                                    } else {
-                                        phi_4569_ = _e2956[1];
-                                    }
-                                    let _e2967 = phi_4569_;
-                                    if (_e2963 > _e2967) {
-                                        phi_4574_ = _e2963;
-                                    } else {
-                                        phi_4574_ = _e2967;
-                                    }
-                                    let _e2970 = phi_4574_;
-                                    if (_e2956[2] < 0f) {
-                                        phi_4581_ = -(_e2956[2]);
-                                    } else {
-                                        phi_4581_ = _e2956[2];
-                                    }
-                                    let _e2974 = phi_4581_;
-                                    if (_e2970 > _e2974) {
-                                        phi_4586_ = _e2970;
-                                    } else {
-                                        phi_4586_ = _e2974;
-                                    }
-                                    let _e2977 = phi_4586_;
-                                    let _e2980 = local_4[0u].member[1u];
-                                    if (_e2980[0] < 0f) {
-                                        phi_4599_ = -(_e2980[0]);
-                                    } else {
-                                        phi_4599_ = _e2980[0];
-                                    }
-                                    let _e2987 = phi_4599_;
-                                    if (_e2980[1] < 0f) {
-                                        phi_4606_ = -(_e2980[1]);
-                                    } else {
-                                        phi_4606_ = _e2980[1];
-                                    }
-                                    let _e2991 = phi_4606_;
-                                    if (_e2987 > _e2991) {
-                                        phi_4611_ = _e2987;
-                                    } else {
-                                        phi_4611_ = _e2991;
-                                    }
-                                    let _e2994 = phi_4611_;
-                                    if (_e2980[2] < 0f) {
-                                        phi_4618_ = -(_e2980[2]);
-                                    } else {
-                                        phi_4618_ = _e2980[2];
-                                    }
-                                    let _e2998 = phi_4618_;
-                                    if (_e2994 > _e2998) {
-                                        phi_4623_ = _e2994;
-                                    } else {
-                                        phi_4623_ = _e2998;
-                                    }
-                                    let _e3001 = phi_4623_;
-                                    if (_e2977 > _e3001) {
-                                        phi_4628_ = _e2977;
-                                    } else {
-                                        phi_4628_ = _e3001;
-                                    }
-                                    let _e3004 = phi_4628_;
-                                    let _e3006 = local_4[0u].member_3;
-                                    let _e3010 = local_4[0u].member_1[0u];
-                                    if (_e3010[0] < 0f) {
-                                        phi_4645_ = -(_e3010[0]);
-                                    } else {
-                                        phi_4645_ = _e3010[0];
-                                    }
-                                    let _e3017 = phi_4645_;
-                                    if (_e3010[1] < 0f) {
-                                        phi_4652_ = -(_e3010[1]);
-                                    } else {
-                                        phi_4652_ = _e3010[1];
-                                    }
-                                    let _e3021 = phi_4652_;
-                                    if (_e3017 > _e3021) {
-                                        phi_4657_ = _e3017;
-                                    } else {
-                                        phi_4657_ = _e3021;
-                                    }
-                                    let _e3024 = phi_4657_;
-                                    if (_e3010[2] < 0f) {
-                                        phi_4664_ = -(_e3010[2]);
-                                    } else {
-                                        phi_4664_ = _e3010[2];
-                                    }
-                                    let _e3028 = phi_4664_;
-                                    if (_e3024 > _e3028) {
-                                        phi_4669_ = _e3024;
-                                    } else {
-                                        phi_4669_ = _e3028;
-                                    }
-                                    let _e3031 = phi_4669_;
-                                    let _e3034 = local_4[0u].member_1[1u];
-                                    if (_e3034[0] < 0f) {
-                                        phi_4683_ = -(_e3034[0]);
-                                    } else {
-                                        phi_4683_ = _e3034[0];
-                                    }
-                                    let _e3041 = phi_4683_;
-                                    if (_e3034[1] < 0f) {
-                                        phi_4690_ = -(_e3034[1]);
-                                    } else {
-                                        phi_4690_ = _e3034[1];
-                                    }
-                                    let _e3045 = phi_4690_;
-                                    if (_e3041 > _e3045) {
-                                        phi_4695_ = _e3041;
-                                    } else {
-                                        phi_4695_ = _e3045;
-                                    }
-                                    let _e3048 = phi_4695_;
-                                    if (_e3034[2] < 0f) {
-                                        phi_4702_ = -(_e3034[2]);
-                                    } else {
-                                        phi_4702_ = _e3034[2];
-                                    }
-                                    let _e3052 = phi_4702_;
-                                    if (_e3048 > _e3052) {
-                                        phi_4707_ = _e3048;
-                                    } else {
-                                        phi_4707_ = _e3052;
-                                    }
-                                    let _e3055 = phi_4707_;
-                                    if (_e3031 > _e3055) {
-                                        phi_4712_ = _e3031;
-                                    } else {
-                                        phi_4712_ = _e3055;
-                                    }
-                                    let _e3058 = phi_4712_;
-                                    let _e3060 = local_4[0u].member_3;
-                                    let _e3064 = local_4[0u].member_2[0u];
-                                    if (_e3064[0] < 0f) {
-                                        phi_4729_ = -(_e3064[0]);
-                                    } else {
-                                        phi_4729_ = _e3064[0];
-                                    }
-                                    let _e3071 = phi_4729_;
-                                    if (_e3064[1] < 0f) {
-                                        phi_4736_ = -(_e3064[1]);
-                                    } else {
-                                        phi_4736_ = _e3064[1];
-                                    }
-                                    let _e3075 = phi_4736_;
-                                    if (_e3071 > _e3075) {
-                                        phi_4741_ = _e3071;
-                                    } else {
-                                        phi_4741_ = _e3075;
-                                    }
-                                    let _e3078 = phi_4741_;
-                                    if (_e3064[2] < 0f) {
-                                        phi_4748_ = -(_e3064[2]);
-                                    } else {
-                                        phi_4748_ = _e3064[2];
-                                    }
-                                    let _e3082 = phi_4748_;
-                                    if (_e3078 > _e3082) {
-                                        phi_4753_ = _e3078;
-                                    } else {
-                                        phi_4753_ = _e3082;
-                                    }
-                                    let _e3085 = phi_4753_;
-                                    let _e3088 = local_4[0u].member_2[1u];
-                                    if (_e3088[0] < 0f) {
-                                        phi_4767_ = -(_e3088[0]);
-                                    } else {
-                                        phi_4767_ = _e3088[0];
-                                    }
-                                    let _e3095 = phi_4767_;
-                                    if (_e3088[1] < 0f) {
-                                        phi_4774_ = -(_e3088[1]);
-                                    } else {
-                                        phi_4774_ = _e3088[1];
-                                    }
-                                    let _e3099 = phi_4774_;
-                                    if (_e3095 > _e3099) {
-                                        phi_4779_ = _e3095;
-                                    } else {
-                                        phi_4779_ = _e3099;
-                                    }
-                                    let _e3102 = phi_4779_;
-                                    if (_e3088[2] < 0f) {
-                                        phi_4786_ = -(_e3088[2]);
-                                    } else {
-                                        phi_4786_ = _e3088[2];
-                                    }
-                                    let _e3106 = phi_4786_;
-                                    if (_e3102 > _e3106) {
-                                        phi_4791_ = _e3102;
-                                    } else {
-                                        phi_4791_ = _e3106;
-                                    }
-                                    let _e3109 = phi_4791_;
-                                    if (_e3085 > _e3109) {
-                                        phi_4796_ = _e3085;
-                                    } else {
-                                        phi_4796_ = _e3109;
-                                    }
-                                    let _e3112 = phi_4796_;
-                                    let _e3114 = local_4[0u].member_3;
-                                    let _e3117 = (((_e3004 + _e3006) + (_e3058 + _e3060)) + (_e3112 + _e3114));
-                                    let _e3120 = local_4[0u].member_3;
-                                    let _e3124 = (((_e1199 * 1.0001f) + (_e3120 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                    let _e3127 = ((_e2896 * _e2875) - (_e2899 * _e2874));
-                                    let _e3130 = ((_e2899 * _e2873) - (_e2893 * _e2875));
-                                    let _e3133 = ((_e2893 * _e2874) - (_e2896 * _e2873));
-                                    let _e3135 = local_2[0u];
-                                    let _e3143 = (((_e3127 * _e3135[0]) + (_e3130 * _e3135[1])) + (_e3133 * _e3135[2]));
-                                    phi_4834_ = type_37(0u, 4u);
-                                    phi_4837_ = _e3143;
-                                    phi_4839_ = _e3143;
-                                    loop {
-                                        let _e3145 = phi_4834_;
-                                        let _e3147 = phi_4837_;
-                                        let _e3149 = phi_4839_;
-                                        local_36 = _e3147;
-                                        local_37 = _e3149;
-                                        local_52 = _e3149;
-                                        if (_e3145.member < _e3145.member_1) {
-                                            phi_4835_ = type_37((_e3145.member + 1u), _e3145.member_1);
-                                            phi_4862_ = type_37(1u, _e3145.member);
-                                        } else {
-                                            phi_4835_ = _e3145;
-                                            phi_4862_ = type_37(0u, type_37().member_1);
-                                        }
-                                        let _e3163 = phi_4835_;
-                                        let _e3165 = phi_4862_;
-                                        let _e3169 = (bitcast<i32>(_e3165.member) != 0i);
-                                        if _e3169 {
-                                            if (_e3165.member_1 < 4u) {
-                                            } else {
-                                                return;
-                                            }
-                                            let _e3172 = local_2[_e3165.member_1];
-                                            let _e3180 = (((_e3127 * _e3172[0]) + (_e3130 * _e3172[1])) + (_e3133 * _e3172[2]));
-                                            if (_e3165.member_1 < 4u) {
-                                            } else {
-                                                return;
-                                            }
-                                            let _e3183 = local_3[_e3165.member_1];
-                                            let _e3191 = (((_e3127 * _e3183[0]) + (_e3130 * _e3183[1])) + (_e3133 * _e3183[2]));
-                                            if (_e3149 < _e3180) {
-                                                phi_4912_ = _e3149;
-                                            } else {
-                                                phi_4912_ = _e3180;
-                                            }
-                                            let _e3194 = phi_4912_;
-                                            if (_e3194 < _e3191) {
-                                                phi_4917_ = _e3194;
-                                            } else {
-                                                phi_4917_ = _e3191;
-                                            }
-                                            let _e3197 = phi_4917_;
-                                            if (_e3147 > _e3180) {
-                                                phi_4922_ = _e3147;
-                                            } else {
-                                                phi_4922_ = _e3180;
-                                            }
-                                            let _e3200 = phi_4922_;
-                                            if (_e3200 > _e3191) {
-                                                phi_4927_ = _e3200;
-                                            } else {
-                                                phi_4927_ = _e3191;
-                                            }
-                                            let _e3203 = phi_4927_;
-                                            phi_4838_ = _e3203;
-                                            phi_4840_ = _e3197;
-                                        } else {
-                                            phi_4838_ = f32();
-                                            phi_4840_ = f32();
-                                        }
-                                        let _e3205 = phi_4838_;
-                                        let _e3207 = phi_4840_;
-                                        continue;
-                                        continuing {
-                                            phi_4834_ = _e3163;
-                                            phi_4837_ = _e3205;
-                                            phi_4839_ = _e3207;
-                                            break if !(_e3169);
-                                        }
-                                    }
-                                    if (_e3127 < 0f) {
-                                        phi_4933_ = -(_e3127);
-                                    } else {
-                                        phi_4933_ = _e3127;
-                                    }
-                                    let _e3212 = phi_4933_;
-                                    if (_e3130 < 0f) {
-                                        phi_4939_ = -(_e3130);
-                                    } else {
-                                        phi_4939_ = _e3130;
-                                    }
-                                    let _e3216 = phi_4939_;
-                                    if (_e3133 < 0f) {
-                                        phi_4946_ = -(_e3133);
-                                    } else {
-                                        phi_4946_ = _e3133;
-                                    }
-                                    let _e3221 = phi_4946_;
-                                    let _e3222 = ((_e3212 + _e3216) + _e3221);
-                                    let _e3227 = local_36;
-                                    let _e3228 = -(_e3227);
-                                    let _e3230 = local_37;
-                                    if (_e3230 > _e3228) {
-                                        let _e5012 = local_52;
-                                        phi_4956_ = _e5012;
-                                    } else {
-                                        phi_4956_ = _e3228;
-                                    }
-                                    let _e3233 = phi_4956_;
-                                    let _e3238 = (((_e3233 - ((_e3222 * _e3117) * (0.000000059604645f * 17f))) - (_e3222 * _e3124)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    let _e3241 = ((_e2896 * _e2890) - (_e2899 * _e2889));
-                                    let _e3244 = ((_e2899 * _e2888) - (_e2893 * _e2890));
-                                    let _e3247 = ((_e2893 * _e2889) - (_e2896 * _e2888));
-                                    let _e3249 = local_2[0u];
-                                    let _e3257 = (((_e3241 * _e3249[0]) + (_e3244 * _e3249[1])) + (_e3247 * _e3249[2]));
-                                    phi_4987_ = type_37(0u, 4u);
-                                    phi_4990_ = _e3257;
-                                    phi_4992_ = _e3257;
-                                    loop {
-                                        let _e3259 = phi_4987_;
-                                        let _e3261 = phi_4990_;
-                                        let _e3263 = phi_4992_;
-                                        local_38 = _e3261;
-                                        local_39 = _e3263;
-                                        local_53 = _e3263;
-                                        if (_e3259.member < _e3259.member_1) {
-                                            phi_4988_ = type_37((_e3259.member + 1u), _e3259.member_1);
-                                            phi_5015_ = type_37(1u, _e3259.member);
-                                        } else {
-                                            phi_4988_ = _e3259;
-                                            phi_5015_ = type_37(0u, type_37().member_1);
-                                        }
-                                        let _e3277 = phi_4988_;
-                                        let _e3279 = phi_5015_;
-                                        let _e3283 = (bitcast<i32>(_e3279.member) != 0i);
-                                        if _e3283 {
-                                            if (_e3279.member_1 < 4u) {
-                                            } else {
-                                                return;
-                                            }
-                                            let _e3286 = local_2[_e3279.member_1];
-                                            let _e3294 = (((_e3241 * _e3286[0]) + (_e3244 * _e3286[1])) + (_e3247 * _e3286[2]));
-                                            if (_e3279.member_1 < 4u) {
-                                            } else {
-                                                return;
-                                            }
-                                            let _e3297 = local_3[_e3279.member_1];
-                                            let _e3305 = (((_e3241 * _e3297[0]) + (_e3244 * _e3297[1])) + (_e3247 * _e3297[2]));
-                                            if (_e3263 < _e3294) {
-                                                phi_5065_ = _e3263;
-                                            } else {
-                                                phi_5065_ = _e3294;
-                                            }
-                                            let _e3308 = phi_5065_;
-                                            if (_e3308 < _e3305) {
-                                                phi_5070_ = _e3308;
-                                            } else {
-                                                phi_5070_ = _e3305;
-                                            }
-                                            let _e3311 = phi_5070_;
-                                            if (_e3261 > _e3294) {
-                                                phi_5075_ = _e3261;
-                                            } else {
-                                                phi_5075_ = _e3294;
-                                            }
-                                            let _e3314 = phi_5075_;
-                                            if (_e3314 > _e3305) {
-                                                phi_5080_ = _e3314;
-                                            } else {
-                                                phi_5080_ = _e3305;
-                                            }
-                                            let _e3317 = phi_5080_;
-                                            phi_4991_ = _e3317;
-                                            phi_4993_ = _e3311;
-                                        } else {
-                                            phi_4991_ = f32();
-                                            phi_4993_ = f32();
-                                        }
-                                        let _e3319 = phi_4991_;
-                                        let _e3321 = phi_4993_;
-                                        continue;
-                                        continuing {
-                                            phi_4987_ = _e3277;
-                                            phi_4990_ = _e3319;
-                                            phi_4992_ = _e3321;
-                                            break if !(_e3283);
-                                        }
-                                    }
-                                    if (_e3241 < 0f) {
-                                        phi_5086_ = -(_e3241);
-                                    } else {
-                                        phi_5086_ = _e3241;
-                                    }
-                                    let _e3326 = phi_5086_;
-                                    if (_e3244 < 0f) {
-                                        phi_5092_ = -(_e3244);
-                                    } else {
-                                        phi_5092_ = _e3244;
-                                    }
-                                    let _e3330 = phi_5092_;
-                                    if (_e3247 < 0f) {
-                                        phi_5099_ = -(_e3247);
-                                    } else {
-                                        phi_5099_ = _e3247;
-                                    }
-                                    let _e3335 = phi_5099_;
-                                    let _e3336 = ((_e3326 + _e3330) + _e3335);
-                                    let _e3341 = local_38;
-                                    let _e3342 = -(_e3341);
-                                    let _e3344 = local_39;
-                                    if (_e3344 > _e3342) {
-                                        let _e5031 = local_53;
-                                        phi_5109_ = _e5031;
-                                    } else {
-                                        phi_5109_ = _e3342;
-                                    }
-                                    let _e3347 = phi_5109_;
-                                    let _e3352 = (((_e3347 - ((_e3336 * _e3117) * (0.000000059604645f * 17f))) - (_e3336 * _e3124)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3238 > _e3352) {
-                                        phi_5119_ = _e3238;
-                                    } else {
-                                        phi_5119_ = _e3352;
-                                    }
-                                    let _e3355 = phi_5119_;
-                                    let _e3356 = (_e2888 - _e2873);
-                                    let _e3357 = (_e2889 - _e2874);
-                                    let _e3358 = (_e2890 - _e2875);
-                                    let _e3361 = ((_e2896 * _e3358) - (_e2899 * _e3357));
-                                    let _e3364 = ((_e2899 * _e3356) - (_e2893 * _e3358));
-                                    let _e3367 = ((_e2893 * _e3357) - (_e2896 * _e3356));
-                                    let _e3369 = local_2[0u];
-                                    let _e3377 = (((_e3361 * _e3369[0]) + (_e3364 * _e3369[1])) + (_e3367 * _e3369[2]));
-                                    phi_5152_ = type_37(0u, 4u);
-                                    phi_5155_ = _e3377;
-                                    phi_5157_ = _e3377;
-                                    loop {
-                                        let _e3379 = phi_5152_;
-                                        let _e3381 = phi_5155_;
-                                        let _e3383 = phi_5157_;
-                                        local_40 = _e3381;
-                                        local_41 = _e3383;
-                                        local_54 = _e3383;
-                                        if (_e3379.member < _e3379.member_1) {
-                                            phi_5153_ = type_37((_e3379.member + 1u), _e3379.member_1);
-                                            phi_5180_ = type_37(1u, _e3379.member);
-                                        } else {
-                                            phi_5153_ = _e3379;
-                                            phi_5180_ = type_37(0u, type_37().member_1);
-                                        }
-                                        let _e3397 = phi_5153_;
-                                        let _e3399 = phi_5180_;
-                                        let _e3403 = (bitcast<i32>(_e3399.member) != 0i);
-                                        if _e3403 {
-                                            if (_e3399.member_1 < 4u) {
-                                            } else {
-                                                return;
-                                            }
-                                            let _e3406 = local_2[_e3399.member_1];
-                                            let _e3414 = (((_e3361 * _e3406[0]) + (_e3364 * _e3406[1])) + (_e3367 * _e3406[2]));
-                                            if (_e3399.member_1 < 4u) {
-                                            } else {
-                                                return;
-                                            }
-                                            let _e3417 = local_3[_e3399.member_1];
-                                            let _e3425 = (((_e3361 * _e3417[0]) + (_e3364 * _e3417[1])) + (_e3367 * _e3417[2]));
-                                            if (_e3383 < _e3414) {
-                                                phi_5230_ = _e3383;
-                                            } else {
-                                                phi_5230_ = _e3414;
-                                            }
-                                            let _e3428 = phi_5230_;
-                                            if (_e3428 < _e3425) {
-                                                phi_5235_ = _e3428;
-                                            } else {
-                                                phi_5235_ = _e3425;
-                                            }
-                                            let _e3431 = phi_5235_;
-                                            if (_e3381 > _e3414) {
-                                                phi_5240_ = _e3381;
-                                            } else {
-                                                phi_5240_ = _e3414;
-                                            }
-                                            let _e3434 = phi_5240_;
-                                            if (_e3434 > _e3425) {
-                                                phi_5245_ = _e3434;
-                                            } else {
-                                                phi_5245_ = _e3425;
-                                            }
-                                            let _e3437 = phi_5245_;
-                                            phi_5156_ = _e3437;
-                                            phi_5158_ = _e3431;
-                                        } else {
-                                            phi_5156_ = f32();
-                                            phi_5158_ = f32();
-                                        }
-                                        let _e3439 = phi_5156_;
-                                        let _e3441 = phi_5158_;
-                                        continue;
-                                        continuing {
-                                            phi_5152_ = _e3397;
-                                            phi_5155_ = _e3439;
-                                            phi_5157_ = _e3441;
-                                            break if !(_e3403);
-                                        }
-                                    }
-                                    if (_e3361 < 0f) {
-                                        phi_5251_ = -(_e3361);
-                                    } else {
-                                        phi_5251_ = _e3361;
-                                    }
-                                    let _e3446 = phi_5251_;
-                                    if (_e3364 < 0f) {
-                                        phi_5257_ = -(_e3364);
-                                    } else {
-                                        phi_5257_ = _e3364;
-                                    }
-                                    let _e3450 = phi_5257_;
-                                    if (_e3367 < 0f) {
-                                        phi_5264_ = -(_e3367);
-                                    } else {
-                                        phi_5264_ = _e3367;
-                                    }
-                                    let _e3455 = phi_5264_;
-                                    let _e3456 = ((_e3446 + _e3450) + _e3455);
-                                    let _e3461 = local_40;
-                                    let _e3462 = -(_e3461);
-                                    let _e3464 = local_41;
-                                    if (_e3464 > _e3462) {
-                                        let _e5051 = local_54;
-                                        phi_5274_ = _e5051;
-                                    } else {
-                                        phi_5274_ = _e3462;
-                                    }
-                                    let _e3467 = phi_5274_;
-                                    let _e3472 = (((_e3467 - ((_e3456 * _e3117) * (0.000000059604645f * 17f))) - (_e3456 * _e3124)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3355 > _e3472) {
-                                        phi_5284_ = _e3355;
-                                    } else {
-                                        phi_5284_ = _e3472;
-                                    }
-                                    let _e3475 = phi_5284_;
-                                    phi_5287_ = (_e3475 > 0f);
-                                }
-                                let _e3478 = phi_5287_;
-                                if _e3478 {
-                                    let _e3482 = local_4[1u].member_1[0u];
-                                    let _e3488 = local_4[1u].member_2[0u];
-                                    let _e3494 = ((_e3482[1] * _e3488[2]) - (_e3482[2] * _e3488[1]));
-                                    let _e3497 = ((_e3482[2] * _e3488[0]) - (_e3482[0] * _e3488[2]));
-                                    let _e3500 = ((_e3482[0] * _e3488[1]) - (_e3482[1] * _e3488[0]));
-                                    let _e3503 = local_4[1u].member_1[1u];
-                                    let _e3509 = local_4[1u].member_2[1u];
-                                    let _e3515 = ((_e3503[1] * _e3509[2]) - (_e3503[2] * _e3509[1]));
-                                    let _e3518 = ((_e3503[2] * _e3509[0]) - (_e3503[0] * _e3509[2]));
-                                    let _e3521 = ((_e3503[0] * _e3509[1]) - (_e3503[1] * _e3509[0]));
-                                    let _e3524 = local_4[1u].member_1[0u];
-                                    let _e3530 = local_4[1u].member_2[1u];
-                                    let _e3545 = local_4[1u].member_1[1u];
-                                    let _e3551 = local_4[1u].member_2[0u];
-                                    let _e3564 = (((_e3524[1] * _e3530[2]) - (_e3524[2] * _e3530[1])) + ((_e3545[1] * _e3551[2]) - (_e3545[2] * _e3551[1])));
-                                    let _e3565 = (((_e3524[2] * _e3530[0]) - (_e3524[0] * _e3530[2])) + ((_e3545[2] * _e3551[0]) - (_e3545[0] * _e3551[2])));
-                                    let _e3566 = (((_e3524[0] * _e3530[1]) - (_e3524[1] * _e3530[0])) + ((_e3545[0] * _e3551[1]) - (_e3545[1] * _e3551[0])));
-                                    let _e3569 = local_4[1u].member[0u];
-                                    let _e3580 = local_4[1u].member[1u];
-                                    let _e3591 = local_4[1u].member[0u];
-                                    let _e3600 = ((((_e3580[0] * _e3494) + (_e3580[1] * _e3497)) + (_e3580[2] * _e3500)) + (((_e3591[0] * _e3564) + (_e3591[1] * _e3565)) + (_e3591[2] * _e3566)));
-                                    let _e3603 = local_4[1u].member[0u];
-                                    let _e3614 = local_4[1u].member[1u];
-                                    let _e3623 = ((((_e3603[0] * _e3515) + (_e3603[1] * _e3518)) + (_e3603[2] * _e3521)) + (((_e3614[0] * _e3564) + (_e3614[1] * _e3565)) + (_e3614[2] * _e3566)));
-                                    let _e3626 = local_4[1u].member[1u];
-                                    let _e3637 = local_4[1u].member[0u];
-                                    if (_e3637[0] < 0f) {
-                                        phi_5533_ = -(_e3637[0]);
-                                    } else {
-                                        phi_5533_ = _e3637[0];
-                                    }
-                                    let _e3644 = phi_5533_;
-                                    if (_e3637[1] < 0f) {
-                                        phi_5540_ = -(_e3637[1]);
-                                    } else {
-                                        phi_5540_ = _e3637[1];
-                                    }
-                                    let _e3648 = phi_5540_;
-                                    if (_e3644 > _e3648) {
-                                        phi_5545_ = _e3644;
-                                    } else {
-                                        phi_5545_ = _e3648;
-                                    }
-                                    let _e3651 = phi_5545_;
-                                    if (_e3637[2] < 0f) {
-                                        phi_5552_ = -(_e3637[2]);
-                                    } else {
-                                        phi_5552_ = _e3637[2];
-                                    }
-                                    let _e3655 = phi_5552_;
-                                    if (_e3651 > _e3655) {
-                                        phi_5557_ = _e3651;
-                                    } else {
-                                        phi_5557_ = _e3655;
-                                    }
-                                    let _e3658 = phi_5557_;
-                                    let _e3661 = local_4[1u].member[1u];
-                                    if (_e3661[0] < 0f) {
-                                        phi_5570_ = -(_e3661[0]);
-                                    } else {
-                                        phi_5570_ = _e3661[0];
-                                    }
-                                    let _e3668 = phi_5570_;
-                                    if (_e3661[1] < 0f) {
-                                        phi_5577_ = -(_e3661[1]);
-                                    } else {
-                                        phi_5577_ = _e3661[1];
-                                    }
-                                    let _e3672 = phi_5577_;
-                                    if (_e3668 > _e3672) {
-                                        phi_5582_ = _e3668;
-                                    } else {
-                                        phi_5582_ = _e3672;
-                                    }
-                                    let _e3675 = phi_5582_;
-                                    if (_e3661[2] < 0f) {
-                                        phi_5589_ = -(_e3661[2]);
-                                    } else {
-                                        phi_5589_ = _e3661[2];
-                                    }
-                                    let _e3679 = phi_5589_;
-                                    if (_e3675 > _e3679) {
-                                        phi_5594_ = _e3675;
-                                    } else {
-                                        phi_5594_ = _e3679;
-                                    }
-                                    let _e3682 = phi_5594_;
-                                    if (_e3658 > _e3682) {
-                                        phi_5599_ = _e3658;
-                                    } else {
-                                        phi_5599_ = _e3682;
-                                    }
-                                    let _e3685 = phi_5599_;
-                                    let _e3687 = local_4[1u].member_3;
-                                    let _e3688 = (_e3685 + _e3687);
-                                    let _e3691 = local_4[1u].member_1[0u];
-                                    if (_e3691[0] < 0f) {
-                                        phi_5616_ = -(_e3691[0]);
-                                    } else {
-                                        phi_5616_ = _e3691[0];
-                                    }
-                                    let _e3698 = phi_5616_;
-                                    if (_e3691[1] < 0f) {
-                                        phi_5623_ = -(_e3691[1]);
-                                    } else {
-                                        phi_5623_ = _e3691[1];
-                                    }
-                                    let _e3702 = phi_5623_;
-                                    if (_e3698 > _e3702) {
-                                        phi_5628_ = _e3698;
-                                    } else {
-                                        phi_5628_ = _e3702;
-                                    }
-                                    let _e3705 = phi_5628_;
-                                    if (_e3691[2] < 0f) {
-                                        phi_5635_ = -(_e3691[2]);
-                                    } else {
-                                        phi_5635_ = _e3691[2];
-                                    }
-                                    let _e3709 = phi_5635_;
-                                    if (_e3705 > _e3709) {
-                                        phi_5640_ = _e3705;
-                                    } else {
-                                        phi_5640_ = _e3709;
-                                    }
-                                    let _e3712 = phi_5640_;
-                                    let _e3715 = local_4[1u].member_1[1u];
-                                    if (_e3715[0] < 0f) {
-                                        phi_5654_ = -(_e3715[0]);
-                                    } else {
-                                        phi_5654_ = _e3715[0];
-                                    }
-                                    let _e3722 = phi_5654_;
-                                    if (_e3715[1] < 0f) {
-                                        phi_5661_ = -(_e3715[1]);
-                                    } else {
-                                        phi_5661_ = _e3715[1];
-                                    }
-                                    let _e3726 = phi_5661_;
-                                    if (_e3722 > _e3726) {
-                                        phi_5666_ = _e3722;
-                                    } else {
-                                        phi_5666_ = _e3726;
-                                    }
-                                    let _e3729 = phi_5666_;
-                                    if (_e3715[2] < 0f) {
-                                        phi_5673_ = -(_e3715[2]);
-                                    } else {
-                                        phi_5673_ = _e3715[2];
-                                    }
-                                    let _e3733 = phi_5673_;
-                                    if (_e3729 > _e3733) {
-                                        phi_5678_ = _e3729;
-                                    } else {
-                                        phi_5678_ = _e3733;
-                                    }
-                                    let _e3736 = phi_5678_;
-                                    if (_e3712 > _e3736) {
-                                        phi_5683_ = _e3712;
-                                    } else {
-                                        phi_5683_ = _e3736;
-                                    }
-                                    let _e3739 = phi_5683_;
-                                    let _e3741 = local_4[1u].member_3;
-                                    let _e3742 = (_e3739 + _e3741);
-                                    let _e3745 = local_4[1u].member_2[0u];
-                                    if (_e3745[0] < 0f) {
-                                        phi_5700_ = -(_e3745[0]);
-                                    } else {
-                                        phi_5700_ = _e3745[0];
-                                    }
-                                    let _e3752 = phi_5700_;
-                                    if (_e3745[1] < 0f) {
-                                        phi_5707_ = -(_e3745[1]);
-                                    } else {
-                                        phi_5707_ = _e3745[1];
-                                    }
-                                    let _e3756 = phi_5707_;
-                                    if (_e3752 > _e3756) {
-                                        phi_5712_ = _e3752;
-                                    } else {
-                                        phi_5712_ = _e3756;
-                                    }
-                                    let _e3759 = phi_5712_;
-                                    if (_e3745[2] < 0f) {
-                                        phi_5719_ = -(_e3745[2]);
-                                    } else {
-                                        phi_5719_ = _e3745[2];
-                                    }
-                                    let _e3763 = phi_5719_;
-                                    if (_e3759 > _e3763) {
-                                        phi_5724_ = _e3759;
-                                    } else {
-                                        phi_5724_ = _e3763;
-                                    }
-                                    let _e3766 = phi_5724_;
-                                    let _e3769 = local_4[1u].member_2[1u];
-                                    if (_e3769[0] < 0f) {
-                                        phi_5738_ = -(_e3769[0]);
-                                    } else {
-                                        phi_5738_ = _e3769[0];
-                                    }
-                                    let _e3776 = phi_5738_;
-                                    if (_e3769[1] < 0f) {
-                                        phi_5745_ = -(_e3769[1]);
-                                    } else {
-                                        phi_5745_ = _e3769[1];
-                                    }
-                                    let _e3780 = phi_5745_;
-                                    if (_e3776 > _e3780) {
-                                        phi_5750_ = _e3776;
-                                    } else {
-                                        phi_5750_ = _e3780;
-                                    }
-                                    let _e3783 = phi_5750_;
-                                    if (_e3769[2] < 0f) {
-                                        phi_5757_ = -(_e3769[2]);
-                                    } else {
-                                        phi_5757_ = _e3769[2];
-                                    }
-                                    let _e3787 = phi_5757_;
-                                    if (_e3783 > _e3787) {
-                                        phi_5762_ = _e3783;
-                                    } else {
-                                        phi_5762_ = _e3787;
-                                    }
-                                    let _e3790 = phi_5762_;
-                                    if (_e3766 > _e3790) {
-                                        phi_5767_ = _e3766;
-                                    } else {
-                                        phi_5767_ = _e3790;
-                                    }
-                                    let _e3793 = phi_5767_;
-                                    let _e3795 = local_4[1u].member_3;
-                                    let _e3796 = (_e3793 + _e3795);
-                                    let _e3798 = ((_e3742 * 8f) * _e3796);
-                                    let _e3805 = local_4[1u].member_3;
-                                    if (_e3494 < 0f) {
-                                        phi_5798_ = -(_e3494);
-                                    } else {
-                                        phi_5798_ = _e3494;
-                                    }
-                                    let _e3822 = phi_5798_;
-                                    if (_e3497 < 0f) {
-                                        phi_5804_ = -(_e3497);
-                                    } else {
-                                        phi_5804_ = _e3497;
-                                    }
-                                    let _e3826 = phi_5804_;
-                                    if (_e3500 < 0f) {
-                                        phi_5811_ = -(_e3500);
-                                    } else {
-                                        phi_5811_ = _e3500;
-                                    }
-                                    let _e3831 = phi_5811_;
-                                    let _e3832 = ((_e3822 + _e3826) + _e3831);
-                                    if (_e3515 < 0f) {
-                                        phi_5818_ = -(_e3515);
-                                    } else {
-                                        phi_5818_ = _e3515;
-                                    }
-                                    let _e3836 = phi_5818_;
-                                    if (_e3518 < 0f) {
-                                        phi_5824_ = -(_e3518);
-                                    } else {
-                                        phi_5824_ = _e3518;
-                                    }
-                                    let _e3840 = phi_5824_;
-                                    if (_e3521 < 0f) {
-                                        phi_5831_ = -(_e3521);
-                                    } else {
-                                        phi_5831_ = _e3521;
-                                    }
-                                    let _e3845 = phi_5831_;
-                                    let _e3846 = ((_e3836 + _e3840) + _e3845);
-                                    if (_e3832 > _e3846) {
-                                        phi_5837_ = _e3832;
-                                    } else {
-                                        phi_5837_ = _e3846;
-                                    }
-                                    let _e3849 = phi_5837_;
-                                    if (_e3564 < 0f) {
-                                        phi_5843_ = -(_e3564);
-                                    } else {
-                                        phi_5843_ = _e3564;
-                                    }
-                                    let _e3853 = phi_5843_;
-                                    if (_e3565 < 0f) {
-                                        phi_5849_ = -(_e3565);
-                                    } else {
-                                        phi_5849_ = _e3565;
-                                    }
-                                    let _e3857 = phi_5849_;
-                                    if (_e3566 < 0f) {
-                                        phi_5856_ = -(_e3566);
-                                    } else {
-                                        phi_5856_ = _e3566;
-                                    }
-                                    let _e3862 = phi_5856_;
-                                    let _e3864 = (((_e3853 + _e3857) + _e3862) * 0.5f);
-                                    if (_e3849 > _e3864) {
-                                        phi_5863_ = _e3849;
-                                    } else {
-                                        phi_5863_ = _e3864;
-                                    }
-                                    let _e3867 = phi_5863_;
-                                    let _e3872 = local_4[1u].member_3;
-                                    let _e3885 = ((((_e3569[0] * _e3494) + (_e3569[1] * _e3497)) + (_e3569[2] * _e3500)) * 3f);
-                                    let _e3886 = ((((_e3626[0] * _e3515) + (_e3626[1] * _e3518)) + (_e3626[2] * _e3521)) * 3f);
-                                    if (_e3885 < _e3886) {
-                                        phi_5887_ = _e3885;
-                                    } else {
-                                        phi_5887_ = _e3886;
-                                    }
-                                    let _e3889 = phi_5887_;
-                                    if (_e3600 < _e3623) {
-                                        phi_5892_ = _e3600;
-                                    } else {
-                                        phi_5892_ = _e3623;
-                                    }
-                                    let _e3892 = phi_5892_;
-                                    if (_e3889 < _e3892) {
-                                        phi_5897_ = _e3889;
-                                    } else {
-                                        phi_5897_ = _e3892;
-                                    }
-                                    let _e3895 = phi_5897_;
-                                    if (_e3885 > _e3886) {
-                                        phi_5902_ = _e3885;
-                                    } else {
-                                        phi_5902_ = _e3886;
-                                    }
-                                    let _e3898 = phi_5902_;
-                                    if (_e3600 > _e3623) {
-                                        phi_5907_ = _e3600;
-                                    } else {
-                                        phi_5907_ = _e3623;
-                                    }
-                                    let _e3901 = phi_5907_;
-                                    if (_e3898 > _e3901) {
-                                        phi_5912_ = _e3898;
-                                    } else {
-                                        phi_5912_ = _e3901;
-                                    }
-                                    let _e3904 = phi_5912_;
-                                    let _e3909 = -(_e3904);
-                                    if (_e3895 > _e3909) {
-                                        phi_5922_ = _e3895;
-                                    } else {
-                                        phi_5922_ = _e3909;
-                                    }
-                                    let _e3912 = phi_5922_;
-                                    if ((_e3912 - ((((((_e3688 * 8f) * _e3798) * (0.000000059604645f * (490f / 64f))) + ((_e3805 * 19f) * ((_e3688 * (_e3742 + _e3796)) + (_e3742 * _e3796)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3688) * ((1f + _e3742) * (1f + _e3796))))) + ((_e1199 * (((_e3867 + (_e3798 * (0.000000059604645f * 4f))) + ((_e3872 * 6f) * (_e3742 + _e3796))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3742) * (1f + _e3796))))) * (3f * 1.0001f)))) > 0f) {
-                                        phi_6898_ = true;
-                                    } else {
-                                        let _e3917 = local_4[1u].member_1[0u];
-                                        let _e3923 = local_4[1u].member_1[1u];
-                                        let _e3927 = (_e3917[0] + _e3923[0]);
-                                        let _e3928 = (_e3917[1] + _e3923[1]);
-                                        let _e3929 = (_e3917[2] + _e3923[2]);
-                                        let _e3932 = local_4[1u].member_2[0u];
-                                        let _e3938 = local_4[1u].member_2[1u];
-                                        let _e3942 = (_e3932[0] + _e3938[0]);
-                                        let _e3943 = (_e3932[1] + _e3938[1]);
-                                        let _e3944 = (_e3932[2] + _e3938[2]);
-                                        let _e3947 = ((_e3928 * _e3944) - (_e3929 * _e3943));
-                                        let _e3950 = ((_e3929 * _e3942) - (_e3927 * _e3944));
-                                        let _e3953 = ((_e3927 * _e3943) - (_e3928 * _e3942));
-                                        let _e3956 = local_4[1u].member[0u];
-                                        let _e3962 = local_4[1u].member_1[0u];
-                                        let _e3968 = local_4[1u].member_2[0u];
-                                        let _e3980 = local_4[1u].member[1u];
-                                        let _e3986 = local_4[1u].member_1[1u];
-                                        let _e3992 = local_4[1u].member_2[1u];
-                                        local = array<array<f32, 3>, 4>(_e3956, array<f32, 3>((_e3956[0] - _e3962[0]), (_e3956[1] - _e3962[1]), (_e3956[2] - _e3962[2])), array<f32, 3>((_e3956[0] - _e3968[0]), (_e3956[1] - _e3968[1]), (_e3956[2] - _e3968[2])), _e3956);
-                                        local_1 = array<array<f32, 3>, 4>(_e3980, array<f32, 3>((_e3980[0] - _e3986[0]), (_e3980[1] - _e3986[1]), (_e3980[2] - _e3986[2])), array<f32, 3>((_e3980[0] - _e3992[0]), (_e3980[1] - _e3992[1]), (_e3980[2] - _e3992[2])), _e3980);
-                                        let _e4010 = local_4[1u].member[0u];
-                                        if (_e4010[0] < 0f) {
-                                            phi_6173_ = -(_e4010[0]);
-                                        } else {
-                                            phi_6173_ = _e4010[0];
-                                        }
-                                        let _e4017 = phi_6173_;
-                                        if (_e4010[1] < 0f) {
-                                            phi_6180_ = -(_e4010[1]);
-                                        } else {
-                                            phi_6180_ = _e4010[1];
-                                        }
-                                        let _e4021 = phi_6180_;
-                                        if (_e4017 > _e4021) {
-                                            phi_6185_ = _e4017;
-                                        } else {
-                                            phi_6185_ = _e4021;
-                                        }
-                                        let _e4024 = phi_6185_;
-                                        if (_e4010[2] < 0f) {
-                                            phi_6192_ = -(_e4010[2]);
-                                        } else {
-                                            phi_6192_ = _e4010[2];
-                                        }
-                                        let _e4028 = phi_6192_;
-                                        if (_e4024 > _e4028) {
-                                            phi_6197_ = _e4024;
-                                        } else {
-                                            phi_6197_ = _e4028;
-                                        }
-                                        let _e4031 = phi_6197_;
-                                        let _e4034 = local_4[1u].member[1u];
-                                        if (_e4034[0] < 0f) {
-                                            phi_6210_ = -(_e4034[0]);
-                                        } else {
-                                            phi_6210_ = _e4034[0];
-                                        }
-                                        let _e4041 = phi_6210_;
-                                        if (_e4034[1] < 0f) {
-                                            phi_6217_ = -(_e4034[1]);
-                                        } else {
-                                            phi_6217_ = _e4034[1];
-                                        }
-                                        let _e4045 = phi_6217_;
-                                        if (_e4041 > _e4045) {
-                                            phi_6222_ = _e4041;
-                                        } else {
-                                            phi_6222_ = _e4045;
-                                        }
-                                        let _e4048 = phi_6222_;
-                                        if (_e4034[2] < 0f) {
-                                            phi_6229_ = -(_e4034[2]);
-                                        } else {
-                                            phi_6229_ = _e4034[2];
-                                        }
-                                        let _e4052 = phi_6229_;
-                                        if (_e4048 > _e4052) {
-                                            phi_6234_ = _e4048;
-                                        } else {
-                                            phi_6234_ = _e4052;
-                                        }
-                                        let _e4055 = phi_6234_;
-                                        if (_e4031 > _e4055) {
-                                            phi_6239_ = _e4031;
-                                        } else {
-                                            phi_6239_ = _e4055;
-                                        }
-                                        let _e4058 = phi_6239_;
-                                        let _e4060 = local_4[1u].member_3;
-                                        let _e4064 = local_4[1u].member_1[0u];
-                                        if (_e4064[0] < 0f) {
-                                            phi_6256_ = -(_e4064[0]);
-                                        } else {
-                                            phi_6256_ = _e4064[0];
-                                        }
-                                        let _e4071 = phi_6256_;
-                                        if (_e4064[1] < 0f) {
-                                            phi_6263_ = -(_e4064[1]);
-                                        } else {
-                                            phi_6263_ = _e4064[1];
-                                        }
-                                        let _e4075 = phi_6263_;
-                                        if (_e4071 > _e4075) {
-                                            phi_6268_ = _e4071;
-                                        } else {
-                                            phi_6268_ = _e4075;
-                                        }
-                                        let _e4078 = phi_6268_;
-                                        if (_e4064[2] < 0f) {
-                                            phi_6275_ = -(_e4064[2]);
-                                        } else {
-                                            phi_6275_ = _e4064[2];
-                                        }
-                                        let _e4082 = phi_6275_;
-                                        if (_e4078 > _e4082) {
-                                            phi_6280_ = _e4078;
-                                        } else {
-                                            phi_6280_ = _e4082;
-                                        }
-                                        let _e4085 = phi_6280_;
-                                        let _e4088 = local_4[1u].member_1[1u];
-                                        if (_e4088[0] < 0f) {
-                                            phi_6294_ = -(_e4088[0]);
-                                        } else {
-                                            phi_6294_ = _e4088[0];
-                                        }
-                                        let _e4095 = phi_6294_;
-                                        if (_e4088[1] < 0f) {
-                                            phi_6301_ = -(_e4088[1]);
-                                        } else {
-                                            phi_6301_ = _e4088[1];
-                                        }
-                                        let _e4099 = phi_6301_;
-                                        if (_e4095 > _e4099) {
-                                            phi_6306_ = _e4095;
-                                        } else {
-                                            phi_6306_ = _e4099;
-                                        }
-                                        let _e4102 = phi_6306_;
-                                        if (_e4088[2] < 0f) {
-                                            phi_6313_ = -(_e4088[2]);
-                                        } else {
-                                            phi_6313_ = _e4088[2];
-                                        }
-                                        let _e4106 = phi_6313_;
-                                        if (_e4102 > _e4106) {
-                                            phi_6318_ = _e4102;
-                                        } else {
-                                            phi_6318_ = _e4106;
-                                        }
-                                        let _e4109 = phi_6318_;
-                                        if (_e4085 > _e4109) {
-                                            phi_6323_ = _e4085;
-                                        } else {
-                                            phi_6323_ = _e4109;
-                                        }
-                                        let _e4112 = phi_6323_;
-                                        let _e4114 = local_4[1u].member_3;
-                                        let _e4118 = local_4[1u].member_2[0u];
-                                        if (_e4118[0] < 0f) {
-                                            phi_6340_ = -(_e4118[0]);
-                                        } else {
-                                            phi_6340_ = _e4118[0];
-                                        }
-                                        let _e4125 = phi_6340_;
-                                        if (_e4118[1] < 0f) {
-                                            phi_6347_ = -(_e4118[1]);
-                                        } else {
-                                            phi_6347_ = _e4118[1];
-                                        }
-                                        let _e4129 = phi_6347_;
-                                        if (_e4125 > _e4129) {
-                                            phi_6352_ = _e4125;
-                                        } else {
-                                            phi_6352_ = _e4129;
-                                        }
-                                        let _e4132 = phi_6352_;
-                                        if (_e4118[2] < 0f) {
-                                            phi_6359_ = -(_e4118[2]);
-                                        } else {
-                                            phi_6359_ = _e4118[2];
-                                        }
-                                        let _e4136 = phi_6359_;
-                                        if (_e4132 > _e4136) {
-                                            phi_6364_ = _e4132;
-                                        } else {
-                                            phi_6364_ = _e4136;
-                                        }
-                                        let _e4139 = phi_6364_;
-                                        let _e4142 = local_4[1u].member_2[1u];
-                                        if (_e4142[0] < 0f) {
-                                            phi_6378_ = -(_e4142[0]);
-                                        } else {
-                                            phi_6378_ = _e4142[0];
-                                        }
-                                        let _e4149 = phi_6378_;
-                                        if (_e4142[1] < 0f) {
-                                            phi_6385_ = -(_e4142[1]);
-                                        } else {
-                                            phi_6385_ = _e4142[1];
-                                        }
-                                        let _e4153 = phi_6385_;
-                                        if (_e4149 > _e4153) {
-                                            phi_6390_ = _e4149;
-                                        } else {
-                                            phi_6390_ = _e4153;
-                                        }
-                                        let _e4156 = phi_6390_;
-                                        if (_e4142[2] < 0f) {
-                                            phi_6397_ = -(_e4142[2]);
-                                        } else {
-                                            phi_6397_ = _e4142[2];
-                                        }
-                                        let _e4160 = phi_6397_;
-                                        if (_e4156 > _e4160) {
-                                            phi_6402_ = _e4156;
-                                        } else {
-                                            phi_6402_ = _e4160;
-                                        }
-                                        let _e4163 = phi_6402_;
-                                        if (_e4139 > _e4163) {
-                                            phi_6407_ = _e4139;
-                                        } else {
-                                            phi_6407_ = _e4163;
-                                        }
-                                        let _e4166 = phi_6407_;
-                                        let _e4168 = local_4[1u].member_3;
-                                        let _e4171 = (((_e4058 + _e4060) + (_e4112 + _e4114)) + (_e4166 + _e4168));
-                                        let _e4174 = local_4[1u].member_3;
-                                        let _e4178 = (((_e1199 * 1.0001f) + (_e4174 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                        let _e4181 = ((_e3950 * _e3929) - (_e3953 * _e3928));
-                                        let _e4184 = ((_e3953 * _e3927) - (_e3947 * _e3929));
-                                        let _e4187 = ((_e3947 * _e3928) - (_e3950 * _e3927));
-                                        let _e4189 = local[0u];
-                                        let _e4197 = (((_e4181 * _e4189[0]) + (_e4184 * _e4189[1])) + (_e4187 * _e4189[2]));
-                                        phi_6445_ = type_37(0u, 4u);
-                                        phi_6448_ = _e4197;
-                                        phi_6450_ = _e4197;
-                                        loop {
-                                            let _e4199 = phi_6445_;
-                                            let _e4201 = phi_6448_;
-                                            let _e4203 = phi_6450_;
-                                            local_42 = _e4201;
-                                            local_43 = _e4203;
-                                            local_55 = _e4203;
-                                            if (_e4199.member < _e4199.member_1) {
-                                                phi_6446_ = type_37((_e4199.member + 1u), _e4199.member_1);
-                                                phi_6473_ = type_37(1u, _e4199.member);
-                                            } else {
-                                                phi_6446_ = _e4199;
-                                                phi_6473_ = type_37(0u, type_37().member_1);
-                                            }
-                                            let _e4217 = phi_6446_;
-                                            let _e4219 = phi_6473_;
-                                            let _e4223 = (bitcast<i32>(_e4219.member) != 0i);
-                                            if _e4223 {
-                                                if (_e4219.member_1 < 4u) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e4226 = local[_e4219.member_1];
-                                                let _e4234 = (((_e4181 * _e4226[0]) + (_e4184 * _e4226[1])) + (_e4187 * _e4226[2]));
-                                                if (_e4219.member_1 < 4u) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e4237 = local_1[_e4219.member_1];
-                                                let _e4245 = (((_e4181 * _e4237[0]) + (_e4184 * _e4237[1])) + (_e4187 * _e4237[2]));
-                                                if (_e4203 < _e4234) {
-                                                    phi_6523_ = _e4203;
-                                                } else {
-                                                    phi_6523_ = _e4234;
-                                                }
-                                                let _e4248 = phi_6523_;
-                                                if (_e4248 < _e4245) {
-                                                    phi_6528_ = _e4248;
-                                                } else {
-                                                    phi_6528_ = _e4245;
-                                                }
-                                                let _e4251 = phi_6528_;
-                                                if (_e4201 > _e4234) {
-                                                    phi_6533_ = _e4201;
-                                                } else {
-                                                    phi_6533_ = _e4234;
-                                                }
-                                                let _e4254 = phi_6533_;
-                                                if (_e4254 > _e4245) {
-                                                    phi_6538_ = _e4254;
-                                                } else {
-                                                    phi_6538_ = _e4245;
-                                                }
-                                                let _e4257 = phi_6538_;
-                                                phi_6449_ = _e4257;
-                                                phi_6451_ = _e4251;
-                                            } else {
-                                                phi_6449_ = f32();
-                                                phi_6451_ = f32();
-                                            }
-                                            let _e4259 = phi_6449_;
-                                            let _e4261 = phi_6451_;
-                                            continue;
-                                            continuing {
-                                                phi_6445_ = _e4217;
-                                                phi_6448_ = _e4259;
-                                                phi_6450_ = _e4261;
-                                                break if !(_e4223);
-                                            }
-                                        }
-                                        if (_e4181 < 0f) {
-                                            phi_6544_ = -(_e4181);
-                                        } else {
-                                            phi_6544_ = _e4181;
-                                        }
-                                        let _e4266 = phi_6544_;
-                                        if (_e4184 < 0f) {
-                                            phi_6550_ = -(_e4184);
-                                        } else {
-                                            phi_6550_ = _e4184;
-                                        }
-                                        let _e4270 = phi_6550_;
-                                        if (_e4187 < 0f) {
-                                            phi_6557_ = -(_e4187);
-                                        } else {
-                                            phi_6557_ = _e4187;
-                                        }
-                                        let _e4275 = phi_6557_;
-                                        let _e4276 = ((_e4266 + _e4270) + _e4275);
-                                        let _e4281 = local_42;
-                                        let _e4282 = -(_e4281);
-                                        let _e4284 = local_43;
-                                        if (_e4284 > _e4282) {
-                                            let _e5156 = local_55;
-                                            phi_6567_ = _e5156;
-                                        } else {
-                                            phi_6567_ = _e4282;
-                                        }
-                                        let _e4287 = phi_6567_;
-                                        let _e4292 = (((_e4287 - ((_e4276 * _e4171) * (0.000000059604645f * 17f))) - (_e4276 * _e4178)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        let _e4295 = ((_e3950 * _e3944) - (_e3953 * _e3943));
-                                        let _e4298 = ((_e3953 * _e3942) - (_e3947 * _e3944));
-                                        let _e4301 = ((_e3947 * _e3943) - (_e3950 * _e3942));
-                                        let _e4303 = local[0u];
-                                        let _e4311 = (((_e4295 * _e4303[0]) + (_e4298 * _e4303[1])) + (_e4301 * _e4303[2]));
-                                        phi_6598_ = type_37(0u, 4u);
-                                        phi_6601_ = _e4311;
-                                        phi_6603_ = _e4311;
-                                        loop {
-                                            let _e4313 = phi_6598_;
-                                            let _e4315 = phi_6601_;
-                                            let _e4317 = phi_6603_;
-                                            local_44 = _e4315;
-                                            local_45 = _e4317;
-                                            local_56 = _e4317;
-                                            if (_e4313.member < _e4313.member_1) {
-                                                phi_6599_ = type_37((_e4313.member + 1u), _e4313.member_1);
-                                                phi_6626_ = type_37(1u, _e4313.member);
-                                            } else {
-                                                phi_6599_ = _e4313;
-                                                phi_6626_ = type_37(0u, type_37().member_1);
-                                            }
-                                            let _e4331 = phi_6599_;
-                                            let _e4333 = phi_6626_;
-                                            let _e4337 = (bitcast<i32>(_e4333.member) != 0i);
-                                            if _e4337 {
-                                                if (_e4333.member_1 < 4u) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e4340 = local[_e4333.member_1];
-                                                let _e4348 = (((_e4295 * _e4340[0]) + (_e4298 * _e4340[1])) + (_e4301 * _e4340[2]));
-                                                if (_e4333.member_1 < 4u) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e4351 = local_1[_e4333.member_1];
-                                                let _e4359 = (((_e4295 * _e4351[0]) + (_e4298 * _e4351[1])) + (_e4301 * _e4351[2]));
-                                                if (_e4317 < _e4348) {
-                                                    phi_6676_ = _e4317;
-                                                } else {
-                                                    phi_6676_ = _e4348;
-                                                }
-                                                let _e4362 = phi_6676_;
-                                                if (_e4362 < _e4359) {
-                                                    phi_6681_ = _e4362;
-                                                } else {
-                                                    phi_6681_ = _e4359;
-                                                }
-                                                let _e4365 = phi_6681_;
-                                                if (_e4315 > _e4348) {
-                                                    phi_6686_ = _e4315;
-                                                } else {
-                                                    phi_6686_ = _e4348;
-                                                }
-                                                let _e4368 = phi_6686_;
-                                                if (_e4368 > _e4359) {
-                                                    phi_6691_ = _e4368;
-                                                } else {
-                                                    phi_6691_ = _e4359;
-                                                }
-                                                let _e4371 = phi_6691_;
-                                                phi_6602_ = _e4371;
-                                                phi_6604_ = _e4365;
-                                            } else {
-                                                phi_6602_ = f32();
-                                                phi_6604_ = f32();
-                                            }
-                                            let _e4373 = phi_6602_;
-                                            let _e4375 = phi_6604_;
-                                            continue;
-                                            continuing {
-                                                phi_6598_ = _e4331;
-                                                phi_6601_ = _e4373;
-                                                phi_6603_ = _e4375;
-                                                break if !(_e4337);
-                                            }
-                                        }
-                                        if (_e4295 < 0f) {
-                                            phi_6697_ = -(_e4295);
-                                        } else {
-                                            phi_6697_ = _e4295;
-                                        }
-                                        let _e4380 = phi_6697_;
-                                        if (_e4298 < 0f) {
-                                            phi_6703_ = -(_e4298);
-                                        } else {
-                                            phi_6703_ = _e4298;
-                                        }
-                                        let _e4384 = phi_6703_;
-                                        if (_e4301 < 0f) {
-                                            phi_6710_ = -(_e4301);
-                                        } else {
-                                            phi_6710_ = _e4301;
-                                        }
-                                        let _e4389 = phi_6710_;
-                                        let _e4390 = ((_e4380 + _e4384) + _e4389);
-                                        let _e4395 = local_44;
-                                        let _e4396 = -(_e4395);
-                                        let _e4398 = local_45;
-                                        if (_e4398 > _e4396) {
-                                            let _e5175 = local_56;
-                                            phi_6720_ = _e5175;
-                                        } else {
-                                            phi_6720_ = _e4396;
-                                        }
-                                        let _e4401 = phi_6720_;
-                                        let _e4406 = (((_e4401 - ((_e4390 * _e4171) * (0.000000059604645f * 17f))) - (_e4390 * _e4178)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4292 > _e4406) {
-                                            phi_6730_ = _e4292;
-                                        } else {
-                                            phi_6730_ = _e4406;
-                                        }
-                                        let _e4409 = phi_6730_;
-                                        let _e4410 = (_e3942 - _e3927);
-                                        let _e4411 = (_e3943 - _e3928);
-                                        let _e4412 = (_e3944 - _e3929);
-                                        let _e4415 = ((_e3950 * _e4412) - (_e3953 * _e4411));
-                                        let _e4418 = ((_e3953 * _e4410) - (_e3947 * _e4412));
-                                        let _e4421 = ((_e3947 * _e4411) - (_e3950 * _e4410));
-                                        let _e4423 = local[0u];
-                                        let _e4431 = (((_e4415 * _e4423[0]) + (_e4418 * _e4423[1])) + (_e4421 * _e4423[2]));
-                                        phi_6763_ = type_37(0u, 4u);
-                                        phi_6766_ = _e4431;
-                                        phi_6768_ = _e4431;
-                                        loop {
-                                            let _e4433 = phi_6763_;
-                                            let _e4435 = phi_6766_;
-                                            let _e4437 = phi_6768_;
-                                            local_46 = _e4435;
-                                            local_47 = _e4437;
-                                            local_57 = _e4437;
-                                            if (_e4433.member < _e4433.member_1) {
-                                                phi_6764_ = type_37((_e4433.member + 1u), _e4433.member_1);
-                                                phi_6791_ = type_37(1u, _e4433.member);
-                                            } else {
-                                                phi_6764_ = _e4433;
-                                                phi_6791_ = type_37(0u, type_37().member_1);
-                                            }
-                                            let _e4451 = phi_6764_;
-                                            let _e4453 = phi_6791_;
-                                            let _e4457 = (bitcast<i32>(_e4453.member) != 0i);
-                                            if _e4457 {
-                                                if (_e4453.member_1 < 4u) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e4460 = local[_e4453.member_1];
-                                                let _e4468 = (((_e4415 * _e4460[0]) + (_e4418 * _e4460[1])) + (_e4421 * _e4460[2]));
-                                                if (_e4453.member_1 < 4u) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e4471 = local_1[_e4453.member_1];
-                                                let _e4479 = (((_e4415 * _e4471[0]) + (_e4418 * _e4471[1])) + (_e4421 * _e4471[2]));
-                                                if (_e4437 < _e4468) {
-                                                    phi_6841_ = _e4437;
-                                                } else {
-                                                    phi_6841_ = _e4468;
-                                                }
-                                                let _e4482 = phi_6841_;
-                                                if (_e4482 < _e4479) {
-                                                    phi_6846_ = _e4482;
-                                                } else {
-                                                    phi_6846_ = _e4479;
-                                                }
-                                                let _e4485 = phi_6846_;
-                                                if (_e4435 > _e4468) {
-                                                    phi_6851_ = _e4435;
-                                                } else {
-                                                    phi_6851_ = _e4468;
-                                                }
-                                                let _e4488 = phi_6851_;
-                                                if (_e4488 > _e4479) {
-                                                    phi_6856_ = _e4488;
-                                                } else {
-                                                    phi_6856_ = _e4479;
-                                                }
-                                                let _e4491 = phi_6856_;
-                                                phi_6767_ = _e4491;
-                                                phi_6769_ = _e4485;
-                                            } else {
-                                                phi_6767_ = f32();
-                                                phi_6769_ = f32();
-                                            }
-                                            let _e4493 = phi_6767_;
-                                            let _e4495 = phi_6769_;
-                                            continue;
-                                            continuing {
-                                                phi_6763_ = _e4451;
-                                                phi_6766_ = _e4493;
-                                                phi_6768_ = _e4495;
-                                                break if !(_e4457);
-                                            }
-                                        }
-                                        if (_e4415 < 0f) {
-                                            phi_6862_ = -(_e4415);
-                                        } else {
-                                            phi_6862_ = _e4415;
-                                        }
-                                        let _e4500 = phi_6862_;
-                                        if (_e4418 < 0f) {
-                                            phi_6868_ = -(_e4418);
-                                        } else {
-                                            phi_6868_ = _e4418;
-                                        }
-                                        let _e4504 = phi_6868_;
-                                        if (_e4421 < 0f) {
-                                            phi_6875_ = -(_e4421);
-                                        } else {
-                                            phi_6875_ = _e4421;
-                                        }
-                                        let _e4509 = phi_6875_;
-                                        let _e4510 = ((_e4500 + _e4504) + _e4509);
-                                        let _e4515 = local_46;
-                                        let _e4516 = -(_e4515);
-                                        let _e4518 = local_47;
-                                        if (_e4518 > _e4516) {
-                                            let _e5195 = local_57;
-                                            phi_6885_ = _e5195;
-                                        } else {
-                                            phi_6885_ = _e4516;
-                                        }
-                                        let _e4521 = phi_6885_;
-                                        let _e4526 = (((_e4521 - ((_e4510 * _e4171) * (0.000000059604645f * 17f))) - (_e4510 * _e4178)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4409 > _e4526) {
-                                            phi_6895_ = _e4409;
-                                        } else {
-                                            phi_6895_ = _e4526;
-                                        }
-                                        let _e4529 = phi_6895_;
-                                        phi_6898_ = (_e4529 > 0f);
-                                    }
-                                    let _e4532 = phi_6898_;
-                                    phi_6899_ = _e4532;
-                                } else {
-                                    phi_6899_ = false;
-                                }
-                                let _e4534 = phi_6899_;
-                                phi_6901_ = !(_e4534);
-                            }
-                            let _e4537 = phi_6901_;
-                            if _e4537 {
-                                let _e4539 = atomicAdd((&counters[3u]), 1u);
-                                kept[_e4539] = _e445;
-                            }
-                        }
-                        phi_6909_ = (_e408 + 64u);
-                        phi_6910_ = true;
+                        phi_808_ = _e423;
                     }
-                    let _e4543 = phi_6909_;
-                    let _e4545 = phi_6910_;
-                    phi_650_ = _e4543;
-                    phi_6911_ = _e4545;
+                    let _e500 = phi_808_;
+                    phi_694_ = _e500;
                 } else {
-                    phi_650_ = u32();
-                    phi_6911_ = false;
+                    phi_694_ = u32();
                 }
-                let _e4547 = phi_650_;
-                let _e4549 = phi_6911_;
+                let _e502 = phi_694_;
                 continue;
                 continuing {
-                    phi_646_ = _e437;
-                    phi_649_ = _e4547;
-                    break if !(_e4549);
+                    phi_690_ = _e437;
+                    phi_693_ = _e502;
+                    break if !(_e443);
                 }
             }
-            workgroupBarrier();
-            if (_e93 == 0u) {
-                let _e4553 = atomicLoad((&counters[3u]));
-                if (_e4553 > 0u) {
-                    let _e4556 = atomicAdd((&output.member[0u]), _e4553);
-                    atomicStore((&counters[4u]), _e4556);
-                }
-            }
-            workgroupBarrier();
-            let _e4559 = atomicLoad((&counters[4u]));
-            if (_e93 == 0u) {
-                let _e4562 = atomicLoad((&counters[5u]));
-                let _e4564 = atomicAdd((&output.member[1u]), _e4562);
-            }
-            let _e4566 = atomicLoad((&counters[3u]));
-            phi_6941_ = type_35(0i, 16i);
-            phi_6944_ = _e93;
+            phi_811_ = type_35(0u, 32u);
+            let _e5547 = local_70;
+            phi_814_ = _e5547;
             loop {
-                let _e4568 = phi_6941_;
-                let _e4570 = phi_6944_;
-                if (_e4568.member < _e4568.member_1) {
-                    let _e4578 = (_e4568.member + 1i);
-                    if ((false == (_e4578 > _e4568.member)) != false) {
-                        phi_6965_ = true;
-                    } else {
-                        phi_6965_ = false;
-                    }
-                    let _e4583 = phi_6965_;
-                    if _e4583 {
-                        phi_6971_ = type_36(0u, type_36().member_1);
-                    } else {
-                        phi_6971_ = type_36(1u, _e4578);
-                    }
-                    let _e4589 = phi_6971_;
-                    if (bitcast<i32>(_e4589.member) != 0i) {
-                    } else {
-                        return;
-                    }
-                    phi_6942_ = type_35(_e4589.member_1, _e4568.member_1);
-                    phi_6985_ = type_36(1u, _e4568.member);
+                let _e505 = phi_811_;
+                let _e507 = phi_814_;
+                if (_e505.member < _e505.member_1) {
+                    phi_812_ = type_35((_e505.member + 1u), _e505.member_1);
+                    phi_837_ = type_35(1u, _e505.member);
                 } else {
-                    phi_6942_ = _e4568;
-                    phi_6985_ = type_36(0u, type_36().member_1);
+                    phi_812_ = _e505;
+                    phi_837_ = type_35(0u, type_35().member_1);
                 }
-                let _e4599 = phi_6942_;
-                let _e4601 = phi_6985_;
-                if (bitcast<i32>(_e4601.member) != 0i) {
-                    if (_e4570 >= _e4566) {
-                        phi_7091_ = u32();
-                        phi_7092_ = false;
+                let _e521 = phi_812_;
+                let _e523 = phi_837_;
+                if (bitcast<i32>(_e523.member) != 0i) {
+                    if (_e507 == 0u) {
+                        phi_1869_ = u32();
+                        phi_1870_ = false;
                     } else {
-                        let _e4607 = kept[_e4570];
-                        let _e4616 = params.member.member_18[0u][0u];
-                        let _e4623 = params.member.member_18[0u][2u];
-                        let _e4626 = leaves.member[(_e4616 + ((_e186 * 32u) + (_e4607 >> bitcast<u32>(5i))))];
-                        let _e4629 = leaves.member[(_e4623 + ((_e189 * 32u) + (_e4607 & 31u)))];
-                        let _e4632 = params.member.member_16;
-                        let _e4633 = (_e4559 + _e4570);
-                        if (_e4633 < _e4632) {
-                            atomicStore((&output.member[(4u + (2u * _e4633))]), _e4626.member_1);
-                            atomicStore((&output.member[((2u * _e4633) + 5u)]), _e4629.member_1);
+                        let _e534 = names[((_e134 * 32u) + select(firstTrailingBit(_e507), 32u, (_e507 == 0u)))];
+                        let _e537 = (_e250 + _e135);
+                        let _e538 = (_e256 + _e534);
+                        let _e540 = leaves.member[_e537];
+                        let _e542 = leaves.member[_e538];
+                        local_24 = type_23(array<u32, 3>(_e540.member[0], _e540.member[1], _e540.member[2]), _e540.member_1);
+                        local_25 = type_23(array<u32, 3>(_e542.member[0], _e542.member[1], _e542.member[2]), _e542.member_1);
+                        let _e558 = nodes.member[_e537];
+                        let _e560 = nodes.member[_e538];
+                        let _e562 = params.member.member_1;
+                        if ((_e562 & 1u) != 0u) {
+                            let _e566 = params.member.member_8;
+                            if (_e566 == 0u) {
+                                let _e610 = local_24.member[0u];
+                                let _e613 = local_25.member[0u];
+                                if (_e610 == _e613) {
+                                    phi_948_ = bool();
+                                    phi_949_ = true;
+                                } else {
+                                    let _e617 = local_24.member[0u];
+                                    let _e620 = local_25.member[1u];
+                                    let _e621 = (_e617 == _e620);
+                                    if _e621 {
+                                        phi_947_ = bool();
+                                    } else {
+                                        let _e624 = local_24.member[0u];
+                                        let _e627 = local_25.member[2u];
+                                        phi_947_ = (_e624 == _e627);
+                                    }
+                                    let _e630 = phi_947_;
+                                    phi_948_ = _e630;
+                                    phi_949_ = _e621;
+                                }
+                                let _e632 = phi_948_;
+                                let _e634 = phi_949_;
+                                if _e634 {
+                                    phi_953_ = true;
+                                } else {
+                                    phi_953_ = _e632;
+                                }
+                                let _e636 = phi_953_;
+                                phi_992_ = _e636;
+                            } else {
+                                let _e570 = local_24.member[0u];
+                                let _e573 = local_25.member[0u];
+                                if (_e570 == _e573) {
+                                    phi_986_ = bool();
+                                    phi_987_ = true;
+                                } else {
+                                    let _e577 = local_24.member[0u];
+                                    let _e580 = local_25.member[1u];
+                                    if (_e577 == _e580) {
+                                        phi_984_ = bool();
+                                        phi_985_ = true;
+                                    } else {
+                                        let _e584 = local_24.member[1u];
+                                        let _e587 = local_25.member[0u];
+                                        let _e588 = (_e584 == _e587);
+                                        if _e588 {
+                                            phi_983_ = bool();
+                                        } else {
+                                            let _e591 = local_24.member[1u];
+                                            let _e594 = local_25.member[1u];
+                                            phi_983_ = (_e591 == _e594);
+                                        }
+                                        let _e597 = phi_983_;
+                                        phi_984_ = _e597;
+                                        phi_985_ = _e588;
+                                    }
+                                    let _e599 = phi_984_;
+                                    let _e601 = phi_985_;
+                                    phi_986_ = _e599;
+                                    phi_987_ = _e601;
+                                }
+                                let _e603 = phi_986_;
+                                let _e605 = phi_987_;
+                                if _e605 {
+                                    phi_991_ = true;
+                                } else {
+                                    phi_991_ = _e603;
+                                }
+                                let _e607 = phi_991_;
+                                phi_992_ = _e607;
+                            }
+                            let _e638 = phi_992_;
+                            if _e638 {
+                                phi_996_ = false;
+                            } else {
+                                phi_996_ = true;
+                            }
+                            let _e640 = phi_996_;
+                            phi_997_ = _e640;
+                        } else {
+                            phi_997_ = true;
                         }
-                        phi_7091_ = (_e4570 + 64u);
-                        phi_7092_ = true;
+                        let _e642 = phi_997_;
+                        if _e642 {
+                            let _e644 = params.member.member_1;
+                            if ((_e644 & 2u) != 0u) {
+                                let _e649 = local_24.member[0u];
+                                let _e651 = bodies.member[_e649];
+                                let _e654 = local_25.member[0u];
+                                let _e656 = bodies.member[_e654];
+                                if ((_e651 / 2u) == (_e656 / 2u)) {
+                                    let _e661 = params.member.member_1;
+                                    phi_1043_ = !(((_e661 & 4u) != 0u));
+                                } else {
+                                    phi_1043_ = false;
+                                }
+                                let _e666 = phi_1043_;
+                                if _e666 {
+                                    phi_1054_ = true;
+                                } else {
+                                    if (((_e651 & _e656) & 1u) == 0u) {
+                                        phi_1053_ = false;
+                                    } else {
+                                        phi_1053_ = true;
+                                    }
+                                    let _e671 = phi_1053_;
+                                    phi_1054_ = _e671;
+                                }
+                                let _e673 = phi_1054_;
+                                if _e673 {
+                                    phi_1058_ = false;
+                                } else {
+                                    phi_1058_ = true;
+                                }
+                                let _e675 = phi_1058_;
+                                phi_1059_ = _e675;
+                            } else {
+                                phi_1059_ = true;
+                            }
+                            let _e677 = phi_1059_;
+                            if _e677 {
+                                let _e679 = params.member.member_1;
+                                if ((_e679 & 32u) != 0u) {
+                                    let _e683 = params.member.member_6;
+                                    let _e724 = (((((((_e558.member_1[0] - _e560.member[0]) > _e683) && ((_e560.member_1[0] - _e558.member[0]) > _e683)) && ((_e558.member_1[1] - _e560.member[1]) > _e683)) && ((_e560.member_1[1] - _e558.member[1]) > _e683)) && ((_e558.member_1[2] - _e560.member[2]) > _e683)) && ((_e560.member_1[2] - _e558.member[2]) > _e683));
+                                    if _e724 {
+                                        phi_1808_ = bool();
+                                    } else {
+                                        phi_1108_ = type_35(0u, 3u);
+                                        phi_1111_ = true;
+                                        loop {
+                                            let _e728 = phi_1108_;
+                                            let _e730 = phi_1111_;
+                                            local_71 = _e730;
+                                            if (_e728.member < _e728.member_1) {
+                                                phi_1109_ = type_35((_e728.member + 1u), _e728.member_1);
+                                                phi_1134_ = type_35(1u, _e728.member);
+                                            } else {
+                                                phi_1109_ = _e728;
+                                                phi_1134_ = type_35(0u, type_35().member_1);
+                                            }
+                                            let _e744 = phi_1109_;
+                                            let _e746 = phi_1134_;
+                                            let _e750 = (bitcast<i32>(_e746.member) != 0i);
+                                            if _e750 {
+                                                let _e752 = local_24.member[0u];
+                                                let _e754 = keys.member[_e752];
+                                                local_22 = array<array<u32, 2>, 6>(array<u32, 2>(_e754[0][0], _e754[0][1]), array<u32, 2>(_e754[1][0], _e754[1][1]), array<u32, 2>(_e754[2][0], _e754[2][1]), array<u32, 2>(_e754[3][0], _e754[3][1]), array<u32, 2>(_e754[4][0], _e754[4][1]), array<u32, 2>(_e754[5][0], _e754[5][1]));
+                                                if (_e746.member_1 < 6u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e782 = local_22[_e746.member_1];
+                                                phi_1191_ = type_35(1u, 3u);
+                                                phi_1194_ = array<u32, 2>(_e782[0], _e782[1]);
+                                                loop {
+                                                    let _e787 = phi_1191_;
+                                                    let _e789 = phi_1194_;
+                                                    local_28 = _e789;
+                                                    local_30 = _e789;
+                                                    local_32 = _e789;
+                                                    if (_e787.member < _e787.member_1) {
+                                                        phi_1192_ = type_35((_e787.member + 1u), _e787.member_1);
+                                                        phi_1217_ = type_35(1u, _e787.member);
+                                                    } else {
+                                                        phi_1192_ = _e787;
+                                                        phi_1217_ = type_35(0u, type_35().member_1);
+                                                    }
+                                                    let _e803 = phi_1192_;
+                                                    let _e805 = phi_1217_;
+                                                    let _e809 = (bitcast<i32>(_e805.member) != 0i);
+                                                    if _e809 {
+                                                        if (_e805.member_1 < 3u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e812 = local_24.member[_e805.member_1];
+                                                        let _e814 = keys.member[_e812];
+                                                        local_23 = array<array<u32, 2>, 6>(array<u32, 2>(_e814[0][0], _e814[0][1]), array<u32, 2>(_e814[1][0], _e814[1][1]), array<u32, 2>(_e814[2][0], _e814[2][1]), array<u32, 2>(_e814[3][0], _e814[3][1]), array<u32, 2>(_e814[4][0], _e814[4][1]), array<u32, 2>(_e814[5][0], _e814[5][1]));
+                                                        if (_e746.member_1 < 6u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e842 = local_23[_e746.member_1];
+                                                        if (_e789[1] > _e842[1]) {
+                                                            phi_1293_ = true;
+                                                        } else {
+                                                            if (_e789[1] == _e842[1]) {
+                                                                phi_1292_ = (_e789[0] > _e842[0]);
+                                                            } else {
+                                                                phi_1292_ = false;
+                                                            }
+                                                            let _e853 = phi_1292_;
+                                                            phi_1293_ = _e853;
+                                                        }
+                                                        let _e855 = phi_1293_;
+                                                        if _e855 {
+                                                            phi_1297_ = array<u32, 2>(_e842[0], _e842[1]);
+                                                        } else {
+                                                            phi_1297_ = _e789;
+                                                        }
+                                                        let _e857 = phi_1297_;
+                                                        phi_1195_ = _e857;
+                                                    } else {
+                                                        phi_1195_ = array<u32, 2>();
+                                                    }
+                                                    let _e859 = phi_1195_;
+                                                    continue;
+                                                    continuing {
+                                                        phi_1191_ = _e803;
+                                                        phi_1194_ = _e859;
+                                                        break if !(_e809);
+                                                    }
+                                                }
+                                                let _e862 = local_25.member[0u];
+                                                let _e864 = keys.member[_e862];
+                                                local_20 = array<array<u32, 2>, 6>(array<u32, 2>(_e864[0][0], _e864[0][1]), array<u32, 2>(_e864[1][0], _e864[1][1]), array<u32, 2>(_e864[2][0], _e864[2][1]), array<u32, 2>(_e864[3][0], _e864[3][1]), array<u32, 2>(_e864[4][0], _e864[4][1]), array<u32, 2>(_e864[5][0], _e864[5][1]));
+                                                let _e890 = (3u + _e746.member_1);
+                                                if (_e890 < 6u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e893 = local_20[_e890];
+                                                phi_1348_ = type_35(1u, 3u);
+                                                phi_1351_ = array<u32, 2>(_e893[0], _e893[1]);
+                                                loop {
+                                                    let _e898 = phi_1348_;
+                                                    let _e900 = phi_1351_;
+                                                    local_29 = _e900;
+                                                    local_31 = _e900;
+                                                    local_33 = _e900;
+                                                    if (_e898.member < _e898.member_1) {
+                                                        phi_1349_ = type_35((_e898.member + 1u), _e898.member_1);
+                                                        phi_1374_ = type_35(1u, _e898.member);
+                                                    } else {
+                                                        phi_1349_ = _e898;
+                                                        phi_1374_ = type_35(0u, type_35().member_1);
+                                                    }
+                                                    let _e914 = phi_1349_;
+                                                    let _e916 = phi_1374_;
+                                                    let _e920 = (bitcast<i32>(_e916.member) != 0i);
+                                                    if _e920 {
+                                                        if (_e916.member_1 < 3u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e923 = local_25.member[_e916.member_1];
+                                                        let _e925 = keys.member[_e923];
+                                                        local_21 = array<array<u32, 2>, 6>(array<u32, 2>(_e925[0][0], _e925[0][1]), array<u32, 2>(_e925[1][0], _e925[1][1]), array<u32, 2>(_e925[2][0], _e925[2][1]), array<u32, 2>(_e925[3][0], _e925[3][1]), array<u32, 2>(_e925[4][0], _e925[4][1]), array<u32, 2>(_e925[5][0], _e925[5][1]));
+                                                        let _e951 = (3u + _e746.member_1);
+                                                        if (_e951 < 6u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e954 = local_21[_e951];
+                                                        if (_e954[1] > _e900[1]) {
+                                                            phi_1451_ = true;
+                                                        } else {
+                                                            if (_e954[1] == _e900[1]) {
+                                                                phi_1450_ = (_e954[0] > _e900[0]);
+                                                            } else {
+                                                                phi_1450_ = false;
+                                                            }
+                                                            let _e965 = phi_1450_;
+                                                            phi_1451_ = _e965;
+                                                        }
+                                                        let _e967 = phi_1451_;
+                                                        if _e967 {
+                                                            phi_1455_ = array<u32, 2>(_e954[0], _e954[1]);
+                                                        } else {
+                                                            phi_1455_ = _e900;
+                                                        }
+                                                        let _e969 = phi_1455_;
+                                                        phi_1352_ = _e969;
+                                                    } else {
+                                                        phi_1352_ = array<u32, 2>();
+                                                    }
+                                                    let _e971 = phi_1352_;
+                                                    continue;
+                                                    continuing {
+                                                        phi_1348_ = _e914;
+                                                        phi_1351_ = _e971;
+                                                        break if !(_e920);
+                                                    }
+                                                }
+                                                let _e974 = local_28;
+                                                let _e977 = local_29;
+                                                if (_e974[1] > _e977[1]) {
+                                                    phi_1472_ = true;
+                                                } else {
+                                                    let _e981 = local_30;
+                                                    let _e984 = local_31;
+                                                    if (_e981[1] == _e984[1]) {
+                                                        let _e988 = local_32;
+                                                        let _e991 = local_33;
+                                                        phi_1471_ = (_e988[0] > _e991[0]);
+                                                    } else {
+                                                        phi_1471_ = false;
+                                                    }
+                                                    let _e995 = phi_1471_;
+                                                    phi_1472_ = _e995;
+                                                }
+                                                let _e997 = phi_1472_;
+                                                let _e1000 = local_25.member[0u];
+                                                let _e1002 = keys.member[_e1000];
+                                                local_18 = array<array<u32, 2>, 6>(array<u32, 2>(_e1002[0][0], _e1002[0][1]), array<u32, 2>(_e1002[1][0], _e1002[1][1]), array<u32, 2>(_e1002[2][0], _e1002[2][1]), array<u32, 2>(_e1002[3][0], _e1002[3][1]), array<u32, 2>(_e1002[4][0], _e1002[4][1]), array<u32, 2>(_e1002[5][0], _e1002[5][1]));
+                                                if (_e746.member_1 < 6u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1030 = local_18[_e746.member_1];
+                                                phi_1523_ = type_35(1u, 3u);
+                                                phi_1526_ = array<u32, 2>(_e1030[0], _e1030[1]);
+                                                loop {
+                                                    let _e1035 = phi_1523_;
+                                                    let _e1037 = phi_1526_;
+                                                    local_34 = _e1037;
+                                                    local_36 = _e1037;
+                                                    local_38 = _e1037;
+                                                    if (_e1035.member < _e1035.member_1) {
+                                                        phi_1524_ = type_35((_e1035.member + 1u), _e1035.member_1);
+                                                        phi_1549_ = type_35(1u, _e1035.member);
+                                                    } else {
+                                                        phi_1524_ = _e1035;
+                                                        phi_1549_ = type_35(0u, type_35().member_1);
+                                                    }
+                                                    let _e1051 = phi_1524_;
+                                                    let _e1053 = phi_1549_;
+                                                    let _e1057 = (bitcast<i32>(_e1053.member) != 0i);
+                                                    if _e1057 {
+                                                        if (_e1053.member_1 < 3u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1060 = local_25.member[_e1053.member_1];
+                                                        let _e1062 = keys.member[_e1060];
+                                                        local_19 = array<array<u32, 2>, 6>(array<u32, 2>(_e1062[0][0], _e1062[0][1]), array<u32, 2>(_e1062[1][0], _e1062[1][1]), array<u32, 2>(_e1062[2][0], _e1062[2][1]), array<u32, 2>(_e1062[3][0], _e1062[3][1]), array<u32, 2>(_e1062[4][0], _e1062[4][1]), array<u32, 2>(_e1062[5][0], _e1062[5][1]));
+                                                        if (_e746.member_1 < 6u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1090 = local_19[_e746.member_1];
+                                                        if (_e1037[1] > _e1090[1]) {
+                                                            phi_1625_ = true;
+                                                        } else {
+                                                            if (_e1037[1] == _e1090[1]) {
+                                                                phi_1624_ = (_e1037[0] > _e1090[0]);
+                                                            } else {
+                                                                phi_1624_ = false;
+                                                            }
+                                                            let _e1101 = phi_1624_;
+                                                            phi_1625_ = _e1101;
+                                                        }
+                                                        let _e1103 = phi_1625_;
+                                                        if _e1103 {
+                                                            phi_1629_ = array<u32, 2>(_e1090[0], _e1090[1]);
+                                                        } else {
+                                                            phi_1629_ = _e1037;
+                                                        }
+                                                        let _e1105 = phi_1629_;
+                                                        phi_1527_ = _e1105;
+                                                    } else {
+                                                        phi_1527_ = array<u32, 2>();
+                                                    }
+                                                    let _e1107 = phi_1527_;
+                                                    continue;
+                                                    continuing {
+                                                        phi_1523_ = _e1051;
+                                                        phi_1526_ = _e1107;
+                                                        break if !(_e1057);
+                                                    }
+                                                }
+                                                let _e1110 = local_24.member[0u];
+                                                let _e1112 = keys.member[_e1110];
+                                                local_16 = array<array<u32, 2>, 6>(array<u32, 2>(_e1112[0][0], _e1112[0][1]), array<u32, 2>(_e1112[1][0], _e1112[1][1]), array<u32, 2>(_e1112[2][0], _e1112[2][1]), array<u32, 2>(_e1112[3][0], _e1112[3][1]), array<u32, 2>(_e1112[4][0], _e1112[4][1]), array<u32, 2>(_e1112[5][0], _e1112[5][1]));
+                                                let _e1138 = (3u + _e746.member_1);
+                                                if (_e1138 < 6u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1141 = local_16[_e1138];
+                                                phi_1680_ = type_35(1u, 3u);
+                                                phi_1683_ = array<u32, 2>(_e1141[0], _e1141[1]);
+                                                loop {
+                                                    let _e1146 = phi_1680_;
+                                                    let _e1148 = phi_1683_;
+                                                    local_35 = _e1148;
+                                                    local_37 = _e1148;
+                                                    local_39 = _e1148;
+                                                    if (_e1146.member < _e1146.member_1) {
+                                                        phi_1681_ = type_35((_e1146.member + 1u), _e1146.member_1);
+                                                        phi_1706_ = type_35(1u, _e1146.member);
+                                                    } else {
+                                                        phi_1681_ = _e1146;
+                                                        phi_1706_ = type_35(0u, type_35().member_1);
+                                                    }
+                                                    let _e1162 = phi_1681_;
+                                                    let _e1164 = phi_1706_;
+                                                    let _e1168 = (bitcast<i32>(_e1164.member) != 0i);
+                                                    if _e1168 {
+                                                        if (_e1164.member_1 < 3u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1171 = local_24.member[_e1164.member_1];
+                                                        let _e1173 = keys.member[_e1171];
+                                                        local_17 = array<array<u32, 2>, 6>(array<u32, 2>(_e1173[0][0], _e1173[0][1]), array<u32, 2>(_e1173[1][0], _e1173[1][1]), array<u32, 2>(_e1173[2][0], _e1173[2][1]), array<u32, 2>(_e1173[3][0], _e1173[3][1]), array<u32, 2>(_e1173[4][0], _e1173[4][1]), array<u32, 2>(_e1173[5][0], _e1173[5][1]));
+                                                        let _e1199 = (3u + _e746.member_1);
+                                                        if (_e1199 < 6u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1202 = local_17[_e1199];
+                                                        if (_e1202[1] > _e1148[1]) {
+                                                            phi_1783_ = true;
+                                                        } else {
+                                                            if (_e1202[1] == _e1148[1]) {
+                                                                phi_1782_ = (_e1202[0] > _e1148[0]);
+                                                            } else {
+                                                                phi_1782_ = false;
+                                                            }
+                                                            let _e1213 = phi_1782_;
+                                                            phi_1783_ = _e1213;
+                                                        }
+                                                        let _e1215 = phi_1783_;
+                                                        if _e1215 {
+                                                            phi_1787_ = array<u32, 2>(_e1202[0], _e1202[1]);
+                                                        } else {
+                                                            phi_1787_ = _e1148;
+                                                        }
+                                                        let _e1217 = phi_1787_;
+                                                        phi_1684_ = _e1217;
+                                                    } else {
+                                                        phi_1684_ = array<u32, 2>();
+                                                    }
+                                                    let _e1219 = phi_1684_;
+                                                    continue;
+                                                    continuing {
+                                                        phi_1680_ = _e1162;
+                                                        phi_1683_ = _e1219;
+                                                        break if !(_e1168);
+                                                    }
+                                                }
+                                                let _e1222 = local_34;
+                                                let _e1225 = local_35;
+                                                if (_e1222[1] > _e1225[1]) {
+                                                    phi_1804_ = true;
+                                                } else {
+                                                    let _e1229 = local_36;
+                                                    let _e1232 = local_37;
+                                                    if (_e1229[1] == _e1232[1]) {
+                                                        let _e1236 = local_38;
+                                                        let _e1239 = local_39;
+                                                        phi_1803_ = (_e1236[0] > _e1239[0]);
+                                                    } else {
+                                                        phi_1803_ = false;
+                                                    }
+                                                    let _e1243 = phi_1803_;
+                                                    phi_1804_ = _e1243;
+                                                }
+                                                let _e1245 = phi_1804_;
+                                                phi_1112_ = (_e730 && (!(_e997) && !(_e1245)));
+                                            } else {
+                                                phi_1112_ = bool();
+                                            }
+                                            let _e1250 = phi_1112_;
+                                            continue;
+                                            continuing {
+                                                phi_1108_ = _e744;
+                                                phi_1111_ = _e1250;
+                                                break if !(_e750);
+                                            }
+                                        }
+                                        let _e5623 = local_71;
+                                        phi_1808_ = _e5623;
+                                    }
+                                    let _e1253 = phi_1808_;
+                                    phi_1809_ = _e1253;
+                                    phi_1810_ = _e724;
+                                } else {
+                                    phi_1809_ = bool();
+                                    phi_1810_ = true;
+                                }
+                                let _e1255 = phi_1809_;
+                                let _e1257 = phi_1810_;
+                                if _e1257 {
+                                    phi_1814_ = false;
+                                } else {
+                                    phi_1814_ = true;
+                                }
+                                let _e1259 = phi_1814_;
+                                phi_1815_ = _e1255;
+                                phi_1816_ = _e1259;
+                            } else {
+                                phi_1815_ = false;
+                                phi_1816_ = true;
+                            }
+                            let _e1261 = phi_1815_;
+                            let _e1263 = phi_1816_;
+                            phi_1817_ = _e1261;
+                            phi_1818_ = _e1263;
+                        } else {
+                            phi_1817_ = false;
+                            phi_1818_ = true;
+                        }
+                        let _e1265 = phi_1817_;
+                        let _e1267 = phi_1818_;
+                        if _e1267 {
+                            phi_1822_ = _e1265;
+                        } else {
+                            phi_1822_ = true;
+                        }
+                        let _e1269 = phi_1822_;
+                        if _e1269 {
+                            let _e1271 = params.member.member_16;
+                            let _e1273 = local_24.member_1;
+                            let _e1275 = local_25.member_1;
+                            let _e1277 = atomicAdd((&output.member[0u]), 1u);
+                            if (_e1277 < _e1271) {
+                                atomicStore((&output.member[(4u + (2u * _e1277))]), _e1273);
+                                atomicStore((&output.member[((2u * _e1277) + 5u)]), _e1275);
+                            }
+                            let _e1286 = atomicAdd((&output.member[1u]), 1u);
+                        }
+                        phi_1869_ = (_e507 & (_e507 - 1u));
+                        phi_1870_ = true;
                     }
-                    let _e4643 = phi_7091_;
-                    let _e4645 = phi_7092_;
-                    phi_6945_ = _e4643;
-                    phi_7093_ = _e4645;
+                    let _e1288 = phi_1869_;
+                    let _e1290 = phi_1870_;
+                    phi_815_ = _e1288;
+                    phi_1871_ = _e1290;
                 } else {
-                    phi_6945_ = u32();
-                    phi_7093_ = false;
+                    phi_815_ = u32();
+                    phi_1871_ = false;
                 }
-                let _e4647 = phi_6945_;
-                let _e4649 = phi_7093_;
+                let _e1292 = phi_815_;
+                let _e1294 = phi_1871_;
                 continue;
                 continuing {
-                    phi_6941_ = _e4599;
-                    phi_6944_ = _e4647;
-                    break if !(_e4649);
+                    phi_811_ = _e521;
+                    phi_814_ = _e1292;
+                    break if !(_e1294);
+                }
+            }
+            workgroupBarrier();
+            let _e1297 = atomicLoad((&counters[4u]));
+            if (1024u < _e1297) {
+                phi_1878_ = 1024u;
+            } else {
+                phi_1878_ = _e1297;
+            }
+            let _e1300 = phi_1878_;
+            phi_1881_ = type_35(0u, 8u);
+            loop {
+                let _e1302 = phi_1881_;
+                if (_e1302.member < _e1302.member_1) {
+                    phi_1882_ = type_35((_e1302.member + 1u), _e1302.member_1);
+                    phi_1905_ = type_35(1u, _e1302.member);
+                } else {
+                    phi_1882_ = _e1302;
+                    phi_1905_ = type_35(0u, type_35().member_1);
+                }
+                let _e1316 = phi_1882_;
+                let _e1318 = phi_1905_;
+                if (bitcast<i32>(_e1318.member) != 0i) {
+                    let _e1324 = (_e110 + (_e1318.member_1 * 128u));
+                    if (_e1324 >= _e1300) {
+                        phi_8107_ = false;
+                    } else {
+                        let _e1327 = hits[_e1324];
+                        let _e1330 = ((_e1327 >> bitcast<u32>(10i)) & 3u);
+                        let _e1337 = firsts[(2u * _e1330)];
+                        let _e1338 = (_e1337 + ((_e1327 >> bitcast<u32>(5i)) & 31u));
+                        let _e1342 = firsts[((2u * _e1330) + 1u)];
+                        let _e1343 = (_e1342 + (_e1327 & 31u));
+                        let _e1345 = leaves.member[_e1338];
+                        let _e1347 = leaves.member[_e1343];
+                        local_26 = type_23(array<u32, 3>(_e1345.member[0], _e1345.member[1], _e1345.member[2]), _e1345.member_1);
+                        local_27 = type_23(array<u32, 3>(_e1347.member[0], _e1347.member[1], _e1347.member[2]), _e1347.member_1);
+                        let _e1363 = nodes.member[_e1338];
+                        let _e1365 = nodes.member[_e1343];
+                        let _e1367 = params.member.member_1;
+                        if ((_e1367 & 1u) != 0u) {
+                            let _e1371 = params.member.member_8;
+                            if (_e1371 == 0u) {
+                                let _e1415 = local_26.member[0u];
+                                let _e1418 = local_27.member[0u];
+                                if (_e1415 == _e1418) {
+                                    phi_2024_ = bool();
+                                    phi_2025_ = true;
+                                } else {
+                                    let _e1422 = local_26.member[0u];
+                                    let _e1425 = local_27.member[1u];
+                                    let _e1426 = (_e1422 == _e1425);
+                                    if _e1426 {
+                                        phi_2023_ = bool();
+                                    } else {
+                                        let _e1429 = local_26.member[0u];
+                                        let _e1432 = local_27.member[2u];
+                                        phi_2023_ = (_e1429 == _e1432);
+                                    }
+                                    let _e1435 = phi_2023_;
+                                    phi_2024_ = _e1435;
+                                    phi_2025_ = _e1426;
+                                }
+                                let _e1437 = phi_2024_;
+                                let _e1439 = phi_2025_;
+                                if _e1439 {
+                                    phi_2029_ = true;
+                                } else {
+                                    phi_2029_ = _e1437;
+                                }
+                                let _e1441 = phi_2029_;
+                                phi_2068_ = _e1441;
+                            } else {
+                                let _e1375 = local_26.member[0u];
+                                let _e1378 = local_27.member[0u];
+                                if (_e1375 == _e1378) {
+                                    phi_2062_ = bool();
+                                    phi_2063_ = true;
+                                } else {
+                                    let _e1382 = local_26.member[0u];
+                                    let _e1385 = local_27.member[1u];
+                                    if (_e1382 == _e1385) {
+                                        phi_2060_ = bool();
+                                        phi_2061_ = true;
+                                    } else {
+                                        let _e1389 = local_26.member[1u];
+                                        let _e1392 = local_27.member[0u];
+                                        let _e1393 = (_e1389 == _e1392);
+                                        if _e1393 {
+                                            phi_2059_ = bool();
+                                        } else {
+                                            let _e1396 = local_26.member[1u];
+                                            let _e1399 = local_27.member[1u];
+                                            phi_2059_ = (_e1396 == _e1399);
+                                        }
+                                        let _e1402 = phi_2059_;
+                                        phi_2060_ = _e1402;
+                                        phi_2061_ = _e1393;
+                                    }
+                                    let _e1404 = phi_2060_;
+                                    let _e1406 = phi_2061_;
+                                    phi_2062_ = _e1404;
+                                    phi_2063_ = _e1406;
+                                }
+                                let _e1408 = phi_2062_;
+                                let _e1410 = phi_2063_;
+                                if _e1410 {
+                                    phi_2067_ = true;
+                                } else {
+                                    phi_2067_ = _e1408;
+                                }
+                                let _e1412 = phi_2067_;
+                                phi_2068_ = _e1412;
+                            }
+                            let _e1443 = phi_2068_;
+                            if _e1443 {
+                                phi_2072_ = false;
+                            } else {
+                                phi_2072_ = true;
+                            }
+                            let _e1445 = phi_2072_;
+                            phi_2073_ = _e1445;
+                        } else {
+                            phi_2073_ = true;
+                        }
+                        let _e1447 = phi_2073_;
+                        if _e1447 {
+                            let _e1449 = params.member.member_1;
+                            if ((_e1449 & 2u) != 0u) {
+                                let _e1454 = local_26.member[0u];
+                                let _e1456 = bodies.member[_e1454];
+                                let _e1459 = local_27.member[0u];
+                                let _e1461 = bodies.member[_e1459];
+                                if ((_e1456 / 2u) == (_e1461 / 2u)) {
+                                    let _e1466 = params.member.member_1;
+                                    phi_2119_ = !(((_e1466 & 4u) != 0u));
+                                } else {
+                                    phi_2119_ = false;
+                                }
+                                let _e1471 = phi_2119_;
+                                if _e1471 {
+                                    phi_2130_ = true;
+                                } else {
+                                    if (((_e1456 & _e1461) & 1u) == 0u) {
+                                        phi_2129_ = false;
+                                    } else {
+                                        phi_2129_ = true;
+                                    }
+                                    let _e1476 = phi_2129_;
+                                    phi_2130_ = _e1476;
+                                }
+                                let _e1478 = phi_2130_;
+                                if _e1478 {
+                                    phi_2134_ = false;
+                                } else {
+                                    phi_2134_ = true;
+                                }
+                                let _e1480 = phi_2134_;
+                                phi_2135_ = _e1480;
+                            } else {
+                                phi_2135_ = true;
+                            }
+                            let _e1482 = phi_2135_;
+                            if _e1482 {
+                                let _e1484 = params.member.member_1;
+                                if ((_e1484 & 32u) != 0u) {
+                                    let _e1488 = params.member.member_6;
+                                    let _e1529 = (((((((_e1363.member_1[0] - _e1365.member[0]) > _e1488) && ((_e1365.member_1[0] - _e1363.member[0]) > _e1488)) && ((_e1363.member_1[1] - _e1365.member[1]) > _e1488)) && ((_e1365.member_1[1] - _e1363.member[1]) > _e1488)) && ((_e1363.member_1[2] - _e1365.member[2]) > _e1488)) && ((_e1365.member_1[2] - _e1363.member[2]) > _e1488));
+                                    if _e1529 {
+                                        phi_2884_ = bool();
+                                    } else {
+                                        phi_2184_ = type_35(0u, 3u);
+                                        phi_2187_ = true;
+                                        loop {
+                                            let _e1533 = phi_2184_;
+                                            let _e1535 = phi_2187_;
+                                            local_72 = _e1535;
+                                            if (_e1533.member < _e1533.member_1) {
+                                                phi_2185_ = type_35((_e1533.member + 1u), _e1533.member_1);
+                                                phi_2210_ = type_35(1u, _e1533.member);
+                                            } else {
+                                                phi_2185_ = _e1533;
+                                                phi_2210_ = type_35(0u, type_35().member_1);
+                                            }
+                                            let _e1549 = phi_2185_;
+                                            let _e1551 = phi_2210_;
+                                            let _e1555 = (bitcast<i32>(_e1551.member) != 0i);
+                                            if _e1555 {
+                                                let _e1557 = local_26.member[0u];
+                                                let _e1559 = keys.member[_e1557];
+                                                local_14 = array<array<u32, 2>, 6>(array<u32, 2>(_e1559[0][0], _e1559[0][1]), array<u32, 2>(_e1559[1][0], _e1559[1][1]), array<u32, 2>(_e1559[2][0], _e1559[2][1]), array<u32, 2>(_e1559[3][0], _e1559[3][1]), array<u32, 2>(_e1559[4][0], _e1559[4][1]), array<u32, 2>(_e1559[5][0], _e1559[5][1]));
+                                                if (_e1551.member_1 < 6u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1587 = local_14[_e1551.member_1];
+                                                phi_2267_ = type_35(1u, 3u);
+                                                phi_2270_ = array<u32, 2>(_e1587[0], _e1587[1]);
+                                                loop {
+                                                    let _e1592 = phi_2267_;
+                                                    let _e1594 = phi_2270_;
+                                                    local_40 = _e1594;
+                                                    local_42 = _e1594;
+                                                    local_44 = _e1594;
+                                                    if (_e1592.member < _e1592.member_1) {
+                                                        phi_2268_ = type_35((_e1592.member + 1u), _e1592.member_1);
+                                                        phi_2293_ = type_35(1u, _e1592.member);
+                                                    } else {
+                                                        phi_2268_ = _e1592;
+                                                        phi_2293_ = type_35(0u, type_35().member_1);
+                                                    }
+                                                    let _e1608 = phi_2268_;
+                                                    let _e1610 = phi_2293_;
+                                                    let _e1614 = (bitcast<i32>(_e1610.member) != 0i);
+                                                    if _e1614 {
+                                                        if (_e1610.member_1 < 3u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1617 = local_26.member[_e1610.member_1];
+                                                        let _e1619 = keys.member[_e1617];
+                                                        local_15 = array<array<u32, 2>, 6>(array<u32, 2>(_e1619[0][0], _e1619[0][1]), array<u32, 2>(_e1619[1][0], _e1619[1][1]), array<u32, 2>(_e1619[2][0], _e1619[2][1]), array<u32, 2>(_e1619[3][0], _e1619[3][1]), array<u32, 2>(_e1619[4][0], _e1619[4][1]), array<u32, 2>(_e1619[5][0], _e1619[5][1]));
+                                                        if (_e1551.member_1 < 6u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1647 = local_15[_e1551.member_1];
+                                                        if (_e1594[1] > _e1647[1]) {
+                                                            phi_2369_ = true;
+                                                        } else {
+                                                            if (_e1594[1] == _e1647[1]) {
+                                                                phi_2368_ = (_e1594[0] > _e1647[0]);
+                                                            } else {
+                                                                phi_2368_ = false;
+                                                            }
+                                                            let _e1658 = phi_2368_;
+                                                            phi_2369_ = _e1658;
+                                                        }
+                                                        let _e1660 = phi_2369_;
+                                                        if _e1660 {
+                                                            phi_2373_ = array<u32, 2>(_e1647[0], _e1647[1]);
+                                                        } else {
+                                                            phi_2373_ = _e1594;
+                                                        }
+                                                        let _e1662 = phi_2373_;
+                                                        phi_2271_ = _e1662;
+                                                    } else {
+                                                        phi_2271_ = array<u32, 2>();
+                                                    }
+                                                    let _e1664 = phi_2271_;
+                                                    continue;
+                                                    continuing {
+                                                        phi_2267_ = _e1608;
+                                                        phi_2270_ = _e1664;
+                                                        break if !(_e1614);
+                                                    }
+                                                }
+                                                let _e1667 = local_27.member[0u];
+                                                let _e1669 = keys.member[_e1667];
+                                                local_12 = array<array<u32, 2>, 6>(array<u32, 2>(_e1669[0][0], _e1669[0][1]), array<u32, 2>(_e1669[1][0], _e1669[1][1]), array<u32, 2>(_e1669[2][0], _e1669[2][1]), array<u32, 2>(_e1669[3][0], _e1669[3][1]), array<u32, 2>(_e1669[4][0], _e1669[4][1]), array<u32, 2>(_e1669[5][0], _e1669[5][1]));
+                                                let _e1695 = (3u + _e1551.member_1);
+                                                if (_e1695 < 6u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1698 = local_12[_e1695];
+                                                phi_2424_ = type_35(1u, 3u);
+                                                phi_2427_ = array<u32, 2>(_e1698[0], _e1698[1]);
+                                                loop {
+                                                    let _e1703 = phi_2424_;
+                                                    let _e1705 = phi_2427_;
+                                                    local_41 = _e1705;
+                                                    local_43 = _e1705;
+                                                    local_45 = _e1705;
+                                                    if (_e1703.member < _e1703.member_1) {
+                                                        phi_2425_ = type_35((_e1703.member + 1u), _e1703.member_1);
+                                                        phi_2450_ = type_35(1u, _e1703.member);
+                                                    } else {
+                                                        phi_2425_ = _e1703;
+                                                        phi_2450_ = type_35(0u, type_35().member_1);
+                                                    }
+                                                    let _e1719 = phi_2425_;
+                                                    let _e1721 = phi_2450_;
+                                                    let _e1725 = (bitcast<i32>(_e1721.member) != 0i);
+                                                    if _e1725 {
+                                                        if (_e1721.member_1 < 3u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1728 = local_27.member[_e1721.member_1];
+                                                        let _e1730 = keys.member[_e1728];
+                                                        local_13 = array<array<u32, 2>, 6>(array<u32, 2>(_e1730[0][0], _e1730[0][1]), array<u32, 2>(_e1730[1][0], _e1730[1][1]), array<u32, 2>(_e1730[2][0], _e1730[2][1]), array<u32, 2>(_e1730[3][0], _e1730[3][1]), array<u32, 2>(_e1730[4][0], _e1730[4][1]), array<u32, 2>(_e1730[5][0], _e1730[5][1]));
+                                                        let _e1756 = (3u + _e1551.member_1);
+                                                        if (_e1756 < 6u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1759 = local_13[_e1756];
+                                                        if (_e1759[1] > _e1705[1]) {
+                                                            phi_2527_ = true;
+                                                        } else {
+                                                            if (_e1759[1] == _e1705[1]) {
+                                                                phi_2526_ = (_e1759[0] > _e1705[0]);
+                                                            } else {
+                                                                phi_2526_ = false;
+                                                            }
+                                                            let _e1770 = phi_2526_;
+                                                            phi_2527_ = _e1770;
+                                                        }
+                                                        let _e1772 = phi_2527_;
+                                                        if _e1772 {
+                                                            phi_2531_ = array<u32, 2>(_e1759[0], _e1759[1]);
+                                                        } else {
+                                                            phi_2531_ = _e1705;
+                                                        }
+                                                        let _e1774 = phi_2531_;
+                                                        phi_2428_ = _e1774;
+                                                    } else {
+                                                        phi_2428_ = array<u32, 2>();
+                                                    }
+                                                    let _e1776 = phi_2428_;
+                                                    continue;
+                                                    continuing {
+                                                        phi_2424_ = _e1719;
+                                                        phi_2427_ = _e1776;
+                                                        break if !(_e1725);
+                                                    }
+                                                }
+                                                let _e1779 = local_40;
+                                                let _e1782 = local_41;
+                                                if (_e1779[1] > _e1782[1]) {
+                                                    phi_2548_ = true;
+                                                } else {
+                                                    let _e1786 = local_42;
+                                                    let _e1789 = local_43;
+                                                    if (_e1786[1] == _e1789[1]) {
+                                                        let _e1793 = local_44;
+                                                        let _e1796 = local_45;
+                                                        phi_2547_ = (_e1793[0] > _e1796[0]);
+                                                    } else {
+                                                        phi_2547_ = false;
+                                                    }
+                                                    let _e1800 = phi_2547_;
+                                                    phi_2548_ = _e1800;
+                                                }
+                                                let _e1802 = phi_2548_;
+                                                let _e1805 = local_27.member[0u];
+                                                let _e1807 = keys.member[_e1805];
+                                                local_10 = array<array<u32, 2>, 6>(array<u32, 2>(_e1807[0][0], _e1807[0][1]), array<u32, 2>(_e1807[1][0], _e1807[1][1]), array<u32, 2>(_e1807[2][0], _e1807[2][1]), array<u32, 2>(_e1807[3][0], _e1807[3][1]), array<u32, 2>(_e1807[4][0], _e1807[4][1]), array<u32, 2>(_e1807[5][0], _e1807[5][1]));
+                                                if (_e1551.member_1 < 6u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1835 = local_10[_e1551.member_1];
+                                                phi_2599_ = type_35(1u, 3u);
+                                                phi_2602_ = array<u32, 2>(_e1835[0], _e1835[1]);
+                                                loop {
+                                                    let _e1840 = phi_2599_;
+                                                    let _e1842 = phi_2602_;
+                                                    local_46 = _e1842;
+                                                    local_48 = _e1842;
+                                                    local_50 = _e1842;
+                                                    if (_e1840.member < _e1840.member_1) {
+                                                        phi_2600_ = type_35((_e1840.member + 1u), _e1840.member_1);
+                                                        phi_2625_ = type_35(1u, _e1840.member);
+                                                    } else {
+                                                        phi_2600_ = _e1840;
+                                                        phi_2625_ = type_35(0u, type_35().member_1);
+                                                    }
+                                                    let _e1856 = phi_2600_;
+                                                    let _e1858 = phi_2625_;
+                                                    let _e1862 = (bitcast<i32>(_e1858.member) != 0i);
+                                                    if _e1862 {
+                                                        if (_e1858.member_1 < 3u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1865 = local_27.member[_e1858.member_1];
+                                                        let _e1867 = keys.member[_e1865];
+                                                        local_11 = array<array<u32, 2>, 6>(array<u32, 2>(_e1867[0][0], _e1867[0][1]), array<u32, 2>(_e1867[1][0], _e1867[1][1]), array<u32, 2>(_e1867[2][0], _e1867[2][1]), array<u32, 2>(_e1867[3][0], _e1867[3][1]), array<u32, 2>(_e1867[4][0], _e1867[4][1]), array<u32, 2>(_e1867[5][0], _e1867[5][1]));
+                                                        if (_e1551.member_1 < 6u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1895 = local_11[_e1551.member_1];
+                                                        if (_e1842[1] > _e1895[1]) {
+                                                            phi_2701_ = true;
+                                                        } else {
+                                                            if (_e1842[1] == _e1895[1]) {
+                                                                phi_2700_ = (_e1842[0] > _e1895[0]);
+                                                            } else {
+                                                                phi_2700_ = false;
+                                                            }
+                                                            let _e1906 = phi_2700_;
+                                                            phi_2701_ = _e1906;
+                                                        }
+                                                        let _e1908 = phi_2701_;
+                                                        if _e1908 {
+                                                            phi_2705_ = array<u32, 2>(_e1895[0], _e1895[1]);
+                                                        } else {
+                                                            phi_2705_ = _e1842;
+                                                        }
+                                                        let _e1910 = phi_2705_;
+                                                        phi_2603_ = _e1910;
+                                                    } else {
+                                                        phi_2603_ = array<u32, 2>();
+                                                    }
+                                                    let _e1912 = phi_2603_;
+                                                    continue;
+                                                    continuing {
+                                                        phi_2599_ = _e1856;
+                                                        phi_2602_ = _e1912;
+                                                        break if !(_e1862);
+                                                    }
+                                                }
+                                                let _e1915 = local_26.member[0u];
+                                                let _e1917 = keys.member[_e1915];
+                                                local_8 = array<array<u32, 2>, 6>(array<u32, 2>(_e1917[0][0], _e1917[0][1]), array<u32, 2>(_e1917[1][0], _e1917[1][1]), array<u32, 2>(_e1917[2][0], _e1917[2][1]), array<u32, 2>(_e1917[3][0], _e1917[3][1]), array<u32, 2>(_e1917[4][0], _e1917[4][1]), array<u32, 2>(_e1917[5][0], _e1917[5][1]));
+                                                let _e1943 = (3u + _e1551.member_1);
+                                                if (_e1943 < 6u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1946 = local_8[_e1943];
+                                                phi_2756_ = type_35(1u, 3u);
+                                                phi_2759_ = array<u32, 2>(_e1946[0], _e1946[1]);
+                                                loop {
+                                                    let _e1951 = phi_2756_;
+                                                    let _e1953 = phi_2759_;
+                                                    local_47 = _e1953;
+                                                    local_49 = _e1953;
+                                                    local_51 = _e1953;
+                                                    if (_e1951.member < _e1951.member_1) {
+                                                        phi_2757_ = type_35((_e1951.member + 1u), _e1951.member_1);
+                                                        phi_2782_ = type_35(1u, _e1951.member);
+                                                    } else {
+                                                        phi_2757_ = _e1951;
+                                                        phi_2782_ = type_35(0u, type_35().member_1);
+                                                    }
+                                                    let _e1967 = phi_2757_;
+                                                    let _e1969 = phi_2782_;
+                                                    let _e1973 = (bitcast<i32>(_e1969.member) != 0i);
+                                                    if _e1973 {
+                                                        if (_e1969.member_1 < 3u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1976 = local_26.member[_e1969.member_1];
+                                                        let _e1978 = keys.member[_e1976];
+                                                        local_9 = array<array<u32, 2>, 6>(array<u32, 2>(_e1978[0][0], _e1978[0][1]), array<u32, 2>(_e1978[1][0], _e1978[1][1]), array<u32, 2>(_e1978[2][0], _e1978[2][1]), array<u32, 2>(_e1978[3][0], _e1978[3][1]), array<u32, 2>(_e1978[4][0], _e1978[4][1]), array<u32, 2>(_e1978[5][0], _e1978[5][1]));
+                                                        let _e2004 = (3u + _e1551.member_1);
+                                                        if (_e2004 < 6u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e2007 = local_9[_e2004];
+                                                        if (_e2007[1] > _e1953[1]) {
+                                                            phi_2859_ = true;
+                                                        } else {
+                                                            if (_e2007[1] == _e1953[1]) {
+                                                                phi_2858_ = (_e2007[0] > _e1953[0]);
+                                                            } else {
+                                                                phi_2858_ = false;
+                                                            }
+                                                            let _e2018 = phi_2858_;
+                                                            phi_2859_ = _e2018;
+                                                        }
+                                                        let _e2020 = phi_2859_;
+                                                        if _e2020 {
+                                                            phi_2863_ = array<u32, 2>(_e2007[0], _e2007[1]);
+                                                        } else {
+                                                            phi_2863_ = _e1953;
+                                                        }
+                                                        let _e2022 = phi_2863_;
+                                                        phi_2760_ = _e2022;
+                                                    } else {
+                                                        phi_2760_ = array<u32, 2>();
+                                                    }
+                                                    let _e2024 = phi_2760_;
+                                                    continue;
+                                                    continuing {
+                                                        phi_2756_ = _e1967;
+                                                        phi_2759_ = _e2024;
+                                                        break if !(_e1973);
+                                                    }
+                                                }
+                                                let _e2027 = local_46;
+                                                let _e2030 = local_47;
+                                                if (_e2027[1] > _e2030[1]) {
+                                                    phi_2880_ = true;
+                                                } else {
+                                                    let _e2034 = local_48;
+                                                    let _e2037 = local_49;
+                                                    if (_e2034[1] == _e2037[1]) {
+                                                        let _e2041 = local_50;
+                                                        let _e2044 = local_51;
+                                                        phi_2879_ = (_e2041[0] > _e2044[0]);
+                                                    } else {
+                                                        phi_2879_ = false;
+                                                    }
+                                                    let _e2048 = phi_2879_;
+                                                    phi_2880_ = _e2048;
+                                                }
+                                                let _e2050 = phi_2880_;
+                                                phi_2188_ = (_e1535 && (!(_e1802) && !(_e2050)));
+                                            } else {
+                                                phi_2188_ = bool();
+                                            }
+                                            let _e2055 = phi_2188_;
+                                            continue;
+                                            continuing {
+                                                phi_2184_ = _e1549;
+                                                phi_2187_ = _e2055;
+                                                break if !(_e1555);
+                                            }
+                                        }
+                                        let _e5713 = local_72;
+                                        phi_2884_ = _e5713;
+                                    }
+                                    let _e2058 = phi_2884_;
+                                    phi_2885_ = _e2058;
+                                    phi_2886_ = _e1529;
+                                } else {
+                                    phi_2885_ = bool();
+                                    phi_2886_ = true;
+                                }
+                                let _e2060 = phi_2885_;
+                                let _e2062 = phi_2886_;
+                                if _e2062 {
+                                    phi_2890_ = false;
+                                } else {
+                                    phi_2890_ = true;
+                                }
+                                let _e2064 = phi_2890_;
+                                phi_2891_ = _e2060;
+                                phi_2892_ = _e2064;
+                            } else {
+                                phi_2891_ = false;
+                                phi_2892_ = true;
+                            }
+                            let _e2066 = phi_2891_;
+                            let _e2068 = phi_2892_;
+                            phi_2893_ = _e2066;
+                            phi_2894_ = _e2068;
+                        } else {
+                            phi_2893_ = false;
+                            phi_2894_ = true;
+                        }
+                        let _e2070 = phi_2893_;
+                        let _e2072 = phi_2894_;
+                        if _e2072 {
+                            phi_2898_ = _e2070;
+                        } else {
+                            phi_2898_ = true;
+                        }
+                        let _e2074 = phi_2898_;
+                        if _e2074 {
+                            let _e2076 = atomicAdd((&counters[7u]), 1u);
+                            let _e2078 = params.member.member_4;
+                            let _e2080 = params.member.member_5;
+                            let _e2083 = local_26.member[0u];
+                            let _e2086 = local_27.member[0u];
+                            let _e2089 = local_27.member[1u];
+                            let _e2092 = local_27.member[2u];
+                            let _e2094 = paths.member[_e2083];
+                            let _e2096 = paths.member[_e2086];
+                            let _e2102 = paths.member[_e2089];
+                            let _e2104 = paths.member[_e2092];
+                            local_7 = type_70(array<array<f32, 3>, 2>(array<f32, 3>((_e2094.member[0] - _e2096.member[0]), (_e2094.member[1] - _e2096.member[1]), (_e2094.member[2] - _e2096.member[2])), array<f32, 3>((_e2094.member_1[0] - _e2096.member_1[0]), (_e2094.member_1[1] - _e2096.member_1[1]), (_e2094.member_1[2] - _e2096.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2102.member[0] - _e2096.member[0]), (_e2102.member[1] - _e2096.member[1]), (_e2102.member[2] - _e2096.member[2])), array<f32, 3>((_e2102.member_1[0] - _e2096.member_1[0]), (_e2102.member_1[1] - _e2096.member_1[1]), (_e2102.member_1[2] - _e2096.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2104.member[0] - _e2096.member[0]), (_e2104.member[1] - _e2096.member[1]), (_e2104.member[2] - _e2096.member[2])), array<f32, 3>((_e2104.member_1[0] - _e2096.member_1[0]), (_e2104.member_1[1] - _e2096.member_1[1]), (_e2104.member_1[2] - _e2096.member_1[2]))), (_e2078 + _e2078));
+                            let _e2164 = local_7.member_1[0u];
+                            let _e2170 = local_7.member_2[0u];
+                            let _e2176 = ((_e2164[1] * _e2170[2]) - (_e2164[2] * _e2170[1]));
+                            let _e2179 = ((_e2164[2] * _e2170[0]) - (_e2164[0] * _e2170[2]));
+                            let _e2182 = ((_e2164[0] * _e2170[1]) - (_e2164[1] * _e2170[0]));
+                            let _e2185 = local_7.member_1[1u];
+                            let _e2191 = local_7.member_2[1u];
+                            let _e2197 = ((_e2185[1] * _e2191[2]) - (_e2185[2] * _e2191[1]));
+                            let _e2200 = ((_e2185[2] * _e2191[0]) - (_e2185[0] * _e2191[2]));
+                            let _e2203 = ((_e2185[0] * _e2191[1]) - (_e2185[1] * _e2191[0]));
+                            let _e2206 = local_7.member_1[0u];
+                            let _e2212 = local_7.member_2[1u];
+                            let _e2227 = local_7.member_1[1u];
+                            let _e2233 = local_7.member_2[0u];
+                            let _e2246 = (((_e2206[1] * _e2212[2]) - (_e2206[2] * _e2212[1])) + ((_e2227[1] * _e2233[2]) - (_e2227[2] * _e2233[1])));
+                            let _e2247 = (((_e2206[2] * _e2212[0]) - (_e2206[0] * _e2212[2])) + ((_e2227[2] * _e2233[0]) - (_e2227[0] * _e2233[2])));
+                            let _e2248 = (((_e2206[0] * _e2212[1]) - (_e2206[1] * _e2212[0])) + ((_e2227[0] * _e2233[1]) - (_e2227[1] * _e2233[0])));
+                            let _e2251 = local_7.member[0u];
+                            let _e2262 = local_7.member[1u];
+                            let _e2273 = local_7.member[0u];
+                            let _e2282 = ((((_e2262[0] * _e2176) + (_e2262[1] * _e2179)) + (_e2262[2] * _e2182)) + (((_e2273[0] * _e2246) + (_e2273[1] * _e2247)) + (_e2273[2] * _e2248)));
+                            let _e2285 = local_7.member[0u];
+                            let _e2296 = local_7.member[1u];
+                            let _e2305 = ((((_e2285[0] * _e2197) + (_e2285[1] * _e2200)) + (_e2285[2] * _e2203)) + (((_e2296[0] * _e2246) + (_e2296[1] * _e2247)) + (_e2296[2] * _e2248)));
+                            let _e2308 = local_7.member[1u];
+                            let _e2319 = local_7.member[0u];
+                            if (_e2319[0] < 0f) {
+                                phi_3296_ = -(_e2319[0]);
+                            } else {
+                                phi_3296_ = _e2319[0];
+                            }
+                            let _e2326 = phi_3296_;
+                            if (_e2319[1] < 0f) {
+                                phi_3303_ = -(_e2319[1]);
+                            } else {
+                                phi_3303_ = _e2319[1];
+                            }
+                            let _e2330 = phi_3303_;
+                            if (_e2326 > _e2330) {
+                                phi_3308_ = _e2326;
+                            } else {
+                                phi_3308_ = _e2330;
+                            }
+                            let _e2333 = phi_3308_;
+                            if (_e2319[2] < 0f) {
+                                phi_3315_ = -(_e2319[2]);
+                            } else {
+                                phi_3315_ = _e2319[2];
+                            }
+                            let _e2337 = phi_3315_;
+                            if (_e2333 > _e2337) {
+                                phi_3320_ = _e2333;
+                            } else {
+                                phi_3320_ = _e2337;
+                            }
+                            let _e2340 = phi_3320_;
+                            let _e2343 = local_7.member[1u];
+                            if (_e2343[0] < 0f) {
+                                phi_3333_ = -(_e2343[0]);
+                            } else {
+                                phi_3333_ = _e2343[0];
+                            }
+                            let _e2350 = phi_3333_;
+                            if (_e2343[1] < 0f) {
+                                phi_3340_ = -(_e2343[1]);
+                            } else {
+                                phi_3340_ = _e2343[1];
+                            }
+                            let _e2354 = phi_3340_;
+                            if (_e2350 > _e2354) {
+                                phi_3345_ = _e2350;
+                            } else {
+                                phi_3345_ = _e2354;
+                            }
+                            let _e2357 = phi_3345_;
+                            if (_e2343[2] < 0f) {
+                                phi_3352_ = -(_e2343[2]);
+                            } else {
+                                phi_3352_ = _e2343[2];
+                            }
+                            let _e2361 = phi_3352_;
+                            if (_e2357 > _e2361) {
+                                phi_3357_ = _e2357;
+                            } else {
+                                phi_3357_ = _e2361;
+                            }
+                            let _e2364 = phi_3357_;
+                            if (_e2340 > _e2364) {
+                                phi_3362_ = _e2340;
+                            } else {
+                                phi_3362_ = _e2364;
+                            }
+                            let _e2367 = phi_3362_;
+                            let _e2369 = local_7.member_3;
+                            let _e2370 = (_e2367 + _e2369);
+                            let _e2373 = local_7.member_1[0u];
+                            if (_e2373[0] < 0f) {
+                                phi_3379_ = -(_e2373[0]);
+                            } else {
+                                phi_3379_ = _e2373[0];
+                            }
+                            let _e2380 = phi_3379_;
+                            if (_e2373[1] < 0f) {
+                                phi_3386_ = -(_e2373[1]);
+                            } else {
+                                phi_3386_ = _e2373[1];
+                            }
+                            let _e2384 = phi_3386_;
+                            if (_e2380 > _e2384) {
+                                phi_3391_ = _e2380;
+                            } else {
+                                phi_3391_ = _e2384;
+                            }
+                            let _e2387 = phi_3391_;
+                            if (_e2373[2] < 0f) {
+                                phi_3398_ = -(_e2373[2]);
+                            } else {
+                                phi_3398_ = _e2373[2];
+                            }
+                            let _e2391 = phi_3398_;
+                            if (_e2387 > _e2391) {
+                                phi_3403_ = _e2387;
+                            } else {
+                                phi_3403_ = _e2391;
+                            }
+                            let _e2394 = phi_3403_;
+                            let _e2397 = local_7.member_1[1u];
+                            if (_e2397[0] < 0f) {
+                                phi_3417_ = -(_e2397[0]);
+                            } else {
+                                phi_3417_ = _e2397[0];
+                            }
+                            let _e2404 = phi_3417_;
+                            if (_e2397[1] < 0f) {
+                                phi_3424_ = -(_e2397[1]);
+                            } else {
+                                phi_3424_ = _e2397[1];
+                            }
+                            let _e2408 = phi_3424_;
+                            if (_e2404 > _e2408) {
+                                phi_3429_ = _e2404;
+                            } else {
+                                phi_3429_ = _e2408;
+                            }
+                            let _e2411 = phi_3429_;
+                            if (_e2397[2] < 0f) {
+                                phi_3436_ = -(_e2397[2]);
+                            } else {
+                                phi_3436_ = _e2397[2];
+                            }
+                            let _e2415 = phi_3436_;
+                            if (_e2411 > _e2415) {
+                                phi_3441_ = _e2411;
+                            } else {
+                                phi_3441_ = _e2415;
+                            }
+                            let _e2418 = phi_3441_;
+                            if (_e2394 > _e2418) {
+                                phi_3446_ = _e2394;
+                            } else {
+                                phi_3446_ = _e2418;
+                            }
+                            let _e2421 = phi_3446_;
+                            let _e2423 = local_7.member_3;
+                            let _e2424 = (_e2421 + _e2423);
+                            let _e2427 = local_7.member_2[0u];
+                            if (_e2427[0] < 0f) {
+                                phi_3463_ = -(_e2427[0]);
+                            } else {
+                                phi_3463_ = _e2427[0];
+                            }
+                            let _e2434 = phi_3463_;
+                            if (_e2427[1] < 0f) {
+                                phi_3470_ = -(_e2427[1]);
+                            } else {
+                                phi_3470_ = _e2427[1];
+                            }
+                            let _e2438 = phi_3470_;
+                            if (_e2434 > _e2438) {
+                                phi_3475_ = _e2434;
+                            } else {
+                                phi_3475_ = _e2438;
+                            }
+                            let _e2441 = phi_3475_;
+                            if (_e2427[2] < 0f) {
+                                phi_3482_ = -(_e2427[2]);
+                            } else {
+                                phi_3482_ = _e2427[2];
+                            }
+                            let _e2445 = phi_3482_;
+                            if (_e2441 > _e2445) {
+                                phi_3487_ = _e2441;
+                            } else {
+                                phi_3487_ = _e2445;
+                            }
+                            let _e2448 = phi_3487_;
+                            let _e2451 = local_7.member_2[1u];
+                            if (_e2451[0] < 0f) {
+                                phi_3501_ = -(_e2451[0]);
+                            } else {
+                                phi_3501_ = _e2451[0];
+                            }
+                            let _e2458 = phi_3501_;
+                            if (_e2451[1] < 0f) {
+                                phi_3508_ = -(_e2451[1]);
+                            } else {
+                                phi_3508_ = _e2451[1];
+                            }
+                            let _e2462 = phi_3508_;
+                            if (_e2458 > _e2462) {
+                                phi_3513_ = _e2458;
+                            } else {
+                                phi_3513_ = _e2462;
+                            }
+                            let _e2465 = phi_3513_;
+                            if (_e2451[2] < 0f) {
+                                phi_3520_ = -(_e2451[2]);
+                            } else {
+                                phi_3520_ = _e2451[2];
+                            }
+                            let _e2469 = phi_3520_;
+                            if (_e2465 > _e2469) {
+                                phi_3525_ = _e2465;
+                            } else {
+                                phi_3525_ = _e2469;
+                            }
+                            let _e2472 = phi_3525_;
+                            if (_e2448 > _e2472) {
+                                phi_3530_ = _e2448;
+                            } else {
+                                phi_3530_ = _e2472;
+                            }
+                            let _e2475 = phi_3530_;
+                            let _e2477 = local_7.member_3;
+                            let _e2478 = (_e2475 + _e2477);
+                            let _e2480 = ((_e2424 * 8f) * _e2478);
+                            let _e2487 = local_7.member_3;
+                            if (_e2176 < 0f) {
+                                phi_3561_ = -(_e2176);
+                            } else {
+                                phi_3561_ = _e2176;
+                            }
+                            let _e2504 = phi_3561_;
+                            if (_e2179 < 0f) {
+                                phi_3567_ = -(_e2179);
+                            } else {
+                                phi_3567_ = _e2179;
+                            }
+                            let _e2508 = phi_3567_;
+                            if (_e2182 < 0f) {
+                                phi_3574_ = -(_e2182);
+                            } else {
+                                phi_3574_ = _e2182;
+                            }
+                            let _e2513 = phi_3574_;
+                            let _e2514 = ((_e2504 + _e2508) + _e2513);
+                            if (_e2197 < 0f) {
+                                phi_3581_ = -(_e2197);
+                            } else {
+                                phi_3581_ = _e2197;
+                            }
+                            let _e2518 = phi_3581_;
+                            if (_e2200 < 0f) {
+                                phi_3587_ = -(_e2200);
+                            } else {
+                                phi_3587_ = _e2200;
+                            }
+                            let _e2522 = phi_3587_;
+                            if (_e2203 < 0f) {
+                                phi_3594_ = -(_e2203);
+                            } else {
+                                phi_3594_ = _e2203;
+                            }
+                            let _e2527 = phi_3594_;
+                            let _e2528 = ((_e2518 + _e2522) + _e2527);
+                            if (_e2514 > _e2528) {
+                                phi_3600_ = _e2514;
+                            } else {
+                                phi_3600_ = _e2528;
+                            }
+                            let _e2531 = phi_3600_;
+                            if (_e2246 < 0f) {
+                                phi_3606_ = -(_e2246);
+                            } else {
+                                phi_3606_ = _e2246;
+                            }
+                            let _e2535 = phi_3606_;
+                            if (_e2247 < 0f) {
+                                phi_3612_ = -(_e2247);
+                            } else {
+                                phi_3612_ = _e2247;
+                            }
+                            let _e2539 = phi_3612_;
+                            if (_e2248 < 0f) {
+                                phi_3619_ = -(_e2248);
+                            } else {
+                                phi_3619_ = _e2248;
+                            }
+                            let _e2544 = phi_3619_;
+                            let _e2546 = (((_e2535 + _e2539) + _e2544) * 0.5f);
+                            if (_e2531 > _e2546) {
+                                phi_3626_ = _e2531;
+                            } else {
+                                phi_3626_ = _e2546;
+                            }
+                            let _e2549 = phi_3626_;
+                            let _e2554 = local_7.member_3;
+                            let _e2567 = ((((_e2251[0] * _e2176) + (_e2251[1] * _e2179)) + (_e2251[2] * _e2182)) * 3f);
+                            let _e2568 = ((((_e2308[0] * _e2197) + (_e2308[1] * _e2200)) + (_e2308[2] * _e2203)) * 3f);
+                            if (_e2567 < _e2568) {
+                                phi_3650_ = _e2567;
+                            } else {
+                                phi_3650_ = _e2568;
+                            }
+                            let _e2571 = phi_3650_;
+                            if (_e2282 < _e2305) {
+                                phi_3655_ = _e2282;
+                            } else {
+                                phi_3655_ = _e2305;
+                            }
+                            let _e2574 = phi_3655_;
+                            if (_e2571 < _e2574) {
+                                phi_3660_ = _e2571;
+                            } else {
+                                phi_3660_ = _e2574;
+                            }
+                            let _e2577 = phi_3660_;
+                            if (_e2567 > _e2568) {
+                                phi_3665_ = _e2567;
+                            } else {
+                                phi_3665_ = _e2568;
+                            }
+                            let _e2580 = phi_3665_;
+                            if (_e2282 > _e2305) {
+                                phi_3670_ = _e2282;
+                            } else {
+                                phi_3670_ = _e2305;
+                            }
+                            let _e2583 = phi_3670_;
+                            if (_e2580 > _e2583) {
+                                phi_3675_ = _e2580;
+                            } else {
+                                phi_3675_ = _e2583;
+                            }
+                            let _e2586 = phi_3675_;
+                            let _e2591 = -(_e2586);
+                            if (_e2577 > _e2591) {
+                                phi_3685_ = _e2577;
+                            } else {
+                                phi_3685_ = _e2591;
+                            }
+                            let _e2594 = phi_3685_;
+                            if ((_e2594 - ((((((_e2370 * 8f) * _e2480) * (0.000000059604645f * (490f / 64f))) + ((_e2487 * 19f) * ((_e2370 * (_e2424 + _e2478)) + (_e2424 * _e2478)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2370) * ((1f + _e2424) * (1f + _e2478))))) + ((_e2080 * (((_e2549 + (_e2480 * (0.000000059604645f * 4f))) + ((_e2554 * 6f) * (_e2424 + _e2478))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2424) * (1f + _e2478))))) * (3f * 1.0001f)))) > 0f) {
+                                phi_4661_ = true;
+                            } else {
+                                let _e2599 = local_7.member_1[0u];
+                                let _e2605 = local_7.member_1[1u];
+                                let _e2609 = (_e2599[0] + _e2605[0]);
+                                let _e2610 = (_e2599[1] + _e2605[1]);
+                                let _e2611 = (_e2599[2] + _e2605[2]);
+                                let _e2614 = local_7.member_2[0u];
+                                let _e2620 = local_7.member_2[1u];
+                                let _e2624 = (_e2614[0] + _e2620[0]);
+                                let _e2625 = (_e2614[1] + _e2620[1]);
+                                let _e2626 = (_e2614[2] + _e2620[2]);
+                                let _e2629 = ((_e2610 * _e2626) - (_e2611 * _e2625));
+                                let _e2632 = ((_e2611 * _e2624) - (_e2609 * _e2626));
+                                let _e2635 = ((_e2609 * _e2625) - (_e2610 * _e2624));
+                                let _e2638 = local_7.member[0u];
+                                let _e2644 = local_7.member_1[0u];
+                                let _e2650 = local_7.member_2[0u];
+                                let _e2662 = local_7.member[1u];
+                                let _e2668 = local_7.member_1[1u];
+                                let _e2674 = local_7.member_2[1u];
+                                local_5 = array<array<f32, 3>, 4>(_e2638, array<f32, 3>((_e2638[0] - _e2644[0]), (_e2638[1] - _e2644[1]), (_e2638[2] - _e2644[2])), array<f32, 3>((_e2638[0] - _e2650[0]), (_e2638[1] - _e2650[1]), (_e2638[2] - _e2650[2])), _e2638);
+                                local_6 = array<array<f32, 3>, 4>(_e2662, array<f32, 3>((_e2662[0] - _e2668[0]), (_e2662[1] - _e2668[1]), (_e2662[2] - _e2668[2])), array<f32, 3>((_e2662[0] - _e2674[0]), (_e2662[1] - _e2674[1]), (_e2662[2] - _e2674[2])), _e2662);
+                                let _e2692 = local_7.member[0u];
+                                if (_e2692[0] < 0f) {
+                                    phi_3936_ = -(_e2692[0]);
+                                } else {
+                                    phi_3936_ = _e2692[0];
+                                }
+                                let _e2699 = phi_3936_;
+                                if (_e2692[1] < 0f) {
+                                    phi_3943_ = -(_e2692[1]);
+                                } else {
+                                    phi_3943_ = _e2692[1];
+                                }
+                                let _e2703 = phi_3943_;
+                                if (_e2699 > _e2703) {
+                                    phi_3948_ = _e2699;
+                                } else {
+                                    phi_3948_ = _e2703;
+                                }
+                                let _e2706 = phi_3948_;
+                                if (_e2692[2] < 0f) {
+                                    phi_3955_ = -(_e2692[2]);
+                                } else {
+                                    phi_3955_ = _e2692[2];
+                                }
+                                let _e2710 = phi_3955_;
+                                if (_e2706 > _e2710) {
+                                    phi_3960_ = _e2706;
+                                } else {
+                                    phi_3960_ = _e2710;
+                                }
+                                let _e2713 = phi_3960_;
+                                let _e2716 = local_7.member[1u];
+                                if (_e2716[0] < 0f) {
+                                    phi_3973_ = -(_e2716[0]);
+                                } else {
+                                    phi_3973_ = _e2716[0];
+                                }
+                                let _e2723 = phi_3973_;
+                                if (_e2716[1] < 0f) {
+                                    phi_3980_ = -(_e2716[1]);
+                                } else {
+                                    phi_3980_ = _e2716[1];
+                                }
+                                let _e2727 = phi_3980_;
+                                if (_e2723 > _e2727) {
+                                    phi_3985_ = _e2723;
+                                } else {
+                                    phi_3985_ = _e2727;
+                                }
+                                let _e2730 = phi_3985_;
+                                if (_e2716[2] < 0f) {
+                                    phi_3992_ = -(_e2716[2]);
+                                } else {
+                                    phi_3992_ = _e2716[2];
+                                }
+                                let _e2734 = phi_3992_;
+                                if (_e2730 > _e2734) {
+                                    phi_3997_ = _e2730;
+                                } else {
+                                    phi_3997_ = _e2734;
+                                }
+                                let _e2737 = phi_3997_;
+                                if (_e2713 > _e2737) {
+                                    phi_4002_ = _e2713;
+                                } else {
+                                    phi_4002_ = _e2737;
+                                }
+                                let _e2740 = phi_4002_;
+                                let _e2742 = local_7.member_3;
+                                let _e2746 = local_7.member_1[0u];
+                                if (_e2746[0] < 0f) {
+                                    phi_4019_ = -(_e2746[0]);
+                                } else {
+                                    phi_4019_ = _e2746[0];
+                                }
+                                let _e2753 = phi_4019_;
+                                if (_e2746[1] < 0f) {
+                                    phi_4026_ = -(_e2746[1]);
+                                } else {
+                                    phi_4026_ = _e2746[1];
+                                }
+                                let _e2757 = phi_4026_;
+                                if (_e2753 > _e2757) {
+                                    phi_4031_ = _e2753;
+                                } else {
+                                    phi_4031_ = _e2757;
+                                }
+                                let _e2760 = phi_4031_;
+                                if (_e2746[2] < 0f) {
+                                    phi_4038_ = -(_e2746[2]);
+                                } else {
+                                    phi_4038_ = _e2746[2];
+                                }
+                                let _e2764 = phi_4038_;
+                                if (_e2760 > _e2764) {
+                                    phi_4043_ = _e2760;
+                                } else {
+                                    phi_4043_ = _e2764;
+                                }
+                                let _e2767 = phi_4043_;
+                                let _e2770 = local_7.member_1[1u];
+                                if (_e2770[0] < 0f) {
+                                    phi_4057_ = -(_e2770[0]);
+                                } else {
+                                    phi_4057_ = _e2770[0];
+                                }
+                                let _e2777 = phi_4057_;
+                                if (_e2770[1] < 0f) {
+                                    phi_4064_ = -(_e2770[1]);
+                                } else {
+                                    phi_4064_ = _e2770[1];
+                                }
+                                let _e2781 = phi_4064_;
+                                if (_e2777 > _e2781) {
+                                    phi_4069_ = _e2777;
+                                } else {
+                                    phi_4069_ = _e2781;
+                                }
+                                let _e2784 = phi_4069_;
+                                if (_e2770[2] < 0f) {
+                                    phi_4076_ = -(_e2770[2]);
+                                } else {
+                                    phi_4076_ = _e2770[2];
+                                }
+                                let _e2788 = phi_4076_;
+                                if (_e2784 > _e2788) {
+                                    phi_4081_ = _e2784;
+                                } else {
+                                    phi_4081_ = _e2788;
+                                }
+                                let _e2791 = phi_4081_;
+                                if (_e2767 > _e2791) {
+                                    phi_4086_ = _e2767;
+                                } else {
+                                    phi_4086_ = _e2791;
+                                }
+                                let _e2794 = phi_4086_;
+                                let _e2796 = local_7.member_3;
+                                let _e2800 = local_7.member_2[0u];
+                                if (_e2800[0] < 0f) {
+                                    phi_4103_ = -(_e2800[0]);
+                                } else {
+                                    phi_4103_ = _e2800[0];
+                                }
+                                let _e2807 = phi_4103_;
+                                if (_e2800[1] < 0f) {
+                                    phi_4110_ = -(_e2800[1]);
+                                } else {
+                                    phi_4110_ = _e2800[1];
+                                }
+                                let _e2811 = phi_4110_;
+                                if (_e2807 > _e2811) {
+                                    phi_4115_ = _e2807;
+                                } else {
+                                    phi_4115_ = _e2811;
+                                }
+                                let _e2814 = phi_4115_;
+                                if (_e2800[2] < 0f) {
+                                    phi_4122_ = -(_e2800[2]);
+                                } else {
+                                    phi_4122_ = _e2800[2];
+                                }
+                                let _e2818 = phi_4122_;
+                                if (_e2814 > _e2818) {
+                                    phi_4127_ = _e2814;
+                                } else {
+                                    phi_4127_ = _e2818;
+                                }
+                                let _e2821 = phi_4127_;
+                                let _e2824 = local_7.member_2[1u];
+                                if (_e2824[0] < 0f) {
+                                    phi_4141_ = -(_e2824[0]);
+                                } else {
+                                    phi_4141_ = _e2824[0];
+                                }
+                                let _e2831 = phi_4141_;
+                                if (_e2824[1] < 0f) {
+                                    phi_4148_ = -(_e2824[1]);
+                                } else {
+                                    phi_4148_ = _e2824[1];
+                                }
+                                let _e2835 = phi_4148_;
+                                if (_e2831 > _e2835) {
+                                    phi_4153_ = _e2831;
+                                } else {
+                                    phi_4153_ = _e2835;
+                                }
+                                let _e2838 = phi_4153_;
+                                if (_e2824[2] < 0f) {
+                                    phi_4160_ = -(_e2824[2]);
+                                } else {
+                                    phi_4160_ = _e2824[2];
+                                }
+                                let _e2842 = phi_4160_;
+                                if (_e2838 > _e2842) {
+                                    phi_4165_ = _e2838;
+                                } else {
+                                    phi_4165_ = _e2842;
+                                }
+                                let _e2845 = phi_4165_;
+                                if (_e2821 > _e2845) {
+                                    phi_4170_ = _e2821;
+                                } else {
+                                    phi_4170_ = _e2845;
+                                }
+                                let _e2848 = phi_4170_;
+                                let _e2850 = local_7.member_3;
+                                let _e2853 = (((_e2740 + _e2742) + (_e2794 + _e2796)) + (_e2848 + _e2850));
+                                let _e2856 = local_7.member_3;
+                                let _e2860 = (((_e2080 * 1.0001f) + (_e2856 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                let _e2863 = ((_e2632 * _e2611) - (_e2635 * _e2610));
+                                let _e2866 = ((_e2635 * _e2609) - (_e2629 * _e2611));
+                                let _e2869 = ((_e2629 * _e2610) - (_e2632 * _e2609));
+                                let _e2871 = local_5[0u];
+                                let _e2879 = (((_e2863 * _e2871[0]) + (_e2866 * _e2871[1])) + (_e2869 * _e2871[2]));
+                                phi_4208_ = type_35(0u, 4u);
+                                phi_4211_ = _e2879;
+                                phi_4213_ = _e2879;
+                                loop {
+                                    let _e2881 = phi_4208_;
+                                    let _e2883 = phi_4211_;
+                                    let _e2885 = phi_4213_;
+                                    local_52 = _e2883;
+                                    local_53 = _e2885;
+                                    local_73 = _e2885;
+                                    if (_e2881.member < _e2881.member_1) {
+                                        phi_4209_ = type_35((_e2881.member + 1u), _e2881.member_1);
+                                        phi_4236_ = type_35(1u, _e2881.member);
+                                    } else {
+                                        phi_4209_ = _e2881;
+                                        phi_4236_ = type_35(0u, type_35().member_1);
+                                    }
+                                    let _e2899 = phi_4209_;
+                                    let _e2901 = phi_4236_;
+                                    let _e2905 = (bitcast<i32>(_e2901.member) != 0i);
+                                    if _e2905 {
+                                        if (_e2901.member_1 < 4u) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e2908 = local_5[_e2901.member_1];
+                                        let _e2916 = (((_e2863 * _e2908[0]) + (_e2866 * _e2908[1])) + (_e2869 * _e2908[2]));
+                                        if (_e2901.member_1 < 4u) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e2919 = local_6[_e2901.member_1];
+                                        let _e2927 = (((_e2863 * _e2919[0]) + (_e2866 * _e2919[1])) + (_e2869 * _e2919[2]));
+                                        if (_e2885 < _e2916) {
+                                            phi_4286_ = _e2885;
+                                        } else {
+                                            phi_4286_ = _e2916;
+                                        }
+                                        let _e2930 = phi_4286_;
+                                        if (_e2930 < _e2927) {
+                                            phi_4291_ = _e2930;
+                                        } else {
+                                            phi_4291_ = _e2927;
+                                        }
+                                        let _e2933 = phi_4291_;
+                                        if (_e2883 > _e2916) {
+                                            phi_4296_ = _e2883;
+                                        } else {
+                                            phi_4296_ = _e2916;
+                                        }
+                                        let _e2936 = phi_4296_;
+                                        if (_e2936 > _e2927) {
+                                            phi_4301_ = _e2936;
+                                        } else {
+                                            phi_4301_ = _e2927;
+                                        }
+                                        let _e2939 = phi_4301_;
+                                        phi_4212_ = _e2939;
+                                        phi_4214_ = _e2933;
+                                    } else {
+                                        phi_4212_ = f32();
+                                        phi_4214_ = f32();
+                                    }
+                                    let _e2941 = phi_4212_;
+                                    let _e2943 = phi_4214_;
+                                    continue;
+                                    continuing {
+                                        phi_4208_ = _e2899;
+                                        phi_4211_ = _e2941;
+                                        phi_4213_ = _e2943;
+                                        break if !(_e2905);
+                                    }
+                                }
+                                if (_e2863 < 0f) {
+                                    phi_4307_ = -(_e2863);
+                                } else {
+                                    phi_4307_ = _e2863;
+                                }
+                                let _e2948 = phi_4307_;
+                                if (_e2866 < 0f) {
+                                    phi_4313_ = -(_e2866);
+                                } else {
+                                    phi_4313_ = _e2866;
+                                }
+                                let _e2952 = phi_4313_;
+                                if (_e2869 < 0f) {
+                                    phi_4320_ = -(_e2869);
+                                } else {
+                                    phi_4320_ = _e2869;
+                                }
+                                let _e2957 = phi_4320_;
+                                let _e2958 = ((_e2948 + _e2952) + _e2957);
+                                let _e2963 = local_52;
+                                let _e2964 = -(_e2963);
+                                let _e2966 = local_53;
+                                if (_e2966 > _e2964) {
+                                    let _e5824 = local_73;
+                                    phi_4330_ = _e5824;
+                                } else {
+                                    phi_4330_ = _e2964;
+                                }
+                                let _e2969 = phi_4330_;
+                                let _e2974 = (((_e2969 - ((_e2958 * _e2853) * (0.000000059604645f * 17f))) - (_e2958 * _e2860)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                let _e2977 = ((_e2632 * _e2626) - (_e2635 * _e2625));
+                                let _e2980 = ((_e2635 * _e2624) - (_e2629 * _e2626));
+                                let _e2983 = ((_e2629 * _e2625) - (_e2632 * _e2624));
+                                let _e2985 = local_5[0u];
+                                let _e2993 = (((_e2977 * _e2985[0]) + (_e2980 * _e2985[1])) + (_e2983 * _e2985[2]));
+                                phi_4361_ = type_35(0u, 4u);
+                                phi_4364_ = _e2993;
+                                phi_4366_ = _e2993;
+                                loop {
+                                    let _e2995 = phi_4361_;
+                                    let _e2997 = phi_4364_;
+                                    let _e2999 = phi_4366_;
+                                    local_54 = _e2997;
+                                    local_55 = _e2999;
+                                    local_74 = _e2999;
+                                    if (_e2995.member < _e2995.member_1) {
+                                        phi_4362_ = type_35((_e2995.member + 1u), _e2995.member_1);
+                                        phi_4389_ = type_35(1u, _e2995.member);
+                                    } else {
+                                        phi_4362_ = _e2995;
+                                        phi_4389_ = type_35(0u, type_35().member_1);
+                                    }
+                                    let _e3013 = phi_4362_;
+                                    let _e3015 = phi_4389_;
+                                    let _e3019 = (bitcast<i32>(_e3015.member) != 0i);
+                                    if _e3019 {
+                                        if (_e3015.member_1 < 4u) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e3022 = local_5[_e3015.member_1];
+                                        let _e3030 = (((_e2977 * _e3022[0]) + (_e2980 * _e3022[1])) + (_e2983 * _e3022[2]));
+                                        if (_e3015.member_1 < 4u) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e3033 = local_6[_e3015.member_1];
+                                        let _e3041 = (((_e2977 * _e3033[0]) + (_e2980 * _e3033[1])) + (_e2983 * _e3033[2]));
+                                        if (_e2999 < _e3030) {
+                                            phi_4439_ = _e2999;
+                                        } else {
+                                            phi_4439_ = _e3030;
+                                        }
+                                        let _e3044 = phi_4439_;
+                                        if (_e3044 < _e3041) {
+                                            phi_4444_ = _e3044;
+                                        } else {
+                                            phi_4444_ = _e3041;
+                                        }
+                                        let _e3047 = phi_4444_;
+                                        if (_e2997 > _e3030) {
+                                            phi_4449_ = _e2997;
+                                        } else {
+                                            phi_4449_ = _e3030;
+                                        }
+                                        let _e3050 = phi_4449_;
+                                        if (_e3050 > _e3041) {
+                                            phi_4454_ = _e3050;
+                                        } else {
+                                            phi_4454_ = _e3041;
+                                        }
+                                        let _e3053 = phi_4454_;
+                                        phi_4365_ = _e3053;
+                                        phi_4367_ = _e3047;
+                                    } else {
+                                        phi_4365_ = f32();
+                                        phi_4367_ = f32();
+                                    }
+                                    let _e3055 = phi_4365_;
+                                    let _e3057 = phi_4367_;
+                                    continue;
+                                    continuing {
+                                        phi_4361_ = _e3013;
+                                        phi_4364_ = _e3055;
+                                        phi_4366_ = _e3057;
+                                        break if !(_e3019);
+                                    }
+                                }
+                                if (_e2977 < 0f) {
+                                    phi_4460_ = -(_e2977);
+                                } else {
+                                    phi_4460_ = _e2977;
+                                }
+                                let _e3062 = phi_4460_;
+                                if (_e2980 < 0f) {
+                                    phi_4466_ = -(_e2980);
+                                } else {
+                                    phi_4466_ = _e2980;
+                                }
+                                let _e3066 = phi_4466_;
+                                if (_e2983 < 0f) {
+                                    phi_4473_ = -(_e2983);
+                                } else {
+                                    phi_4473_ = _e2983;
+                                }
+                                let _e3071 = phi_4473_;
+                                let _e3072 = ((_e3062 + _e3066) + _e3071);
+                                let _e3077 = local_54;
+                                let _e3078 = -(_e3077);
+                                let _e3080 = local_55;
+                                if (_e3080 > _e3078) {
+                                    let _e5843 = local_74;
+                                    phi_4483_ = _e5843;
+                                } else {
+                                    phi_4483_ = _e3078;
+                                }
+                                let _e3083 = phi_4483_;
+                                let _e3088 = (((_e3083 - ((_e3072 * _e2853) * (0.000000059604645f * 17f))) - (_e3072 * _e2860)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e2974 > _e3088) {
+                                    phi_4493_ = _e2974;
+                                } else {
+                                    phi_4493_ = _e3088;
+                                }
+                                let _e3091 = phi_4493_;
+                                let _e3092 = (_e2624 - _e2609);
+                                let _e3093 = (_e2625 - _e2610);
+                                let _e3094 = (_e2626 - _e2611);
+                                let _e3097 = ((_e2632 * _e3094) - (_e2635 * _e3093));
+                                let _e3100 = ((_e2635 * _e3092) - (_e2629 * _e3094));
+                                let _e3103 = ((_e2629 * _e3093) - (_e2632 * _e3092));
+                                let _e3105 = local_5[0u];
+                                let _e3113 = (((_e3097 * _e3105[0]) + (_e3100 * _e3105[1])) + (_e3103 * _e3105[2]));
+                                phi_4526_ = type_35(0u, 4u);
+                                phi_4529_ = _e3113;
+                                phi_4531_ = _e3113;
+                                loop {
+                                    let _e3115 = phi_4526_;
+                                    let _e3117 = phi_4529_;
+                                    let _e3119 = phi_4531_;
+                                    local_56 = _e3117;
+                                    local_57 = _e3119;
+                                    local_75 = _e3119;
+                                    if (_e3115.member < _e3115.member_1) {
+                                        phi_4527_ = type_35((_e3115.member + 1u), _e3115.member_1);
+                                        phi_4554_ = type_35(1u, _e3115.member);
+                                    } else {
+                                        phi_4527_ = _e3115;
+                                        phi_4554_ = type_35(0u, type_35().member_1);
+                                    }
+                                    let _e3133 = phi_4527_;
+                                    let _e3135 = phi_4554_;
+                                    let _e3139 = (bitcast<i32>(_e3135.member) != 0i);
+                                    if _e3139 {
+                                        if (_e3135.member_1 < 4u) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e3142 = local_5[_e3135.member_1];
+                                        let _e3150 = (((_e3097 * _e3142[0]) + (_e3100 * _e3142[1])) + (_e3103 * _e3142[2]));
+                                        if (_e3135.member_1 < 4u) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e3153 = local_6[_e3135.member_1];
+                                        let _e3161 = (((_e3097 * _e3153[0]) + (_e3100 * _e3153[1])) + (_e3103 * _e3153[2]));
+                                        if (_e3119 < _e3150) {
+                                            phi_4604_ = _e3119;
+                                        } else {
+                                            phi_4604_ = _e3150;
+                                        }
+                                        let _e3164 = phi_4604_;
+                                        if (_e3164 < _e3161) {
+                                            phi_4609_ = _e3164;
+                                        } else {
+                                            phi_4609_ = _e3161;
+                                        }
+                                        let _e3167 = phi_4609_;
+                                        if (_e3117 > _e3150) {
+                                            phi_4614_ = _e3117;
+                                        } else {
+                                            phi_4614_ = _e3150;
+                                        }
+                                        let _e3170 = phi_4614_;
+                                        if (_e3170 > _e3161) {
+                                            phi_4619_ = _e3170;
+                                        } else {
+                                            phi_4619_ = _e3161;
+                                        }
+                                        let _e3173 = phi_4619_;
+                                        phi_4530_ = _e3173;
+                                        phi_4532_ = _e3167;
+                                    } else {
+                                        phi_4530_ = f32();
+                                        phi_4532_ = f32();
+                                    }
+                                    let _e3175 = phi_4530_;
+                                    let _e3177 = phi_4532_;
+                                    continue;
+                                    continuing {
+                                        phi_4526_ = _e3133;
+                                        phi_4529_ = _e3175;
+                                        phi_4531_ = _e3177;
+                                        break if !(_e3139);
+                                    }
+                                }
+                                if (_e3097 < 0f) {
+                                    phi_4625_ = -(_e3097);
+                                } else {
+                                    phi_4625_ = _e3097;
+                                }
+                                let _e3182 = phi_4625_;
+                                if (_e3100 < 0f) {
+                                    phi_4631_ = -(_e3100);
+                                } else {
+                                    phi_4631_ = _e3100;
+                                }
+                                let _e3186 = phi_4631_;
+                                if (_e3103 < 0f) {
+                                    phi_4638_ = -(_e3103);
+                                } else {
+                                    phi_4638_ = _e3103;
+                                }
+                                let _e3191 = phi_4638_;
+                                let _e3192 = ((_e3182 + _e3186) + _e3191);
+                                let _e3197 = local_56;
+                                let _e3198 = -(_e3197);
+                                let _e3200 = local_57;
+                                if (_e3200 > _e3198) {
+                                    let _e5863 = local_75;
+                                    phi_4648_ = _e5863;
+                                } else {
+                                    phi_4648_ = _e3198;
+                                }
+                                let _e3203 = phi_4648_;
+                                let _e3208 = (((_e3203 - ((_e3192 * _e2853) * (0.000000059604645f * 17f))) - (_e3192 * _e2860)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e3091 > _e3208) {
+                                    phi_4658_ = _e3091;
+                                } else {
+                                    phi_4658_ = _e3208;
+                                }
+                                let _e3211 = phi_4658_;
+                                phi_4661_ = (_e3211 > 0f);
+                            }
+                            let _e3214 = phi_4661_;
+                            if _e3214 {
+                                phi_8097_ = false;
+                            } else {
+                                let _e3217 = local_7.member[0u];
+                                let _e3223 = local_7.member[1u];
+                                let _e3230 = ((_e3217[0] + _e3223[0]) * 0.5f);
+                                let _e3231 = ((_e3217[1] + _e3223[1]) * 0.5f);
+                                let _e3232 = ((_e3217[2] + _e3223[2]) * 0.5f);
+                                let _e3235 = local_7.member_1[0u];
+                                let _e3241 = local_7.member_1[1u];
+                                let _e3248 = ((_e3235[0] + _e3241[0]) * 0.5f);
+                                let _e3249 = ((_e3235[1] + _e3241[1]) * 0.5f);
+                                let _e3250 = ((_e3235[2] + _e3241[2]) * 0.5f);
+                                let _e3253 = local_7.member_2[0u];
+                                let _e3259 = local_7.member_2[1u];
+                                let _e3266 = ((_e3253[0] + _e3259[0]) * 0.5f);
+                                let _e3267 = ((_e3253[1] + _e3259[1]) * 0.5f);
+                                let _e3268 = ((_e3253[2] + _e3259[2]) * 0.5f);
+                                let _e3271 = local_7.member[0u];
+                                let _e3274 = local_7.member_1[0u];
+                                let _e3277 = local_7.member_2[0u];
+                                let _e3279 = local_7.member_3;
+                                let _e3282 = local_7.member[1u];
+                                let _e3285 = local_7.member_1[1u];
+                                let _e3288 = local_7.member_2[1u];
+                                let _e3290 = local_7.member_3;
+                                local_4 = array<type_70, 2>(type_70(array<array<f32, 3>, 2>(_e3271, array<f32, 3>(_e3230, _e3231, _e3232)), array<array<f32, 3>, 2>(_e3274, array<f32, 3>(_e3248, _e3249, _e3250)), array<array<f32, 3>, 2>(_e3277, array<f32, 3>(_e3266, _e3267, _e3268)), _e3279), type_70(array<array<f32, 3>, 2>(array<f32, 3>(_e3230, _e3231, _e3232), _e3282), array<array<f32, 3>, 2>(array<f32, 3>(_e3248, _e3249, _e3250), _e3285), array<array<f32, 3>, 2>(array<f32, 3>(_e3266, _e3267, _e3268), _e3288), _e3290));
+                                let _e3309 = local_4[0u].member_1[0u];
+                                let _e3315 = local_4[0u].member_2[0u];
+                                let _e3321 = ((_e3309[1] * _e3315[2]) - (_e3309[2] * _e3315[1]));
+                                let _e3324 = ((_e3309[2] * _e3315[0]) - (_e3309[0] * _e3315[2]));
+                                let _e3327 = ((_e3309[0] * _e3315[1]) - (_e3309[1] * _e3315[0]));
+                                let _e3330 = local_4[0u].member_1[1u];
+                                let _e3336 = local_4[0u].member_2[1u];
+                                let _e3342 = ((_e3330[1] * _e3336[2]) - (_e3330[2] * _e3336[1]));
+                                let _e3345 = ((_e3330[2] * _e3336[0]) - (_e3330[0] * _e3336[2]));
+                                let _e3348 = ((_e3330[0] * _e3336[1]) - (_e3330[1] * _e3336[0]));
+                                let _e3351 = local_4[0u].member_1[0u];
+                                let _e3357 = local_4[0u].member_2[1u];
+                                let _e3372 = local_4[0u].member_1[1u];
+                                let _e3378 = local_4[0u].member_2[0u];
+                                let _e3391 = (((_e3351[1] * _e3357[2]) - (_e3351[2] * _e3357[1])) + ((_e3372[1] * _e3378[2]) - (_e3372[2] * _e3378[1])));
+                                let _e3392 = (((_e3351[2] * _e3357[0]) - (_e3351[0] * _e3357[2])) + ((_e3372[2] * _e3378[0]) - (_e3372[0] * _e3378[2])));
+                                let _e3393 = (((_e3351[0] * _e3357[1]) - (_e3351[1] * _e3357[0])) + ((_e3372[0] * _e3378[1]) - (_e3372[1] * _e3378[0])));
+                                let _e3396 = local_4[0u].member[0u];
+                                let _e3407 = local_4[0u].member[1u];
+                                let _e3418 = local_4[0u].member[0u];
+                                let _e3427 = ((((_e3407[0] * _e3321) + (_e3407[1] * _e3324)) + (_e3407[2] * _e3327)) + (((_e3418[0] * _e3391) + (_e3418[1] * _e3392)) + (_e3418[2] * _e3393)));
+                                let _e3430 = local_4[0u].member[0u];
+                                let _e3441 = local_4[0u].member[1u];
+                                let _e3450 = ((((_e3430[0] * _e3342) + (_e3430[1] * _e3345)) + (_e3430[2] * _e3348)) + (((_e3441[0] * _e3391) + (_e3441[1] * _e3392)) + (_e3441[2] * _e3393)));
+                                let _e3453 = local_4[0u].member[1u];
+                                let _e3464 = local_4[0u].member[0u];
+                                if (_e3464[0] < 0f) {
+                                    phi_5118_ = -(_e3464[0]);
+                                } else {
+                                    phi_5118_ = _e3464[0];
+                                }
+                                let _e3471 = phi_5118_;
+                                if (_e3464[1] < 0f) {
+                                    phi_5125_ = -(_e3464[1]);
+                                } else {
+                                    phi_5125_ = _e3464[1];
+                                }
+                                let _e3475 = phi_5125_;
+                                if (_e3471 > _e3475) {
+                                    phi_5130_ = _e3471;
+                                } else {
+                                    phi_5130_ = _e3475;
+                                }
+                                let _e3478 = phi_5130_;
+                                if (_e3464[2] < 0f) {
+                                    phi_5137_ = -(_e3464[2]);
+                                } else {
+                                    phi_5137_ = _e3464[2];
+                                }
+                                let _e3482 = phi_5137_;
+                                if (_e3478 > _e3482) {
+                                    phi_5142_ = _e3478;
+                                } else {
+                                    phi_5142_ = _e3482;
+                                }
+                                let _e3485 = phi_5142_;
+                                let _e3488 = local_4[0u].member[1u];
+                                if (_e3488[0] < 0f) {
+                                    phi_5155_ = -(_e3488[0]);
+                                } else {
+                                    phi_5155_ = _e3488[0];
+                                }
+                                let _e3495 = phi_5155_;
+                                if (_e3488[1] < 0f) {
+                                    phi_5162_ = -(_e3488[1]);
+                                } else {
+                                    phi_5162_ = _e3488[1];
+                                }
+                                let _e3499 = phi_5162_;
+                                if (_e3495 > _e3499) {
+                                    phi_5167_ = _e3495;
+                                } else {
+                                    phi_5167_ = _e3499;
+                                }
+                                let _e3502 = phi_5167_;
+                                if (_e3488[2] < 0f) {
+                                    phi_5174_ = -(_e3488[2]);
+                                } else {
+                                    phi_5174_ = _e3488[2];
+                                }
+                                let _e3506 = phi_5174_;
+                                if (_e3502 > _e3506) {
+                                    phi_5179_ = _e3502;
+                                } else {
+                                    phi_5179_ = _e3506;
+                                }
+                                let _e3509 = phi_5179_;
+                                if (_e3485 > _e3509) {
+                                    phi_5184_ = _e3485;
+                                } else {
+                                    phi_5184_ = _e3509;
+                                }
+                                let _e3512 = phi_5184_;
+                                let _e3514 = local_4[0u].member_3;
+                                let _e3515 = (_e3512 + _e3514);
+                                let _e3518 = local_4[0u].member_1[0u];
+                                if (_e3518[0] < 0f) {
+                                    phi_5201_ = -(_e3518[0]);
+                                } else {
+                                    phi_5201_ = _e3518[0];
+                                }
+                                let _e3525 = phi_5201_;
+                                if (_e3518[1] < 0f) {
+                                    phi_5208_ = -(_e3518[1]);
+                                } else {
+                                    phi_5208_ = _e3518[1];
+                                }
+                                let _e3529 = phi_5208_;
+                                if (_e3525 > _e3529) {
+                                    phi_5213_ = _e3525;
+                                } else {
+                                    phi_5213_ = _e3529;
+                                }
+                                let _e3532 = phi_5213_;
+                                if (_e3518[2] < 0f) {
+                                    phi_5220_ = -(_e3518[2]);
+                                } else {
+                                    phi_5220_ = _e3518[2];
+                                }
+                                let _e3536 = phi_5220_;
+                                if (_e3532 > _e3536) {
+                                    phi_5225_ = _e3532;
+                                } else {
+                                    phi_5225_ = _e3536;
+                                }
+                                let _e3539 = phi_5225_;
+                                let _e3542 = local_4[0u].member_1[1u];
+                                if (_e3542[0] < 0f) {
+                                    phi_5239_ = -(_e3542[0]);
+                                } else {
+                                    phi_5239_ = _e3542[0];
+                                }
+                                let _e3549 = phi_5239_;
+                                if (_e3542[1] < 0f) {
+                                    phi_5246_ = -(_e3542[1]);
+                                } else {
+                                    phi_5246_ = _e3542[1];
+                                }
+                                let _e3553 = phi_5246_;
+                                if (_e3549 > _e3553) {
+                                    phi_5251_ = _e3549;
+                                } else {
+                                    phi_5251_ = _e3553;
+                                }
+                                let _e3556 = phi_5251_;
+                                if (_e3542[2] < 0f) {
+                                    phi_5258_ = -(_e3542[2]);
+                                } else {
+                                    phi_5258_ = _e3542[2];
+                                }
+                                let _e3560 = phi_5258_;
+                                if (_e3556 > _e3560) {
+                                    phi_5263_ = _e3556;
+                                } else {
+                                    phi_5263_ = _e3560;
+                                }
+                                let _e3563 = phi_5263_;
+                                if (_e3539 > _e3563) {
+                                    phi_5268_ = _e3539;
+                                } else {
+                                    phi_5268_ = _e3563;
+                                }
+                                let _e3566 = phi_5268_;
+                                let _e3568 = local_4[0u].member_3;
+                                let _e3569 = (_e3566 + _e3568);
+                                let _e3572 = local_4[0u].member_2[0u];
+                                if (_e3572[0] < 0f) {
+                                    phi_5285_ = -(_e3572[0]);
+                                } else {
+                                    phi_5285_ = _e3572[0];
+                                }
+                                let _e3579 = phi_5285_;
+                                if (_e3572[1] < 0f) {
+                                    phi_5292_ = -(_e3572[1]);
+                                } else {
+                                    phi_5292_ = _e3572[1];
+                                }
+                                let _e3583 = phi_5292_;
+                                if (_e3579 > _e3583) {
+                                    phi_5297_ = _e3579;
+                                } else {
+                                    phi_5297_ = _e3583;
+                                }
+                                let _e3586 = phi_5297_;
+                                if (_e3572[2] < 0f) {
+                                    phi_5304_ = -(_e3572[2]);
+                                } else {
+                                    phi_5304_ = _e3572[2];
+                                }
+                                let _e3590 = phi_5304_;
+                                if (_e3586 > _e3590) {
+                                    phi_5309_ = _e3586;
+                                } else {
+                                    phi_5309_ = _e3590;
+                                }
+                                let _e3593 = phi_5309_;
+                                let _e3596 = local_4[0u].member_2[1u];
+                                if (_e3596[0] < 0f) {
+                                    phi_5323_ = -(_e3596[0]);
+                                } else {
+                                    phi_5323_ = _e3596[0];
+                                }
+                                let _e3603 = phi_5323_;
+                                if (_e3596[1] < 0f) {
+                                    phi_5330_ = -(_e3596[1]);
+                                } else {
+                                    phi_5330_ = _e3596[1];
+                                }
+                                let _e3607 = phi_5330_;
+                                if (_e3603 > _e3607) {
+                                    phi_5335_ = _e3603;
+                                } else {
+                                    phi_5335_ = _e3607;
+                                }
+                                let _e3610 = phi_5335_;
+                                if (_e3596[2] < 0f) {
+                                    phi_5342_ = -(_e3596[2]);
+                                } else {
+                                    phi_5342_ = _e3596[2];
+                                }
+                                let _e3614 = phi_5342_;
+                                if (_e3610 > _e3614) {
+                                    phi_5347_ = _e3610;
+                                } else {
+                                    phi_5347_ = _e3614;
+                                }
+                                let _e3617 = phi_5347_;
+                                if (_e3593 > _e3617) {
+                                    phi_5352_ = _e3593;
+                                } else {
+                                    phi_5352_ = _e3617;
+                                }
+                                let _e3620 = phi_5352_;
+                                let _e3622 = local_4[0u].member_3;
+                                let _e3623 = (_e3620 + _e3622);
+                                let _e3625 = ((_e3569 * 8f) * _e3623);
+                                let _e3632 = local_4[0u].member_3;
+                                if (_e3321 < 0f) {
+                                    phi_5383_ = -(_e3321);
+                                } else {
+                                    phi_5383_ = _e3321;
+                                }
+                                let _e3649 = phi_5383_;
+                                if (_e3324 < 0f) {
+                                    phi_5389_ = -(_e3324);
+                                } else {
+                                    phi_5389_ = _e3324;
+                                }
+                                let _e3653 = phi_5389_;
+                                if (_e3327 < 0f) {
+                                    phi_5396_ = -(_e3327);
+                                } else {
+                                    phi_5396_ = _e3327;
+                                }
+                                let _e3658 = phi_5396_;
+                                let _e3659 = ((_e3649 + _e3653) + _e3658);
+                                if (_e3342 < 0f) {
+                                    phi_5403_ = -(_e3342);
+                                } else {
+                                    phi_5403_ = _e3342;
+                                }
+                                let _e3663 = phi_5403_;
+                                if (_e3345 < 0f) {
+                                    phi_5409_ = -(_e3345);
+                                } else {
+                                    phi_5409_ = _e3345;
+                                }
+                                let _e3667 = phi_5409_;
+                                if (_e3348 < 0f) {
+                                    phi_5416_ = -(_e3348);
+                                } else {
+                                    phi_5416_ = _e3348;
+                                }
+                                let _e3672 = phi_5416_;
+                                let _e3673 = ((_e3663 + _e3667) + _e3672);
+                                if (_e3659 > _e3673) {
+                                    phi_5422_ = _e3659;
+                                } else {
+                                    phi_5422_ = _e3673;
+                                }
+                                let _e3676 = phi_5422_;
+                                if (_e3391 < 0f) {
+                                    phi_5428_ = -(_e3391);
+                                } else {
+                                    phi_5428_ = _e3391;
+                                }
+                                let _e3680 = phi_5428_;
+                                if (_e3392 < 0f) {
+                                    phi_5434_ = -(_e3392);
+                                } else {
+                                    phi_5434_ = _e3392;
+                                }
+                                let _e3684 = phi_5434_;
+                                if (_e3393 < 0f) {
+                                    phi_5441_ = -(_e3393);
+                                } else {
+                                    phi_5441_ = _e3393;
+                                }
+                                let _e3689 = phi_5441_;
+                                let _e3691 = (((_e3680 + _e3684) + _e3689) * 0.5f);
+                                if (_e3676 > _e3691) {
+                                    phi_5448_ = _e3676;
+                                } else {
+                                    phi_5448_ = _e3691;
+                                }
+                                let _e3694 = phi_5448_;
+                                let _e3699 = local_4[0u].member_3;
+                                let _e3712 = ((((_e3396[0] * _e3321) + (_e3396[1] * _e3324)) + (_e3396[2] * _e3327)) * 3f);
+                                let _e3713 = ((((_e3453[0] * _e3342) + (_e3453[1] * _e3345)) + (_e3453[2] * _e3348)) * 3f);
+                                if (_e3712 < _e3713) {
+                                    phi_5472_ = _e3712;
+                                } else {
+                                    phi_5472_ = _e3713;
+                                }
+                                let _e3716 = phi_5472_;
+                                if (_e3427 < _e3450) {
+                                    phi_5477_ = _e3427;
+                                } else {
+                                    phi_5477_ = _e3450;
+                                }
+                                let _e3719 = phi_5477_;
+                                if (_e3716 < _e3719) {
+                                    phi_5482_ = _e3716;
+                                } else {
+                                    phi_5482_ = _e3719;
+                                }
+                                let _e3722 = phi_5482_;
+                                if (_e3712 > _e3713) {
+                                    phi_5487_ = _e3712;
+                                } else {
+                                    phi_5487_ = _e3713;
+                                }
+                                let _e3725 = phi_5487_;
+                                if (_e3427 > _e3450) {
+                                    phi_5492_ = _e3427;
+                                } else {
+                                    phi_5492_ = _e3450;
+                                }
+                                let _e3728 = phi_5492_;
+                                if (_e3725 > _e3728) {
+                                    phi_5497_ = _e3725;
+                                } else {
+                                    phi_5497_ = _e3728;
+                                }
+                                let _e3731 = phi_5497_;
+                                let _e3736 = -(_e3731);
+                                if (_e3722 > _e3736) {
+                                    phi_5507_ = _e3722;
+                                } else {
+                                    phi_5507_ = _e3736;
+                                }
+                                let _e3739 = phi_5507_;
+                                if ((_e3739 - ((((((_e3515 * 8f) * _e3625) * (0.000000059604645f * (490f / 64f))) + ((_e3632 * 19f) * ((_e3515 * (_e3569 + _e3623)) + (_e3569 * _e3623)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3515) * ((1f + _e3569) * (1f + _e3623))))) + ((_e2080 * (((_e3694 + (_e3625 * (0.000000059604645f * 4f))) + ((_e3699 * 6f) * (_e3569 + _e3623))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3569) * (1f + _e3623))))) * (3f * 1.0001f)))) > 0f) {
+                                    phi_6483_ = true;
+                                } else {
+                                    let _e3744 = local_4[0u].member_1[0u];
+                                    let _e3750 = local_4[0u].member_1[1u];
+                                    let _e3754 = (_e3744[0] + _e3750[0]);
+                                    let _e3755 = (_e3744[1] + _e3750[1]);
+                                    let _e3756 = (_e3744[2] + _e3750[2]);
+                                    let _e3759 = local_4[0u].member_2[0u];
+                                    let _e3765 = local_4[0u].member_2[1u];
+                                    let _e3769 = (_e3759[0] + _e3765[0]);
+                                    let _e3770 = (_e3759[1] + _e3765[1]);
+                                    let _e3771 = (_e3759[2] + _e3765[2]);
+                                    let _e3774 = ((_e3755 * _e3771) - (_e3756 * _e3770));
+                                    let _e3777 = ((_e3756 * _e3769) - (_e3754 * _e3771));
+                                    let _e3780 = ((_e3754 * _e3770) - (_e3755 * _e3769));
+                                    let _e3783 = local_4[0u].member[0u];
+                                    let _e3789 = local_4[0u].member_1[0u];
+                                    let _e3795 = local_4[0u].member_2[0u];
+                                    let _e3807 = local_4[0u].member[1u];
+                                    let _e3813 = local_4[0u].member_1[1u];
+                                    let _e3819 = local_4[0u].member_2[1u];
+                                    local_2 = array<array<f32, 3>, 4>(_e3783, array<f32, 3>((_e3783[0] - _e3789[0]), (_e3783[1] - _e3789[1]), (_e3783[2] - _e3789[2])), array<f32, 3>((_e3783[0] - _e3795[0]), (_e3783[1] - _e3795[1]), (_e3783[2] - _e3795[2])), _e3783);
+                                    local_3 = array<array<f32, 3>, 4>(_e3807, array<f32, 3>((_e3807[0] - _e3813[0]), (_e3807[1] - _e3813[1]), (_e3807[2] - _e3813[2])), array<f32, 3>((_e3807[0] - _e3819[0]), (_e3807[1] - _e3819[1]), (_e3807[2] - _e3819[2])), _e3807);
+                                    let _e3837 = local_4[0u].member[0u];
+                                    if (_e3837[0] < 0f) {
+                                        phi_5758_ = -(_e3837[0]);
+                                    } else {
+                                        phi_5758_ = _e3837[0];
+                                    }
+                                    let _e3844 = phi_5758_;
+                                    if (_e3837[1] < 0f) {
+                                        phi_5765_ = -(_e3837[1]);
+                                    } else {
+                                        phi_5765_ = _e3837[1];
+                                    }
+                                    let _e3848 = phi_5765_;
+                                    if (_e3844 > _e3848) {
+                                        phi_5770_ = _e3844;
+                                    } else {
+                                        phi_5770_ = _e3848;
+                                    }
+                                    let _e3851 = phi_5770_;
+                                    if (_e3837[2] < 0f) {
+                                        phi_5777_ = -(_e3837[2]);
+                                    } else {
+                                        phi_5777_ = _e3837[2];
+                                    }
+                                    let _e3855 = phi_5777_;
+                                    if (_e3851 > _e3855) {
+                                        phi_5782_ = _e3851;
+                                    } else {
+                                        phi_5782_ = _e3855;
+                                    }
+                                    let _e3858 = phi_5782_;
+                                    let _e3861 = local_4[0u].member[1u];
+                                    if (_e3861[0] < 0f) {
+                                        phi_5795_ = -(_e3861[0]);
+                                    } else {
+                                        phi_5795_ = _e3861[0];
+                                    }
+                                    let _e3868 = phi_5795_;
+                                    if (_e3861[1] < 0f) {
+                                        phi_5802_ = -(_e3861[1]);
+                                    } else {
+                                        phi_5802_ = _e3861[1];
+                                    }
+                                    let _e3872 = phi_5802_;
+                                    if (_e3868 > _e3872) {
+                                        phi_5807_ = _e3868;
+                                    } else {
+                                        phi_5807_ = _e3872;
+                                    }
+                                    let _e3875 = phi_5807_;
+                                    if (_e3861[2] < 0f) {
+                                        phi_5814_ = -(_e3861[2]);
+                                    } else {
+                                        phi_5814_ = _e3861[2];
+                                    }
+                                    let _e3879 = phi_5814_;
+                                    if (_e3875 > _e3879) {
+                                        phi_5819_ = _e3875;
+                                    } else {
+                                        phi_5819_ = _e3879;
+                                    }
+                                    let _e3882 = phi_5819_;
+                                    if (_e3858 > _e3882) {
+                                        phi_5824_ = _e3858;
+                                    } else {
+                                        phi_5824_ = _e3882;
+                                    }
+                                    let _e3885 = phi_5824_;
+                                    let _e3887 = local_4[0u].member_3;
+                                    let _e3891 = local_4[0u].member_1[0u];
+                                    if (_e3891[0] < 0f) {
+                                        phi_5841_ = -(_e3891[0]);
+                                    } else {
+                                        phi_5841_ = _e3891[0];
+                                    }
+                                    let _e3898 = phi_5841_;
+                                    if (_e3891[1] < 0f) {
+                                        phi_5848_ = -(_e3891[1]);
+                                    } else {
+                                        phi_5848_ = _e3891[1];
+                                    }
+                                    let _e3902 = phi_5848_;
+                                    if (_e3898 > _e3902) {
+                                        phi_5853_ = _e3898;
+                                    } else {
+                                        phi_5853_ = _e3902;
+                                    }
+                                    let _e3905 = phi_5853_;
+                                    if (_e3891[2] < 0f) {
+                                        phi_5860_ = -(_e3891[2]);
+                                    } else {
+                                        phi_5860_ = _e3891[2];
+                                    }
+                                    let _e3909 = phi_5860_;
+                                    if (_e3905 > _e3909) {
+                                        phi_5865_ = _e3905;
+                                    } else {
+                                        phi_5865_ = _e3909;
+                                    }
+                                    let _e3912 = phi_5865_;
+                                    let _e3915 = local_4[0u].member_1[1u];
+                                    if (_e3915[0] < 0f) {
+                                        phi_5879_ = -(_e3915[0]);
+                                    } else {
+                                        phi_5879_ = _e3915[0];
+                                    }
+                                    let _e3922 = phi_5879_;
+                                    if (_e3915[1] < 0f) {
+                                        phi_5886_ = -(_e3915[1]);
+                                    } else {
+                                        phi_5886_ = _e3915[1];
+                                    }
+                                    let _e3926 = phi_5886_;
+                                    if (_e3922 > _e3926) {
+                                        phi_5891_ = _e3922;
+                                    } else {
+                                        phi_5891_ = _e3926;
+                                    }
+                                    let _e3929 = phi_5891_;
+                                    if (_e3915[2] < 0f) {
+                                        phi_5898_ = -(_e3915[2]);
+                                    } else {
+                                        phi_5898_ = _e3915[2];
+                                    }
+                                    let _e3933 = phi_5898_;
+                                    if (_e3929 > _e3933) {
+                                        phi_5903_ = _e3929;
+                                    } else {
+                                        phi_5903_ = _e3933;
+                                    }
+                                    let _e3936 = phi_5903_;
+                                    if (_e3912 > _e3936) {
+                                        phi_5908_ = _e3912;
+                                    } else {
+                                        phi_5908_ = _e3936;
+                                    }
+                                    let _e3939 = phi_5908_;
+                                    let _e3941 = local_4[0u].member_3;
+                                    let _e3945 = local_4[0u].member_2[0u];
+                                    if (_e3945[0] < 0f) {
+                                        phi_5925_ = -(_e3945[0]);
+                                    } else {
+                                        phi_5925_ = _e3945[0];
+                                    }
+                                    let _e3952 = phi_5925_;
+                                    if (_e3945[1] < 0f) {
+                                        phi_5932_ = -(_e3945[1]);
+                                    } else {
+                                        phi_5932_ = _e3945[1];
+                                    }
+                                    let _e3956 = phi_5932_;
+                                    if (_e3952 > _e3956) {
+                                        phi_5937_ = _e3952;
+                                    } else {
+                                        phi_5937_ = _e3956;
+                                    }
+                                    let _e3959 = phi_5937_;
+                                    if (_e3945[2] < 0f) {
+                                        phi_5944_ = -(_e3945[2]);
+                                    } else {
+                                        phi_5944_ = _e3945[2];
+                                    }
+                                    let _e3963 = phi_5944_;
+                                    if (_e3959 > _e3963) {
+                                        phi_5949_ = _e3959;
+                                    } else {
+                                        phi_5949_ = _e3963;
+                                    }
+                                    let _e3966 = phi_5949_;
+                                    let _e3969 = local_4[0u].member_2[1u];
+                                    if (_e3969[0] < 0f) {
+                                        phi_5963_ = -(_e3969[0]);
+                                    } else {
+                                        phi_5963_ = _e3969[0];
+                                    }
+                                    let _e3976 = phi_5963_;
+                                    if (_e3969[1] < 0f) {
+                                        phi_5970_ = -(_e3969[1]);
+                                    } else {
+                                        phi_5970_ = _e3969[1];
+                                    }
+                                    let _e3980 = phi_5970_;
+                                    if (_e3976 > _e3980) {
+                                        phi_5975_ = _e3976;
+                                    } else {
+                                        phi_5975_ = _e3980;
+                                    }
+                                    let _e3983 = phi_5975_;
+                                    if (_e3969[2] < 0f) {
+                                        phi_5982_ = -(_e3969[2]);
+                                    } else {
+                                        phi_5982_ = _e3969[2];
+                                    }
+                                    let _e3987 = phi_5982_;
+                                    if (_e3983 > _e3987) {
+                                        phi_5987_ = _e3983;
+                                    } else {
+                                        phi_5987_ = _e3987;
+                                    }
+                                    let _e3990 = phi_5987_;
+                                    if (_e3966 > _e3990) {
+                                        phi_5992_ = _e3966;
+                                    } else {
+                                        phi_5992_ = _e3990;
+                                    }
+                                    let _e3993 = phi_5992_;
+                                    let _e3995 = local_4[0u].member_3;
+                                    let _e3998 = (((_e3885 + _e3887) + (_e3939 + _e3941)) + (_e3993 + _e3995));
+                                    let _e4001 = local_4[0u].member_3;
+                                    let _e4005 = (((_e2080 * 1.0001f) + (_e4001 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                    let _e4008 = ((_e3777 * _e3756) - (_e3780 * _e3755));
+                                    let _e4011 = ((_e3780 * _e3754) - (_e3774 * _e3756));
+                                    let _e4014 = ((_e3774 * _e3755) - (_e3777 * _e3754));
+                                    let _e4016 = local_2[0u];
+                                    let _e4024 = (((_e4008 * _e4016[0]) + (_e4011 * _e4016[1])) + (_e4014 * _e4016[2]));
+                                    phi_6030_ = type_35(0u, 4u);
+                                    phi_6033_ = _e4024;
+                                    phi_6035_ = _e4024;
+                                    loop {
+                                        let _e4026 = phi_6030_;
+                                        let _e4028 = phi_6033_;
+                                        let _e4030 = phi_6035_;
+                                        local_58 = _e4028;
+                                        local_59 = _e4030;
+                                        local_76 = _e4030;
+                                        if (_e4026.member < _e4026.member_1) {
+                                            phi_6031_ = type_35((_e4026.member + 1u), _e4026.member_1);
+                                            phi_6058_ = type_35(1u, _e4026.member);
+                                        } else {
+                                            phi_6031_ = _e4026;
+                                            phi_6058_ = type_35(0u, type_35().member_1);
+                                        }
+                                        let _e4044 = phi_6031_;
+                                        let _e4046 = phi_6058_;
+                                        let _e4050 = (bitcast<i32>(_e4046.member) != 0i);
+                                        if _e4050 {
+                                            if (_e4046.member_1 < 4u) {
+                                            } else {
+                                                return;
+                                            }
+                                            let _e4053 = local_2[_e4046.member_1];
+                                            let _e4061 = (((_e4008 * _e4053[0]) + (_e4011 * _e4053[1])) + (_e4014 * _e4053[2]));
+                                            if (_e4046.member_1 < 4u) {
+                                            } else {
+                                                return;
+                                            }
+                                            let _e4064 = local_3[_e4046.member_1];
+                                            let _e4072 = (((_e4008 * _e4064[0]) + (_e4011 * _e4064[1])) + (_e4014 * _e4064[2]));
+                                            if (_e4030 < _e4061) {
+                                                phi_6108_ = _e4030;
+                                            } else {
+                                                phi_6108_ = _e4061;
+                                            }
+                                            let _e4075 = phi_6108_;
+                                            if (_e4075 < _e4072) {
+                                                phi_6113_ = _e4075;
+                                            } else {
+                                                phi_6113_ = _e4072;
+                                            }
+                                            let _e4078 = phi_6113_;
+                                            if (_e4028 > _e4061) {
+                                                phi_6118_ = _e4028;
+                                            } else {
+                                                phi_6118_ = _e4061;
+                                            }
+                                            let _e4081 = phi_6118_;
+                                            if (_e4081 > _e4072) {
+                                                phi_6123_ = _e4081;
+                                            } else {
+                                                phi_6123_ = _e4072;
+                                            }
+                                            let _e4084 = phi_6123_;
+                                            phi_6034_ = _e4084;
+                                            phi_6036_ = _e4078;
+                                        } else {
+                                            phi_6034_ = f32();
+                                            phi_6036_ = f32();
+                                        }
+                                        let _e4086 = phi_6034_;
+                                        let _e4088 = phi_6036_;
+                                        continue;
+                                        continuing {
+                                            phi_6030_ = _e4044;
+                                            phi_6033_ = _e4086;
+                                            phi_6035_ = _e4088;
+                                            break if !(_e4050);
+                                        }
+                                    }
+                                    if (_e4008 < 0f) {
+                                        phi_6129_ = -(_e4008);
+                                    } else {
+                                        phi_6129_ = _e4008;
+                                    }
+                                    let _e4093 = phi_6129_;
+                                    if (_e4011 < 0f) {
+                                        phi_6135_ = -(_e4011);
+                                    } else {
+                                        phi_6135_ = _e4011;
+                                    }
+                                    let _e4097 = phi_6135_;
+                                    if (_e4014 < 0f) {
+                                        phi_6142_ = -(_e4014);
+                                    } else {
+                                        phi_6142_ = _e4014;
+                                    }
+                                    let _e4102 = phi_6142_;
+                                    let _e4103 = ((_e4093 + _e4097) + _e4102);
+                                    let _e4108 = local_58;
+                                    let _e4109 = -(_e4108);
+                                    let _e4111 = local_59;
+                                    if (_e4111 > _e4109) {
+                                        let _e5968 = local_76;
+                                        phi_6152_ = _e5968;
+                                    } else {
+                                        phi_6152_ = _e4109;
+                                    }
+                                    let _e4114 = phi_6152_;
+                                    let _e4119 = (((_e4114 - ((_e4103 * _e3998) * (0.000000059604645f * 17f))) - (_e4103 * _e4005)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    let _e4122 = ((_e3777 * _e3771) - (_e3780 * _e3770));
+                                    let _e4125 = ((_e3780 * _e3769) - (_e3774 * _e3771));
+                                    let _e4128 = ((_e3774 * _e3770) - (_e3777 * _e3769));
+                                    let _e4130 = local_2[0u];
+                                    let _e4138 = (((_e4122 * _e4130[0]) + (_e4125 * _e4130[1])) + (_e4128 * _e4130[2]));
+                                    phi_6183_ = type_35(0u, 4u);
+                                    phi_6186_ = _e4138;
+                                    phi_6188_ = _e4138;
+                                    loop {
+                                        let _e4140 = phi_6183_;
+                                        let _e4142 = phi_6186_;
+                                        let _e4144 = phi_6188_;
+                                        local_60 = _e4142;
+                                        local_61 = _e4144;
+                                        local_77 = _e4144;
+                                        if (_e4140.member < _e4140.member_1) {
+                                            phi_6184_ = type_35((_e4140.member + 1u), _e4140.member_1);
+                                            phi_6211_ = type_35(1u, _e4140.member);
+                                        } else {
+                                            phi_6184_ = _e4140;
+                                            phi_6211_ = type_35(0u, type_35().member_1);
+                                        }
+                                        let _e4158 = phi_6184_;
+                                        let _e4160 = phi_6211_;
+                                        let _e4164 = (bitcast<i32>(_e4160.member) != 0i);
+                                        if _e4164 {
+                                            if (_e4160.member_1 < 4u) {
+                                            } else {
+                                                return;
+                                            }
+                                            let _e4167 = local_2[_e4160.member_1];
+                                            let _e4175 = (((_e4122 * _e4167[0]) + (_e4125 * _e4167[1])) + (_e4128 * _e4167[2]));
+                                            if (_e4160.member_1 < 4u) {
+                                            } else {
+                                                return;
+                                            }
+                                            let _e4178 = local_3[_e4160.member_1];
+                                            let _e4186 = (((_e4122 * _e4178[0]) + (_e4125 * _e4178[1])) + (_e4128 * _e4178[2]));
+                                            if (_e4144 < _e4175) {
+                                                phi_6261_ = _e4144;
+                                            } else {
+                                                phi_6261_ = _e4175;
+                                            }
+                                            let _e4189 = phi_6261_;
+                                            if (_e4189 < _e4186) {
+                                                phi_6266_ = _e4189;
+                                            } else {
+                                                phi_6266_ = _e4186;
+                                            }
+                                            let _e4192 = phi_6266_;
+                                            if (_e4142 > _e4175) {
+                                                phi_6271_ = _e4142;
+                                            } else {
+                                                phi_6271_ = _e4175;
+                                            }
+                                            let _e4195 = phi_6271_;
+                                            if (_e4195 > _e4186) {
+                                                phi_6276_ = _e4195;
+                                            } else {
+                                                phi_6276_ = _e4186;
+                                            }
+                                            let _e4198 = phi_6276_;
+                                            phi_6187_ = _e4198;
+                                            phi_6189_ = _e4192;
+                                        } else {
+                                            phi_6187_ = f32();
+                                            phi_6189_ = f32();
+                                        }
+                                        let _e4200 = phi_6187_;
+                                        let _e4202 = phi_6189_;
+                                        continue;
+                                        continuing {
+                                            phi_6183_ = _e4158;
+                                            phi_6186_ = _e4200;
+                                            phi_6188_ = _e4202;
+                                            break if !(_e4164);
+                                        }
+                                    }
+                                    if (_e4122 < 0f) {
+                                        phi_6282_ = -(_e4122);
+                                    } else {
+                                        phi_6282_ = _e4122;
+                                    }
+                                    let _e4207 = phi_6282_;
+                                    if (_e4125 < 0f) {
+                                        phi_6288_ = -(_e4125);
+                                    } else {
+                                        phi_6288_ = _e4125;
+                                    }
+                                    let _e4211 = phi_6288_;
+                                    if (_e4128 < 0f) {
+                                        phi_6295_ = -(_e4128);
+                                    } else {
+                                        phi_6295_ = _e4128;
+                                    }
+                                    let _e4216 = phi_6295_;
+                                    let _e4217 = ((_e4207 + _e4211) + _e4216);
+                                    let _e4222 = local_60;
+                                    let _e4223 = -(_e4222);
+                                    let _e4225 = local_61;
+                                    if (_e4225 > _e4223) {
+                                        let _e5987 = local_77;
+                                        phi_6305_ = _e5987;
+                                    } else {
+                                        phi_6305_ = _e4223;
+                                    }
+                                    let _e4228 = phi_6305_;
+                                    let _e4233 = (((_e4228 - ((_e4217 * _e3998) * (0.000000059604645f * 17f))) - (_e4217 * _e4005)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e4119 > _e4233) {
+                                        phi_6315_ = _e4119;
+                                    } else {
+                                        phi_6315_ = _e4233;
+                                    }
+                                    let _e4236 = phi_6315_;
+                                    let _e4237 = (_e3769 - _e3754);
+                                    let _e4238 = (_e3770 - _e3755);
+                                    let _e4239 = (_e3771 - _e3756);
+                                    let _e4242 = ((_e3777 * _e4239) - (_e3780 * _e4238));
+                                    let _e4245 = ((_e3780 * _e4237) - (_e3774 * _e4239));
+                                    let _e4248 = ((_e3774 * _e4238) - (_e3777 * _e4237));
+                                    let _e4250 = local_2[0u];
+                                    let _e4258 = (((_e4242 * _e4250[0]) + (_e4245 * _e4250[1])) + (_e4248 * _e4250[2]));
+                                    phi_6348_ = type_35(0u, 4u);
+                                    phi_6351_ = _e4258;
+                                    phi_6353_ = _e4258;
+                                    loop {
+                                        let _e4260 = phi_6348_;
+                                        let _e4262 = phi_6351_;
+                                        let _e4264 = phi_6353_;
+                                        local_62 = _e4262;
+                                        local_63 = _e4264;
+                                        local_78 = _e4264;
+                                        if (_e4260.member < _e4260.member_1) {
+                                            phi_6349_ = type_35((_e4260.member + 1u), _e4260.member_1);
+                                            phi_6376_ = type_35(1u, _e4260.member);
+                                        } else {
+                                            phi_6349_ = _e4260;
+                                            phi_6376_ = type_35(0u, type_35().member_1);
+                                        }
+                                        let _e4278 = phi_6349_;
+                                        let _e4280 = phi_6376_;
+                                        let _e4284 = (bitcast<i32>(_e4280.member) != 0i);
+                                        if _e4284 {
+                                            if (_e4280.member_1 < 4u) {
+                                            } else {
+                                                return;
+                                            }
+                                            let _e4287 = local_2[_e4280.member_1];
+                                            let _e4295 = (((_e4242 * _e4287[0]) + (_e4245 * _e4287[1])) + (_e4248 * _e4287[2]));
+                                            if (_e4280.member_1 < 4u) {
+                                            } else {
+                                                return;
+                                            }
+                                            let _e4298 = local_3[_e4280.member_1];
+                                            let _e4306 = (((_e4242 * _e4298[0]) + (_e4245 * _e4298[1])) + (_e4248 * _e4298[2]));
+                                            if (_e4264 < _e4295) {
+                                                phi_6426_ = _e4264;
+                                            } else {
+                                                phi_6426_ = _e4295;
+                                            }
+                                            let _e4309 = phi_6426_;
+                                            if (_e4309 < _e4306) {
+                                                phi_6431_ = _e4309;
+                                            } else {
+                                                phi_6431_ = _e4306;
+                                            }
+                                            let _e4312 = phi_6431_;
+                                            if (_e4262 > _e4295) {
+                                                phi_6436_ = _e4262;
+                                            } else {
+                                                phi_6436_ = _e4295;
+                                            }
+                                            let _e4315 = phi_6436_;
+                                            if (_e4315 > _e4306) {
+                                                phi_6441_ = _e4315;
+                                            } else {
+                                                phi_6441_ = _e4306;
+                                            }
+                                            let _e4318 = phi_6441_;
+                                            phi_6352_ = _e4318;
+                                            phi_6354_ = _e4312;
+                                        } else {
+                                            phi_6352_ = f32();
+                                            phi_6354_ = f32();
+                                        }
+                                        let _e4320 = phi_6352_;
+                                        let _e4322 = phi_6354_;
+                                        continue;
+                                        continuing {
+                                            phi_6348_ = _e4278;
+                                            phi_6351_ = _e4320;
+                                            phi_6353_ = _e4322;
+                                            break if !(_e4284);
+                                        }
+                                    }
+                                    if (_e4242 < 0f) {
+                                        phi_6447_ = -(_e4242);
+                                    } else {
+                                        phi_6447_ = _e4242;
+                                    }
+                                    let _e4327 = phi_6447_;
+                                    if (_e4245 < 0f) {
+                                        phi_6453_ = -(_e4245);
+                                    } else {
+                                        phi_6453_ = _e4245;
+                                    }
+                                    let _e4331 = phi_6453_;
+                                    if (_e4248 < 0f) {
+                                        phi_6460_ = -(_e4248);
+                                    } else {
+                                        phi_6460_ = _e4248;
+                                    }
+                                    let _e4336 = phi_6460_;
+                                    let _e4337 = ((_e4327 + _e4331) + _e4336);
+                                    let _e4342 = local_62;
+                                    let _e4343 = -(_e4342);
+                                    let _e4345 = local_63;
+                                    if (_e4345 > _e4343) {
+                                        let _e6007 = local_78;
+                                        phi_6470_ = _e6007;
+                                    } else {
+                                        phi_6470_ = _e4343;
+                                    }
+                                    let _e4348 = phi_6470_;
+                                    let _e4353 = (((_e4348 - ((_e4337 * _e3998) * (0.000000059604645f * 17f))) - (_e4337 * _e4005)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e4236 > _e4353) {
+                                        phi_6480_ = _e4236;
+                                    } else {
+                                        phi_6480_ = _e4353;
+                                    }
+                                    let _e4356 = phi_6480_;
+                                    phi_6483_ = (_e4356 > 0f);
+                                }
+                                let _e4359 = phi_6483_;
+                                if _e4359 {
+                                    let _e4363 = local_4[1u].member_1[0u];
+                                    let _e4369 = local_4[1u].member_2[0u];
+                                    let _e4375 = ((_e4363[1] * _e4369[2]) - (_e4363[2] * _e4369[1]));
+                                    let _e4378 = ((_e4363[2] * _e4369[0]) - (_e4363[0] * _e4369[2]));
+                                    let _e4381 = ((_e4363[0] * _e4369[1]) - (_e4363[1] * _e4369[0]));
+                                    let _e4384 = local_4[1u].member_1[1u];
+                                    let _e4390 = local_4[1u].member_2[1u];
+                                    let _e4396 = ((_e4384[1] * _e4390[2]) - (_e4384[2] * _e4390[1]));
+                                    let _e4399 = ((_e4384[2] * _e4390[0]) - (_e4384[0] * _e4390[2]));
+                                    let _e4402 = ((_e4384[0] * _e4390[1]) - (_e4384[1] * _e4390[0]));
+                                    let _e4405 = local_4[1u].member_1[0u];
+                                    let _e4411 = local_4[1u].member_2[1u];
+                                    let _e4426 = local_4[1u].member_1[1u];
+                                    let _e4432 = local_4[1u].member_2[0u];
+                                    let _e4445 = (((_e4405[1] * _e4411[2]) - (_e4405[2] * _e4411[1])) + ((_e4426[1] * _e4432[2]) - (_e4426[2] * _e4432[1])));
+                                    let _e4446 = (((_e4405[2] * _e4411[0]) - (_e4405[0] * _e4411[2])) + ((_e4426[2] * _e4432[0]) - (_e4426[0] * _e4432[2])));
+                                    let _e4447 = (((_e4405[0] * _e4411[1]) - (_e4405[1] * _e4411[0])) + ((_e4426[0] * _e4432[1]) - (_e4426[1] * _e4432[0])));
+                                    let _e4450 = local_4[1u].member[0u];
+                                    let _e4461 = local_4[1u].member[1u];
+                                    let _e4472 = local_4[1u].member[0u];
+                                    let _e4481 = ((((_e4461[0] * _e4375) + (_e4461[1] * _e4378)) + (_e4461[2] * _e4381)) + (((_e4472[0] * _e4445) + (_e4472[1] * _e4446)) + (_e4472[2] * _e4447)));
+                                    let _e4484 = local_4[1u].member[0u];
+                                    let _e4495 = local_4[1u].member[1u];
+                                    let _e4504 = ((((_e4484[0] * _e4396) + (_e4484[1] * _e4399)) + (_e4484[2] * _e4402)) + (((_e4495[0] * _e4445) + (_e4495[1] * _e4446)) + (_e4495[2] * _e4447)));
+                                    let _e4507 = local_4[1u].member[1u];
+                                    let _e4518 = local_4[1u].member[0u];
+                                    if (_e4518[0] < 0f) {
+                                        phi_6729_ = -(_e4518[0]);
+                                    } else {
+                                        phi_6729_ = _e4518[0];
+                                    }
+                                    let _e4525 = phi_6729_;
+                                    if (_e4518[1] < 0f) {
+                                        phi_6736_ = -(_e4518[1]);
+                                    } else {
+                                        phi_6736_ = _e4518[1];
+                                    }
+                                    let _e4529 = phi_6736_;
+                                    if (_e4525 > _e4529) {
+                                        phi_6741_ = _e4525;
+                                    } else {
+                                        phi_6741_ = _e4529;
+                                    }
+                                    let _e4532 = phi_6741_;
+                                    if (_e4518[2] < 0f) {
+                                        phi_6748_ = -(_e4518[2]);
+                                    } else {
+                                        phi_6748_ = _e4518[2];
+                                    }
+                                    let _e4536 = phi_6748_;
+                                    if (_e4532 > _e4536) {
+                                        phi_6753_ = _e4532;
+                                    } else {
+                                        phi_6753_ = _e4536;
+                                    }
+                                    let _e4539 = phi_6753_;
+                                    let _e4542 = local_4[1u].member[1u];
+                                    if (_e4542[0] < 0f) {
+                                        phi_6766_ = -(_e4542[0]);
+                                    } else {
+                                        phi_6766_ = _e4542[0];
+                                    }
+                                    let _e4549 = phi_6766_;
+                                    if (_e4542[1] < 0f) {
+                                        phi_6773_ = -(_e4542[1]);
+                                    } else {
+                                        phi_6773_ = _e4542[1];
+                                    }
+                                    let _e4553 = phi_6773_;
+                                    if (_e4549 > _e4553) {
+                                        phi_6778_ = _e4549;
+                                    } else {
+                                        phi_6778_ = _e4553;
+                                    }
+                                    let _e4556 = phi_6778_;
+                                    if (_e4542[2] < 0f) {
+                                        phi_6785_ = -(_e4542[2]);
+                                    } else {
+                                        phi_6785_ = _e4542[2];
+                                    }
+                                    let _e4560 = phi_6785_;
+                                    if (_e4556 > _e4560) {
+                                        phi_6790_ = _e4556;
+                                    } else {
+                                        phi_6790_ = _e4560;
+                                    }
+                                    let _e4563 = phi_6790_;
+                                    if (_e4539 > _e4563) {
+                                        phi_6795_ = _e4539;
+                                    } else {
+                                        phi_6795_ = _e4563;
+                                    }
+                                    let _e4566 = phi_6795_;
+                                    let _e4568 = local_4[1u].member_3;
+                                    let _e4569 = (_e4566 + _e4568);
+                                    let _e4572 = local_4[1u].member_1[0u];
+                                    if (_e4572[0] < 0f) {
+                                        phi_6812_ = -(_e4572[0]);
+                                    } else {
+                                        phi_6812_ = _e4572[0];
+                                    }
+                                    let _e4579 = phi_6812_;
+                                    if (_e4572[1] < 0f) {
+                                        phi_6819_ = -(_e4572[1]);
+                                    } else {
+                                        phi_6819_ = _e4572[1];
+                                    }
+                                    let _e4583 = phi_6819_;
+                                    if (_e4579 > _e4583) {
+                                        phi_6824_ = _e4579;
+                                    } else {
+                                        phi_6824_ = _e4583;
+                                    }
+                                    let _e4586 = phi_6824_;
+                                    if (_e4572[2] < 0f) {
+                                        phi_6831_ = -(_e4572[2]);
+                                    } else {
+                                        phi_6831_ = _e4572[2];
+                                    }
+                                    let _e4590 = phi_6831_;
+                                    if (_e4586 > _e4590) {
+                                        phi_6836_ = _e4586;
+                                    } else {
+                                        phi_6836_ = _e4590;
+                                    }
+                                    let _e4593 = phi_6836_;
+                                    let _e4596 = local_4[1u].member_1[1u];
+                                    if (_e4596[0] < 0f) {
+                                        phi_6850_ = -(_e4596[0]);
+                                    } else {
+                                        phi_6850_ = _e4596[0];
+                                    }
+                                    let _e4603 = phi_6850_;
+                                    if (_e4596[1] < 0f) {
+                                        phi_6857_ = -(_e4596[1]);
+                                    } else {
+                                        phi_6857_ = _e4596[1];
+                                    }
+                                    let _e4607 = phi_6857_;
+                                    if (_e4603 > _e4607) {
+                                        phi_6862_ = _e4603;
+                                    } else {
+                                        phi_6862_ = _e4607;
+                                    }
+                                    let _e4610 = phi_6862_;
+                                    if (_e4596[2] < 0f) {
+                                        phi_6869_ = -(_e4596[2]);
+                                    } else {
+                                        phi_6869_ = _e4596[2];
+                                    }
+                                    let _e4614 = phi_6869_;
+                                    if (_e4610 > _e4614) {
+                                        phi_6874_ = _e4610;
+                                    } else {
+                                        phi_6874_ = _e4614;
+                                    }
+                                    let _e4617 = phi_6874_;
+                                    if (_e4593 > _e4617) {
+                                        phi_6879_ = _e4593;
+                                    } else {
+                                        phi_6879_ = _e4617;
+                                    }
+                                    let _e4620 = phi_6879_;
+                                    let _e4622 = local_4[1u].member_3;
+                                    let _e4623 = (_e4620 + _e4622);
+                                    let _e4626 = local_4[1u].member_2[0u];
+                                    if (_e4626[0] < 0f) {
+                                        phi_6896_ = -(_e4626[0]);
+                                    } else {
+                                        phi_6896_ = _e4626[0];
+                                    }
+                                    let _e4633 = phi_6896_;
+                                    if (_e4626[1] < 0f) {
+                                        phi_6903_ = -(_e4626[1]);
+                                    } else {
+                                        phi_6903_ = _e4626[1];
+                                    }
+                                    let _e4637 = phi_6903_;
+                                    if (_e4633 > _e4637) {
+                                        phi_6908_ = _e4633;
+                                    } else {
+                                        phi_6908_ = _e4637;
+                                    }
+                                    let _e4640 = phi_6908_;
+                                    if (_e4626[2] < 0f) {
+                                        phi_6915_ = -(_e4626[2]);
+                                    } else {
+                                        phi_6915_ = _e4626[2];
+                                    }
+                                    let _e4644 = phi_6915_;
+                                    if (_e4640 > _e4644) {
+                                        phi_6920_ = _e4640;
+                                    } else {
+                                        phi_6920_ = _e4644;
+                                    }
+                                    let _e4647 = phi_6920_;
+                                    let _e4650 = local_4[1u].member_2[1u];
+                                    if (_e4650[0] < 0f) {
+                                        phi_6934_ = -(_e4650[0]);
+                                    } else {
+                                        phi_6934_ = _e4650[0];
+                                    }
+                                    let _e4657 = phi_6934_;
+                                    if (_e4650[1] < 0f) {
+                                        phi_6941_ = -(_e4650[1]);
+                                    } else {
+                                        phi_6941_ = _e4650[1];
+                                    }
+                                    let _e4661 = phi_6941_;
+                                    if (_e4657 > _e4661) {
+                                        phi_6946_ = _e4657;
+                                    } else {
+                                        phi_6946_ = _e4661;
+                                    }
+                                    let _e4664 = phi_6946_;
+                                    if (_e4650[2] < 0f) {
+                                        phi_6953_ = -(_e4650[2]);
+                                    } else {
+                                        phi_6953_ = _e4650[2];
+                                    }
+                                    let _e4668 = phi_6953_;
+                                    if (_e4664 > _e4668) {
+                                        phi_6958_ = _e4664;
+                                    } else {
+                                        phi_6958_ = _e4668;
+                                    }
+                                    let _e4671 = phi_6958_;
+                                    if (_e4647 > _e4671) {
+                                        phi_6963_ = _e4647;
+                                    } else {
+                                        phi_6963_ = _e4671;
+                                    }
+                                    let _e4674 = phi_6963_;
+                                    let _e4676 = local_4[1u].member_3;
+                                    let _e4677 = (_e4674 + _e4676);
+                                    let _e4679 = ((_e4623 * 8f) * _e4677);
+                                    let _e4686 = local_4[1u].member_3;
+                                    if (_e4375 < 0f) {
+                                        phi_6994_ = -(_e4375);
+                                    } else {
+                                        phi_6994_ = _e4375;
+                                    }
+                                    let _e4703 = phi_6994_;
+                                    if (_e4378 < 0f) {
+                                        phi_7000_ = -(_e4378);
+                                    } else {
+                                        phi_7000_ = _e4378;
+                                    }
+                                    let _e4707 = phi_7000_;
+                                    if (_e4381 < 0f) {
+                                        phi_7007_ = -(_e4381);
+                                    } else {
+                                        phi_7007_ = _e4381;
+                                    }
+                                    let _e4712 = phi_7007_;
+                                    let _e4713 = ((_e4703 + _e4707) + _e4712);
+                                    if (_e4396 < 0f) {
+                                        phi_7014_ = -(_e4396);
+                                    } else {
+                                        phi_7014_ = _e4396;
+                                    }
+                                    let _e4717 = phi_7014_;
+                                    if (_e4399 < 0f) {
+                                        phi_7020_ = -(_e4399);
+                                    } else {
+                                        phi_7020_ = _e4399;
+                                    }
+                                    let _e4721 = phi_7020_;
+                                    if (_e4402 < 0f) {
+                                        phi_7027_ = -(_e4402);
+                                    } else {
+                                        phi_7027_ = _e4402;
+                                    }
+                                    let _e4726 = phi_7027_;
+                                    let _e4727 = ((_e4717 + _e4721) + _e4726);
+                                    if (_e4713 > _e4727) {
+                                        phi_7033_ = _e4713;
+                                    } else {
+                                        phi_7033_ = _e4727;
+                                    }
+                                    let _e4730 = phi_7033_;
+                                    if (_e4445 < 0f) {
+                                        phi_7039_ = -(_e4445);
+                                    } else {
+                                        phi_7039_ = _e4445;
+                                    }
+                                    let _e4734 = phi_7039_;
+                                    if (_e4446 < 0f) {
+                                        phi_7045_ = -(_e4446);
+                                    } else {
+                                        phi_7045_ = _e4446;
+                                    }
+                                    let _e4738 = phi_7045_;
+                                    if (_e4447 < 0f) {
+                                        phi_7052_ = -(_e4447);
+                                    } else {
+                                        phi_7052_ = _e4447;
+                                    }
+                                    let _e4743 = phi_7052_;
+                                    let _e4745 = (((_e4734 + _e4738) + _e4743) * 0.5f);
+                                    if (_e4730 > _e4745) {
+                                        phi_7059_ = _e4730;
+                                    } else {
+                                        phi_7059_ = _e4745;
+                                    }
+                                    let _e4748 = phi_7059_;
+                                    let _e4753 = local_4[1u].member_3;
+                                    let _e4766 = ((((_e4450[0] * _e4375) + (_e4450[1] * _e4378)) + (_e4450[2] * _e4381)) * 3f);
+                                    let _e4767 = ((((_e4507[0] * _e4396) + (_e4507[1] * _e4399)) + (_e4507[2] * _e4402)) * 3f);
+                                    if (_e4766 < _e4767) {
+                                        phi_7083_ = _e4766;
+                                    } else {
+                                        phi_7083_ = _e4767;
+                                    }
+                                    let _e4770 = phi_7083_;
+                                    if (_e4481 < _e4504) {
+                                        phi_7088_ = _e4481;
+                                    } else {
+                                        phi_7088_ = _e4504;
+                                    }
+                                    let _e4773 = phi_7088_;
+                                    if (_e4770 < _e4773) {
+                                        phi_7093_ = _e4770;
+                                    } else {
+                                        phi_7093_ = _e4773;
+                                    }
+                                    let _e4776 = phi_7093_;
+                                    if (_e4766 > _e4767) {
+                                        phi_7098_ = _e4766;
+                                    } else {
+                                        phi_7098_ = _e4767;
+                                    }
+                                    let _e4779 = phi_7098_;
+                                    if (_e4481 > _e4504) {
+                                        phi_7103_ = _e4481;
+                                    } else {
+                                        phi_7103_ = _e4504;
+                                    }
+                                    let _e4782 = phi_7103_;
+                                    if (_e4779 > _e4782) {
+                                        phi_7108_ = _e4779;
+                                    } else {
+                                        phi_7108_ = _e4782;
+                                    }
+                                    let _e4785 = phi_7108_;
+                                    let _e4790 = -(_e4785);
+                                    if (_e4776 > _e4790) {
+                                        phi_7118_ = _e4776;
+                                    } else {
+                                        phi_7118_ = _e4790;
+                                    }
+                                    let _e4793 = phi_7118_;
+                                    if ((_e4793 - ((((((_e4569 * 8f) * _e4679) * (0.000000059604645f * (490f / 64f))) + ((_e4686 * 19f) * ((_e4569 * (_e4623 + _e4677)) + (_e4623 * _e4677)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4569) * ((1f + _e4623) * (1f + _e4677))))) + ((_e2080 * (((_e4748 + (_e4679 * (0.000000059604645f * 4f))) + ((_e4753 * 6f) * (_e4623 + _e4677))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4623) * (1f + _e4677))))) * (3f * 1.0001f)))) > 0f) {
+                                        phi_8094_ = true;
+                                    } else {
+                                        let _e4798 = local_4[1u].member_1[0u];
+                                        let _e4804 = local_4[1u].member_1[1u];
+                                        let _e4808 = (_e4798[0] + _e4804[0]);
+                                        let _e4809 = (_e4798[1] + _e4804[1]);
+                                        let _e4810 = (_e4798[2] + _e4804[2]);
+                                        let _e4813 = local_4[1u].member_2[0u];
+                                        let _e4819 = local_4[1u].member_2[1u];
+                                        let _e4823 = (_e4813[0] + _e4819[0]);
+                                        let _e4824 = (_e4813[1] + _e4819[1]);
+                                        let _e4825 = (_e4813[2] + _e4819[2]);
+                                        let _e4828 = ((_e4809 * _e4825) - (_e4810 * _e4824));
+                                        let _e4831 = ((_e4810 * _e4823) - (_e4808 * _e4825));
+                                        let _e4834 = ((_e4808 * _e4824) - (_e4809 * _e4823));
+                                        let _e4837 = local_4[1u].member[0u];
+                                        let _e4843 = local_4[1u].member_1[0u];
+                                        let _e4849 = local_4[1u].member_2[0u];
+                                        let _e4861 = local_4[1u].member[1u];
+                                        let _e4867 = local_4[1u].member_1[1u];
+                                        let _e4873 = local_4[1u].member_2[1u];
+                                        local = array<array<f32, 3>, 4>(_e4837, array<f32, 3>((_e4837[0] - _e4843[0]), (_e4837[1] - _e4843[1]), (_e4837[2] - _e4843[2])), array<f32, 3>((_e4837[0] - _e4849[0]), (_e4837[1] - _e4849[1]), (_e4837[2] - _e4849[2])), _e4837);
+                                        local_1 = array<array<f32, 3>, 4>(_e4861, array<f32, 3>((_e4861[0] - _e4867[0]), (_e4861[1] - _e4867[1]), (_e4861[2] - _e4867[2])), array<f32, 3>((_e4861[0] - _e4873[0]), (_e4861[1] - _e4873[1]), (_e4861[2] - _e4873[2])), _e4861);
+                                        let _e4891 = local_4[1u].member[0u];
+                                        if (_e4891[0] < 0f) {
+                                            phi_7369_ = -(_e4891[0]);
+                                        } else {
+                                            phi_7369_ = _e4891[0];
+                                        }
+                                        let _e4898 = phi_7369_;
+                                        if (_e4891[1] < 0f) {
+                                            phi_7376_ = -(_e4891[1]);
+                                        } else {
+                                            phi_7376_ = _e4891[1];
+                                        }
+                                        let _e4902 = phi_7376_;
+                                        if (_e4898 > _e4902) {
+                                            phi_7381_ = _e4898;
+                                        } else {
+                                            phi_7381_ = _e4902;
+                                        }
+                                        let _e4905 = phi_7381_;
+                                        if (_e4891[2] < 0f) {
+                                            phi_7388_ = -(_e4891[2]);
+                                        } else {
+                                            phi_7388_ = _e4891[2];
+                                        }
+                                        let _e4909 = phi_7388_;
+                                        if (_e4905 > _e4909) {
+                                            phi_7393_ = _e4905;
+                                        } else {
+                                            phi_7393_ = _e4909;
+                                        }
+                                        let _e4912 = phi_7393_;
+                                        let _e4915 = local_4[1u].member[1u];
+                                        if (_e4915[0] < 0f) {
+                                            phi_7406_ = -(_e4915[0]);
+                                        } else {
+                                            phi_7406_ = _e4915[0];
+                                        }
+                                        let _e4922 = phi_7406_;
+                                        if (_e4915[1] < 0f) {
+                                            phi_7413_ = -(_e4915[1]);
+                                        } else {
+                                            phi_7413_ = _e4915[1];
+                                        }
+                                        let _e4926 = phi_7413_;
+                                        if (_e4922 > _e4926) {
+                                            phi_7418_ = _e4922;
+                                        } else {
+                                            phi_7418_ = _e4926;
+                                        }
+                                        let _e4929 = phi_7418_;
+                                        if (_e4915[2] < 0f) {
+                                            phi_7425_ = -(_e4915[2]);
+                                        } else {
+                                            phi_7425_ = _e4915[2];
+                                        }
+                                        let _e4933 = phi_7425_;
+                                        if (_e4929 > _e4933) {
+                                            phi_7430_ = _e4929;
+                                        } else {
+                                            phi_7430_ = _e4933;
+                                        }
+                                        let _e4936 = phi_7430_;
+                                        if (_e4912 > _e4936) {
+                                            phi_7435_ = _e4912;
+                                        } else {
+                                            phi_7435_ = _e4936;
+                                        }
+                                        let _e4939 = phi_7435_;
+                                        let _e4941 = local_4[1u].member_3;
+                                        let _e4945 = local_4[1u].member_1[0u];
+                                        if (_e4945[0] < 0f) {
+                                            phi_7452_ = -(_e4945[0]);
+                                        } else {
+                                            phi_7452_ = _e4945[0];
+                                        }
+                                        let _e4952 = phi_7452_;
+                                        if (_e4945[1] < 0f) {
+                                            phi_7459_ = -(_e4945[1]);
+                                        } else {
+                                            phi_7459_ = _e4945[1];
+                                        }
+                                        let _e4956 = phi_7459_;
+                                        if (_e4952 > _e4956) {
+                                            phi_7464_ = _e4952;
+                                        } else {
+                                            phi_7464_ = _e4956;
+                                        }
+                                        let _e4959 = phi_7464_;
+                                        if (_e4945[2] < 0f) {
+                                            phi_7471_ = -(_e4945[2]);
+                                        } else {
+                                            phi_7471_ = _e4945[2];
+                                        }
+                                        let _e4963 = phi_7471_;
+                                        if (_e4959 > _e4963) {
+                                            phi_7476_ = _e4959;
+                                        } else {
+                                            phi_7476_ = _e4963;
+                                        }
+                                        let _e4966 = phi_7476_;
+                                        let _e4969 = local_4[1u].member_1[1u];
+                                        if (_e4969[0] < 0f) {
+                                            phi_7490_ = -(_e4969[0]);
+                                        } else {
+                                            phi_7490_ = _e4969[0];
+                                        }
+                                        let _e4976 = phi_7490_;
+                                        if (_e4969[1] < 0f) {
+                                            phi_7497_ = -(_e4969[1]);
+                                        } else {
+                                            phi_7497_ = _e4969[1];
+                                        }
+                                        let _e4980 = phi_7497_;
+                                        if (_e4976 > _e4980) {
+                                            phi_7502_ = _e4976;
+                                        } else {
+                                            phi_7502_ = _e4980;
+                                        }
+                                        let _e4983 = phi_7502_;
+                                        if (_e4969[2] < 0f) {
+                                            phi_7509_ = -(_e4969[2]);
+                                        } else {
+                                            phi_7509_ = _e4969[2];
+                                        }
+                                        let _e4987 = phi_7509_;
+                                        if (_e4983 > _e4987) {
+                                            phi_7514_ = _e4983;
+                                        } else {
+                                            phi_7514_ = _e4987;
+                                        }
+                                        let _e4990 = phi_7514_;
+                                        if (_e4966 > _e4990) {
+                                            phi_7519_ = _e4966;
+                                        } else {
+                                            phi_7519_ = _e4990;
+                                        }
+                                        let _e4993 = phi_7519_;
+                                        let _e4995 = local_4[1u].member_3;
+                                        let _e4999 = local_4[1u].member_2[0u];
+                                        if (_e4999[0] < 0f) {
+                                            phi_7536_ = -(_e4999[0]);
+                                        } else {
+                                            phi_7536_ = _e4999[0];
+                                        }
+                                        let _e5006 = phi_7536_;
+                                        if (_e4999[1] < 0f) {
+                                            phi_7543_ = -(_e4999[1]);
+                                        } else {
+                                            phi_7543_ = _e4999[1];
+                                        }
+                                        let _e5010 = phi_7543_;
+                                        if (_e5006 > _e5010) {
+                                            phi_7548_ = _e5006;
+                                        } else {
+                                            phi_7548_ = _e5010;
+                                        }
+                                        let _e5013 = phi_7548_;
+                                        if (_e4999[2] < 0f) {
+                                            phi_7555_ = -(_e4999[2]);
+                                        } else {
+                                            phi_7555_ = _e4999[2];
+                                        }
+                                        let _e5017 = phi_7555_;
+                                        if (_e5013 > _e5017) {
+                                            phi_7560_ = _e5013;
+                                        } else {
+                                            phi_7560_ = _e5017;
+                                        }
+                                        let _e5020 = phi_7560_;
+                                        let _e5023 = local_4[1u].member_2[1u];
+                                        if (_e5023[0] < 0f) {
+                                            phi_7574_ = -(_e5023[0]);
+                                        } else {
+                                            phi_7574_ = _e5023[0];
+                                        }
+                                        let _e5030 = phi_7574_;
+                                        if (_e5023[1] < 0f) {
+                                            phi_7581_ = -(_e5023[1]);
+                                        } else {
+                                            phi_7581_ = _e5023[1];
+                                        }
+                                        let _e5034 = phi_7581_;
+                                        if (_e5030 > _e5034) {
+                                            phi_7586_ = _e5030;
+                                        } else {
+                                            phi_7586_ = _e5034;
+                                        }
+                                        let _e5037 = phi_7586_;
+                                        if (_e5023[2] < 0f) {
+                                            phi_7593_ = -(_e5023[2]);
+                                        } else {
+                                            phi_7593_ = _e5023[2];
+                                        }
+                                        let _e5041 = phi_7593_;
+                                        if (_e5037 > _e5041) {
+                                            phi_7598_ = _e5037;
+                                        } else {
+                                            phi_7598_ = _e5041;
+                                        }
+                                        let _e5044 = phi_7598_;
+                                        if (_e5020 > _e5044) {
+                                            phi_7603_ = _e5020;
+                                        } else {
+                                            phi_7603_ = _e5044;
+                                        }
+                                        let _e5047 = phi_7603_;
+                                        let _e5049 = local_4[1u].member_3;
+                                        let _e5052 = (((_e4939 + _e4941) + (_e4993 + _e4995)) + (_e5047 + _e5049));
+                                        let _e5055 = local_4[1u].member_3;
+                                        let _e5059 = (((_e2080 * 1.0001f) + (_e5055 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                        let _e5062 = ((_e4831 * _e4810) - (_e4834 * _e4809));
+                                        let _e5065 = ((_e4834 * _e4808) - (_e4828 * _e4810));
+                                        let _e5068 = ((_e4828 * _e4809) - (_e4831 * _e4808));
+                                        let _e5070 = local[0u];
+                                        let _e5078 = (((_e5062 * _e5070[0]) + (_e5065 * _e5070[1])) + (_e5068 * _e5070[2]));
+                                        phi_7641_ = type_35(0u, 4u);
+                                        phi_7644_ = _e5078;
+                                        phi_7646_ = _e5078;
+                                        loop {
+                                            let _e5080 = phi_7641_;
+                                            let _e5082 = phi_7644_;
+                                            let _e5084 = phi_7646_;
+                                            local_64 = _e5082;
+                                            local_65 = _e5084;
+                                            local_79 = _e5084;
+                                            if (_e5080.member < _e5080.member_1) {
+                                                phi_7642_ = type_35((_e5080.member + 1u), _e5080.member_1);
+                                                phi_7669_ = type_35(1u, _e5080.member);
+                                            } else {
+                                                phi_7642_ = _e5080;
+                                                phi_7669_ = type_35(0u, type_35().member_1);
+                                            }
+                                            let _e5098 = phi_7642_;
+                                            let _e5100 = phi_7669_;
+                                            let _e5104 = (bitcast<i32>(_e5100.member) != 0i);
+                                            if _e5104 {
+                                                if (_e5100.member_1 < 4u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e5107 = local[_e5100.member_1];
+                                                let _e5115 = (((_e5062 * _e5107[0]) + (_e5065 * _e5107[1])) + (_e5068 * _e5107[2]));
+                                                if (_e5100.member_1 < 4u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e5118 = local_1[_e5100.member_1];
+                                                let _e5126 = (((_e5062 * _e5118[0]) + (_e5065 * _e5118[1])) + (_e5068 * _e5118[2]));
+                                                if (_e5084 < _e5115) {
+                                                    phi_7719_ = _e5084;
+                                                } else {
+                                                    phi_7719_ = _e5115;
+                                                }
+                                                let _e5129 = phi_7719_;
+                                                if (_e5129 < _e5126) {
+                                                    phi_7724_ = _e5129;
+                                                } else {
+                                                    phi_7724_ = _e5126;
+                                                }
+                                                let _e5132 = phi_7724_;
+                                                if (_e5082 > _e5115) {
+                                                    phi_7729_ = _e5082;
+                                                } else {
+                                                    phi_7729_ = _e5115;
+                                                }
+                                                let _e5135 = phi_7729_;
+                                                if (_e5135 > _e5126) {
+                                                    phi_7734_ = _e5135;
+                                                } else {
+                                                    phi_7734_ = _e5126;
+                                                }
+                                                let _e5138 = phi_7734_;
+                                                phi_7645_ = _e5138;
+                                                phi_7647_ = _e5132;
+                                            } else {
+                                                phi_7645_ = f32();
+                                                phi_7647_ = f32();
+                                            }
+                                            let _e5140 = phi_7645_;
+                                            let _e5142 = phi_7647_;
+                                            continue;
+                                            continuing {
+                                                phi_7641_ = _e5098;
+                                                phi_7644_ = _e5140;
+                                                phi_7646_ = _e5142;
+                                                break if !(_e5104);
+                                            }
+                                        }
+                                        if (_e5062 < 0f) {
+                                            phi_7740_ = -(_e5062);
+                                        } else {
+                                            phi_7740_ = _e5062;
+                                        }
+                                        let _e5147 = phi_7740_;
+                                        if (_e5065 < 0f) {
+                                            phi_7746_ = -(_e5065);
+                                        } else {
+                                            phi_7746_ = _e5065;
+                                        }
+                                        let _e5151 = phi_7746_;
+                                        if (_e5068 < 0f) {
+                                            phi_7753_ = -(_e5068);
+                                        } else {
+                                            phi_7753_ = _e5068;
+                                        }
+                                        let _e5156 = phi_7753_;
+                                        let _e5157 = ((_e5147 + _e5151) + _e5156);
+                                        let _e5162 = local_64;
+                                        let _e5163 = -(_e5162);
+                                        let _e5165 = local_65;
+                                        if (_e5165 > _e5163) {
+                                            let _e6112 = local_79;
+                                            phi_7763_ = _e6112;
+                                        } else {
+                                            phi_7763_ = _e5163;
+                                        }
+                                        let _e5168 = phi_7763_;
+                                        let _e5173 = (((_e5168 - ((_e5157 * _e5052) * (0.000000059604645f * 17f))) - (_e5157 * _e5059)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        let _e5176 = ((_e4831 * _e4825) - (_e4834 * _e4824));
+                                        let _e5179 = ((_e4834 * _e4823) - (_e4828 * _e4825));
+                                        let _e5182 = ((_e4828 * _e4824) - (_e4831 * _e4823));
+                                        let _e5184 = local[0u];
+                                        let _e5192 = (((_e5176 * _e5184[0]) + (_e5179 * _e5184[1])) + (_e5182 * _e5184[2]));
+                                        phi_7794_ = type_35(0u, 4u);
+                                        phi_7797_ = _e5192;
+                                        phi_7799_ = _e5192;
+                                        loop {
+                                            let _e5194 = phi_7794_;
+                                            let _e5196 = phi_7797_;
+                                            let _e5198 = phi_7799_;
+                                            local_66 = _e5196;
+                                            local_67 = _e5198;
+                                            local_80 = _e5198;
+                                            if (_e5194.member < _e5194.member_1) {
+                                                phi_7795_ = type_35((_e5194.member + 1u), _e5194.member_1);
+                                                phi_7822_ = type_35(1u, _e5194.member);
+                                            } else {
+                                                phi_7795_ = _e5194;
+                                                phi_7822_ = type_35(0u, type_35().member_1);
+                                            }
+                                            let _e5212 = phi_7795_;
+                                            let _e5214 = phi_7822_;
+                                            let _e5218 = (bitcast<i32>(_e5214.member) != 0i);
+                                            if _e5218 {
+                                                if (_e5214.member_1 < 4u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e5221 = local[_e5214.member_1];
+                                                let _e5229 = (((_e5176 * _e5221[0]) + (_e5179 * _e5221[1])) + (_e5182 * _e5221[2]));
+                                                if (_e5214.member_1 < 4u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e5232 = local_1[_e5214.member_1];
+                                                let _e5240 = (((_e5176 * _e5232[0]) + (_e5179 * _e5232[1])) + (_e5182 * _e5232[2]));
+                                                if (_e5198 < _e5229) {
+                                                    phi_7872_ = _e5198;
+                                                } else {
+                                                    phi_7872_ = _e5229;
+                                                }
+                                                let _e5243 = phi_7872_;
+                                                if (_e5243 < _e5240) {
+                                                    phi_7877_ = _e5243;
+                                                } else {
+                                                    phi_7877_ = _e5240;
+                                                }
+                                                let _e5246 = phi_7877_;
+                                                if (_e5196 > _e5229) {
+                                                    phi_7882_ = _e5196;
+                                                } else {
+                                                    phi_7882_ = _e5229;
+                                                }
+                                                let _e5249 = phi_7882_;
+                                                if (_e5249 > _e5240) {
+                                                    phi_7887_ = _e5249;
+                                                } else {
+                                                    phi_7887_ = _e5240;
+                                                }
+                                                let _e5252 = phi_7887_;
+                                                phi_7798_ = _e5252;
+                                                phi_7800_ = _e5246;
+                                            } else {
+                                                phi_7798_ = f32();
+                                                phi_7800_ = f32();
+                                            }
+                                            let _e5254 = phi_7798_;
+                                            let _e5256 = phi_7800_;
+                                            continue;
+                                            continuing {
+                                                phi_7794_ = _e5212;
+                                                phi_7797_ = _e5254;
+                                                phi_7799_ = _e5256;
+                                                break if !(_e5218);
+                                            }
+                                        }
+                                        if (_e5176 < 0f) {
+                                            phi_7893_ = -(_e5176);
+                                        } else {
+                                            phi_7893_ = _e5176;
+                                        }
+                                        let _e5261 = phi_7893_;
+                                        if (_e5179 < 0f) {
+                                            phi_7899_ = -(_e5179);
+                                        } else {
+                                            phi_7899_ = _e5179;
+                                        }
+                                        let _e5265 = phi_7899_;
+                                        if (_e5182 < 0f) {
+                                            phi_7906_ = -(_e5182);
+                                        } else {
+                                            phi_7906_ = _e5182;
+                                        }
+                                        let _e5270 = phi_7906_;
+                                        let _e5271 = ((_e5261 + _e5265) + _e5270);
+                                        let _e5276 = local_66;
+                                        let _e5277 = -(_e5276);
+                                        let _e5279 = local_67;
+                                        if (_e5279 > _e5277) {
+                                            let _e6131 = local_80;
+                                            phi_7916_ = _e6131;
+                                        } else {
+                                            phi_7916_ = _e5277;
+                                        }
+                                        let _e5282 = phi_7916_;
+                                        let _e5287 = (((_e5282 - ((_e5271 * _e5052) * (0.000000059604645f * 17f))) - (_e5271 * _e5059)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e5173 > _e5287) {
+                                            phi_7926_ = _e5173;
+                                        } else {
+                                            phi_7926_ = _e5287;
+                                        }
+                                        let _e5290 = phi_7926_;
+                                        let _e5291 = (_e4823 - _e4808);
+                                        let _e5292 = (_e4824 - _e4809);
+                                        let _e5293 = (_e4825 - _e4810);
+                                        let _e5296 = ((_e4831 * _e5293) - (_e4834 * _e5292));
+                                        let _e5299 = ((_e4834 * _e5291) - (_e4828 * _e5293));
+                                        let _e5302 = ((_e4828 * _e5292) - (_e4831 * _e5291));
+                                        let _e5304 = local[0u];
+                                        let _e5312 = (((_e5296 * _e5304[0]) + (_e5299 * _e5304[1])) + (_e5302 * _e5304[2]));
+                                        phi_7959_ = type_35(0u, 4u);
+                                        phi_7962_ = _e5312;
+                                        phi_7964_ = _e5312;
+                                        loop {
+                                            let _e5314 = phi_7959_;
+                                            let _e5316 = phi_7962_;
+                                            let _e5318 = phi_7964_;
+                                            local_68 = _e5316;
+                                            local_69 = _e5318;
+                                            local_81 = _e5318;
+                                            if (_e5314.member < _e5314.member_1) {
+                                                phi_7960_ = type_35((_e5314.member + 1u), _e5314.member_1);
+                                                phi_7987_ = type_35(1u, _e5314.member);
+                                            } else {
+                                                phi_7960_ = _e5314;
+                                                phi_7987_ = type_35(0u, type_35().member_1);
+                                            }
+                                            let _e5332 = phi_7960_;
+                                            let _e5334 = phi_7987_;
+                                            let _e5338 = (bitcast<i32>(_e5334.member) != 0i);
+                                            if _e5338 {
+                                                if (_e5334.member_1 < 4u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e5341 = local[_e5334.member_1];
+                                                let _e5349 = (((_e5296 * _e5341[0]) + (_e5299 * _e5341[1])) + (_e5302 * _e5341[2]));
+                                                if (_e5334.member_1 < 4u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e5352 = local_1[_e5334.member_1];
+                                                let _e5360 = (((_e5296 * _e5352[0]) + (_e5299 * _e5352[1])) + (_e5302 * _e5352[2]));
+                                                if (_e5318 < _e5349) {
+                                                    phi_8037_ = _e5318;
+                                                } else {
+                                                    phi_8037_ = _e5349;
+                                                }
+                                                let _e5363 = phi_8037_;
+                                                if (_e5363 < _e5360) {
+                                                    phi_8042_ = _e5363;
+                                                } else {
+                                                    phi_8042_ = _e5360;
+                                                }
+                                                let _e5366 = phi_8042_;
+                                                if (_e5316 > _e5349) {
+                                                    phi_8047_ = _e5316;
+                                                } else {
+                                                    phi_8047_ = _e5349;
+                                                }
+                                                let _e5369 = phi_8047_;
+                                                if (_e5369 > _e5360) {
+                                                    phi_8052_ = _e5369;
+                                                } else {
+                                                    phi_8052_ = _e5360;
+                                                }
+                                                let _e5372 = phi_8052_;
+                                                phi_7963_ = _e5372;
+                                                phi_7965_ = _e5366;
+                                            } else {
+                                                phi_7963_ = f32();
+                                                phi_7965_ = f32();
+                                            }
+                                            let _e5374 = phi_7963_;
+                                            let _e5376 = phi_7965_;
+                                            continue;
+                                            continuing {
+                                                phi_7959_ = _e5332;
+                                                phi_7962_ = _e5374;
+                                                phi_7964_ = _e5376;
+                                                break if !(_e5338);
+                                            }
+                                        }
+                                        if (_e5296 < 0f) {
+                                            phi_8058_ = -(_e5296);
+                                        } else {
+                                            phi_8058_ = _e5296;
+                                        }
+                                        let _e5381 = phi_8058_;
+                                        if (_e5299 < 0f) {
+                                            phi_8064_ = -(_e5299);
+                                        } else {
+                                            phi_8064_ = _e5299;
+                                        }
+                                        let _e5385 = phi_8064_;
+                                        if (_e5302 < 0f) {
+                                            phi_8071_ = -(_e5302);
+                                        } else {
+                                            phi_8071_ = _e5302;
+                                        }
+                                        let _e5390 = phi_8071_;
+                                        let _e5391 = ((_e5381 + _e5385) + _e5390);
+                                        let _e5396 = local_68;
+                                        let _e5397 = -(_e5396);
+                                        let _e5399 = local_69;
+                                        if (_e5399 > _e5397) {
+                                            let _e6151 = local_81;
+                                            phi_8081_ = _e6151;
+                                        } else {
+                                            phi_8081_ = _e5397;
+                                        }
+                                        let _e5402 = phi_8081_;
+                                        let _e5407 = (((_e5402 - ((_e5391 * _e5052) * (0.000000059604645f * 17f))) - (_e5391 * _e5059)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e5290 > _e5407) {
+                                            phi_8091_ = _e5290;
+                                        } else {
+                                            phi_8091_ = _e5407;
+                                        }
+                                        let _e5410 = phi_8091_;
+                                        phi_8094_ = (_e5410 > 0f);
+                                    }
+                                    let _e5413 = phi_8094_;
+                                    phi_8095_ = _e5413;
+                                } else {
+                                    phi_8095_ = false;
+                                }
+                                let _e5415 = phi_8095_;
+                                phi_8097_ = !(_e5415);
+                            }
+                            let _e5418 = phi_8097_;
+                            if _e5418 {
+                                let _e5420 = atomicAdd((&counters[5u]), 1u);
+                                hits[_e1324] = ((2147483648u | (_e5420 << bitcast<u32>(12i))) | _e1327);
+                            }
+                        }
+                        phi_8107_ = true;
+                    }
+                    let _e5427 = phi_8107_;
+                    phi_8108_ = _e5427;
+                } else {
+                    phi_8108_ = false;
+                }
+                let _e5429 = phi_8108_;
+                continue;
+                continuing {
+                    phi_1881_ = _e1316;
+                    break if !(_e5429);
+                }
+            }
+            workgroupBarrier();
+            if (_e110 == 0u) {
+                let _e5433 = atomicLoad((&counters[5u]));
+                if (_e5433 > 0u) {
+                    let _e5436 = atomicAdd((&output.member[0u]), _e5433);
+                    atomicStore((&counters[6u]), _e5436);
+                }
+            }
+            workgroupBarrier();
+            let _e5439 = atomicLoad((&counters[6u]));
+            if (_e110 == 0u) {
+                let _e5442 = atomicLoad((&counters[7u]));
+                if (_e5442 > 0u) {
+                    let _e5445 = atomicAdd((&output.member[1u]), _e5442);
+                }
+            }
+            phi_8140_ = type_35(0u, 8u);
+            loop {
+                let _e5447 = phi_8140_;
+                if (_e5447.member < _e5447.member_1) {
+                    phi_8141_ = type_35((_e5447.member + 1u), _e5447.member_1);
+                    phi_8164_ = type_35(1u, _e5447.member);
+                } else {
+                    phi_8141_ = _e5447;
+                    phi_8164_ = type_35(0u, type_35().member_1);
+                }
+                let _e5461 = phi_8141_;
+                let _e5463 = phi_8164_;
+                if (bitcast<i32>(_e5463.member) != 0i) {
+                    let _e5469 = (_e110 + (_e5463.member_1 * 128u));
+                    if (_e5469 >= _e1300) {
+                        phi_8262_ = false;
+                    } else {
+                        let _e5472 = hits[_e5469];
+                        if ((_e5472 & 2147483648u) == 0u) {
+                            phi_8187_ = 4294967295u;
+                        } else {
+                            phi_8187_ = ((_e5472 & 2147483647u) >> bitcast<u32>(12i));
+                        }
+                        let _e5479 = phi_8187_;
+                        if (_e5479 != 4294967295u) {
+                            let _e5483 = ((_e5472 >> bitcast<u32>(10i)) & 3u);
+                            let _e5490 = firsts[(2u * _e5483)];
+                            let _e5493 = leaves.member[(_e5490 + ((_e5472 >> bitcast<u32>(5i)) & 31u))];
+                            let _e5497 = firsts[((2u * _e5483) + 1u)];
+                            let _e5500 = leaves.member[(_e5497 + (_e5472 & 31u))];
+                            let _e5504 = params.member.member_16;
+                            let _e5505 = (_e5439 + _e5479);
+                            if (_e5505 < _e5504) {
+                                atomicStore((&output.member[(4u + (2u * _e5505))]), _e5493.member_1);
+                                atomicStore((&output.member[((2u * _e5505) + 5u)]), _e5500.member_1);
+                            }
+                        }
+                        phi_8262_ = true;
+                    }
+                    let _e5514 = phi_8262_;
+                    phi_8263_ = _e5514;
+                } else {
+                    phi_8263_ = false;
+                }
+                let _e5516 = phi_8263_;
+                continue;
+                continuing {
+                    phi_8140_ = _e5461;
+                    break if !(_e5516);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_285_ = _e168;
-            break if !(_e174);
+            phi_319_ = _e193;
+            break if !(_e199);
         }
     }
     return;
 }
 
-@compute @workgroup_size(64, 1, 1) 
+@compute @workgroup_size(128, 1, 1) 
 fn filter_vertex_face(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     id_1 = id;
     n_1 = n;

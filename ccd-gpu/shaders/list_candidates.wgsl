@@ -47,25 +47,15 @@ struct type_26 {
 }
 
 struct type_35 {
-    member: i32,
-    member_1: i32,
-}
-
-struct type_36 {
-    member: u32,
-    member_1: i32,
-}
-
-struct type_37 {
     member: u32,
     member_1: u32,
 }
 
-struct type_56 {
+struct type_54 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-struct type_63 {
+struct type_61 {
     member: array<atomic<u32>>,
 }
 
@@ -77,20 +67,20 @@ var<storage> params: type_13;
 @group(0) @binding(1) 
 var<storage> nodes: type_17;
 var<workgroup> counters: array<atomic<u32>, 8>;
-var<workgroup> sides: array<type_6, 64>;
-var<workgroup> names: array<u32, 64>;
+var<workgroup> firsts: array<u32, 8>;
+var<workgroup> columns: array<type_6, 128>;
+var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 1024>;
 @group(0) @binding(2) 
 var<storage> leaves: type_26;
 @group(0) @binding(3) 
 var<storage> bodies: type_21;
 @group(0) @binding(4) 
-var<storage> keys: type_56;
+var<storage> keys: type_54;
 @group(0) @binding(5) 
 var<storage> input: type_21;
 @group(0) @binding(6) 
-var<storage, read_write> output: type_63;
-var<workgroup> kept: array<u32, 1024>;
+var<storage, read_write> output: type_61;
 
 fn function_() {
     var local: array<array<u32, 2>, 6>;
@@ -101,1077 +91,1811 @@ fn function_() {
     var local_5: array<array<u32, 2>, 6>;
     var local_6: array<array<u32, 2>, 6>;
     var local_7: array<array<u32, 2>, 6>;
-    var local_8: type_23;
-    var local_9: type_23;
-    var phi_159_: array<u32, 2>;
-    var phi_178_: u32;
-    var phi_205_: u32;
-    var phi_206_: u32;
-    var phi_213_: u32;
-    var phi_234_: u32;
-    var phi_235_: u32;
-    var phi_238_: type_37;
-    var phi_239_: type_37;
-    var phi_262_: type_37;
-    var phi_314_: array<u32, 2>;
-    var phi_322_: u32;
-    var phi_323_: u32;
-    var phi_328_: u32;
-    var phi_329_: u32;
-    var phi_447_: u32;
-    var phi_478_: bool;
-    var phi_483_: type_37;
-    var phi_486_: u32;
-    var phi_484_: type_37;
-    var phi_509_: type_37;
-    var phi_579_: bool;
-    var phi_580_: bool;
-    var phi_592_: u32;
-    var phi_593_: bool;
-    var phi_487_: u32;
-    var phi_594_: bool;
-    var phi_599_: type_35;
-    var phi_602_: u32;
-    var phi_623_: bool;
-    var phi_629_: type_36;
-    var phi_600_: type_35;
-    var phi_643_: type_36;
-    var phi_816_: bool;
-    var phi_817_: bool;
-    var phi_818_: bool;
-    var phi_819_: bool;
-    var phi_820_: bool;
-    var phi_824_: bool;
-    var phi_780_: bool;
-    var phi_781_: bool;
-    var phi_782_: bool;
-    var phi_786_: bool;
-    var phi_825_: bool;
-    var phi_829_: bool;
-    var phi_830_: bool;
-    var phi_876_: bool;
-    var phi_886_: bool;
-    var phi_887_: bool;
-    var phi_891_: bool;
-    var phi_892_: bool;
-    var phi_941_: type_37;
+    var local_8: array<array<u32, 2>, 6>;
+    var local_9: array<array<u32, 2>, 6>;
+    var local_10: array<array<u32, 2>, 6>;
+    var local_11: array<array<u32, 2>, 6>;
+    var local_12: array<array<u32, 2>, 6>;
+    var local_13: array<array<u32, 2>, 6>;
+    var local_14: array<array<u32, 2>, 6>;
+    var local_15: array<array<u32, 2>, 6>;
+    var local_16: type_23;
+    var local_17: type_23;
+    var local_18: type_23;
+    var local_19: type_23;
+    var phi_183_: u32;
+    var phi_194_: array<u32, 2>;
+    var phi_223_: u32;
+    var phi_224_: u32;
+    var phi_231_: u32;
+    var phi_247_: u32;
+    var phi_268_: u32;
+    var phi_269_: u32;
+    var phi_272_: type_35;
+    var phi_273_: type_35;
+    var phi_296_: type_35;
+    var phi_334_: u32;
+    var phi_335_: u32;
+    var phi_342_: u32;
+    var phi_352_: u32;
+    var phi_431_: array<u32, 2>;
+    var phi_625_: bool;
+    var phi_626_: bool;
+    var phi_630_: type_6;
+    var phi_636_: bool;
+    var phi_643_: type_35;
+    var phi_646_: u32;
+    var phi_644_: type_35;
+    var phi_669_: type_35;
+    var phi_735_: bool;
+    var phi_736_: bool;
+    var phi_737_: bool;
+    var phi_741_: bool;
+    var phi_759_: u32;
+    var phi_760_: u32;
+    var phi_761_: u32;
+    var phi_647_: u32;
+    var phi_764_: type_35;
+    var phi_767_: u32;
+    var phi_765_: type_35;
+    var phi_790_: type_35;
+    var phi_936_: bool;
+    var phi_937_: bool;
+    var phi_938_: bool;
+    var phi_939_: bool;
+    var phi_940_: bool;
     var phi_944_: bool;
-    var phi_942_: type_37;
-    var phi_967_: type_37;
-    var phi_1024_: type_37;
-    var phi_1027_: array<u32, 2>;
-    var phi_1025_: type_37;
-    var phi_1050_: type_37;
-    var phi_1125_: bool;
-    var phi_1126_: bool;
-    var phi_1130_: array<u32, 2>;
-    var phi_1028_: array<u32, 2>;
-    var phi_1181_: type_37;
-    var phi_1184_: array<u32, 2>;
-    var phi_1182_: type_37;
-    var phi_1207_: type_37;
-    var phi_1283_: bool;
-    var phi_1284_: bool;
-    var phi_1288_: array<u32, 2>;
-    var phi_1185_: array<u32, 2>;
-    var local_10: array<u32, 2>;
-    var local_11: array<u32, 2>;
-    var local_12: array<u32, 2>;
-    var local_13: array<u32, 2>;
-    var local_14: array<u32, 2>;
-    var local_15: array<u32, 2>;
-    var phi_1304_: bool;
-    var phi_1305_: bool;
-    var phi_1356_: type_37;
-    var phi_1359_: array<u32, 2>;
-    var phi_1357_: type_37;
-    var phi_1382_: type_37;
-    var phi_1457_: bool;
-    var phi_1458_: bool;
-    var phi_1462_: array<u32, 2>;
-    var phi_1360_: array<u32, 2>;
-    var phi_1513_: type_37;
-    var phi_1516_: array<u32, 2>;
-    var phi_1514_: type_37;
-    var phi_1539_: type_37;
-    var phi_1615_: bool;
-    var phi_1616_: bool;
-    var phi_1620_: array<u32, 2>;
-    var phi_1517_: array<u32, 2>;
-    var local_16: array<u32, 2>;
-    var local_17: array<u32, 2>;
-    var local_18: array<u32, 2>;
-    var local_19: array<u32, 2>;
+    var phi_900_: bool;
+    var phi_901_: bool;
+    var phi_902_: bool;
+    var phi_906_: bool;
+    var phi_945_: bool;
+    var phi_949_: bool;
+    var phi_950_: bool;
+    var phi_996_: bool;
+    var phi_1006_: bool;
+    var phi_1007_: bool;
+    var phi_1011_: bool;
+    var phi_1012_: bool;
+    var phi_1061_: type_35;
+    var phi_1064_: bool;
+    var phi_1062_: type_35;
+    var phi_1087_: type_35;
+    var phi_1144_: type_35;
+    var phi_1147_: array<u32, 2>;
+    var phi_1145_: type_35;
+    var phi_1170_: type_35;
+    var phi_1245_: bool;
+    var phi_1246_: bool;
+    var phi_1250_: array<u32, 2>;
+    var phi_1148_: array<u32, 2>;
+    var phi_1301_: type_35;
+    var phi_1304_: array<u32, 2>;
+    var phi_1302_: type_35;
+    var phi_1327_: type_35;
+    var phi_1403_: bool;
+    var phi_1404_: bool;
+    var phi_1408_: array<u32, 2>;
+    var phi_1305_: array<u32, 2>;
     var local_20: array<u32, 2>;
     var local_21: array<u32, 2>;
-    var phi_1636_: bool;
-    var phi_1637_: bool;
-    var phi_945_: bool;
-    var phi_1641_: bool;
-    var phi_1642_: bool;
-    var phi_1643_: bool;
-    var phi_1647_: bool;
-    var phi_1648_: bool;
-    var phi_1649_: bool;
-    var phi_1650_: bool;
-    var phi_1651_: bool;
-    var phi_1655_: bool;
-    var phi_1663_: u32;
-    var phi_1664_: bool;
-    var phi_603_: u32;
-    var phi_1665_: bool;
-    var phi_1686_: type_35;
-    var phi_1689_: u32;
-    var phi_1710_: bool;
-    var phi_1716_: type_36;
-    var phi_1687_: type_35;
-    var phi_1730_: type_36;
-    var phi_1814_: type_37;
-    var phi_1818_: type_37;
-    var phi_1838_: u32;
-    var phi_1839_: bool;
-    var phi_1690_: u32;
-    var phi_1840_: bool;
-    var local_22: bool;
+    var local_22: array<u32, 2>;
+    var local_23: array<u32, 2>;
+    var local_24: array<u32, 2>;
+    var local_25: array<u32, 2>;
+    var phi_1424_: bool;
+    var phi_1425_: bool;
+    var phi_1476_: type_35;
+    var phi_1479_: array<u32, 2>;
+    var phi_1477_: type_35;
+    var phi_1502_: type_35;
+    var phi_1577_: bool;
+    var phi_1578_: bool;
+    var phi_1582_: array<u32, 2>;
+    var phi_1480_: array<u32, 2>;
+    var phi_1633_: type_35;
+    var phi_1636_: array<u32, 2>;
+    var phi_1634_: type_35;
+    var phi_1659_: type_35;
+    var phi_1735_: bool;
+    var phi_1736_: bool;
+    var phi_1740_: array<u32, 2>;
+    var phi_1637_: array<u32, 2>;
+    var local_26: array<u32, 2>;
+    var local_27: array<u32, 2>;
+    var local_28: array<u32, 2>;
+    var local_29: array<u32, 2>;
+    var local_30: array<u32, 2>;
+    var local_31: array<u32, 2>;
+    var phi_1756_: bool;
+    var phi_1757_: bool;
+    var phi_1065_: bool;
+    var phi_1761_: bool;
+    var phi_1762_: bool;
+    var phi_1763_: bool;
+    var phi_1767_: bool;
+    var phi_1768_: bool;
+    var phi_1769_: bool;
+    var phi_1770_: bool;
+    var phi_1771_: bool;
+    var phi_1775_: bool;
+    var phi_1795_: type_35;
+    var phi_1800_: type_35;
+    var phi_1822_: u32;
+    var phi_1823_: bool;
+    var phi_768_: u32;
+    var phi_1824_: bool;
+    var phi_1831_: u32;
+    var phi_1834_: type_35;
+    var phi_1835_: type_35;
+    var phi_1858_: type_35;
+    var phi_2012_: bool;
+    var phi_2013_: bool;
+    var phi_2014_: bool;
+    var phi_2015_: bool;
+    var phi_2016_: bool;
+    var phi_2020_: bool;
+    var phi_1976_: bool;
+    var phi_1977_: bool;
+    var phi_1978_: bool;
+    var phi_1982_: bool;
+    var phi_2021_: bool;
+    var phi_2025_: bool;
+    var phi_2026_: bool;
+    var phi_2072_: bool;
+    var phi_2082_: bool;
+    var phi_2083_: bool;
+    var phi_2087_: bool;
+    var phi_2088_: bool;
+    var phi_2137_: type_35;
+    var phi_2140_: bool;
+    var phi_2138_: type_35;
+    var phi_2163_: type_35;
+    var phi_2220_: type_35;
+    var phi_2223_: array<u32, 2>;
+    var phi_2221_: type_35;
+    var phi_2246_: type_35;
+    var phi_2321_: bool;
+    var phi_2322_: bool;
+    var phi_2326_: array<u32, 2>;
+    var phi_2224_: array<u32, 2>;
+    var phi_2377_: type_35;
+    var phi_2380_: array<u32, 2>;
+    var phi_2378_: type_35;
+    var phi_2403_: type_35;
+    var phi_2479_: bool;
+    var phi_2480_: bool;
+    var phi_2484_: array<u32, 2>;
+    var phi_2381_: array<u32, 2>;
+    var local_32: array<u32, 2>;
+    var local_33: array<u32, 2>;
+    var local_34: array<u32, 2>;
+    var local_35: array<u32, 2>;
+    var local_36: array<u32, 2>;
+    var local_37: array<u32, 2>;
+    var phi_2500_: bool;
+    var phi_2501_: bool;
+    var phi_2552_: type_35;
+    var phi_2555_: array<u32, 2>;
+    var phi_2553_: type_35;
+    var phi_2578_: type_35;
+    var phi_2653_: bool;
+    var phi_2654_: bool;
+    var phi_2658_: array<u32, 2>;
+    var phi_2556_: array<u32, 2>;
+    var phi_2709_: type_35;
+    var phi_2712_: array<u32, 2>;
+    var phi_2710_: type_35;
+    var phi_2735_: type_35;
+    var phi_2811_: bool;
+    var phi_2812_: bool;
+    var phi_2816_: array<u32, 2>;
+    var phi_2713_: array<u32, 2>;
+    var local_38: array<u32, 2>;
+    var local_39: array<u32, 2>;
+    var local_40: array<u32, 2>;
+    var local_41: array<u32, 2>;
+    var local_42: array<u32, 2>;
+    var local_43: array<u32, 2>;
+    var phi_2832_: bool;
+    var phi_2833_: bool;
+    var phi_2141_: bool;
+    var phi_2837_: bool;
+    var phi_2838_: bool;
+    var phi_2839_: bool;
+    var phi_2843_: bool;
+    var phi_2844_: bool;
+    var phi_2845_: bool;
+    var phi_2846_: bool;
+    var phi_2847_: bool;
+    var phi_2851_: bool;
+    var phi_2866_: bool;
+    var phi_2867_: bool;
+    var phi_2899_: type_35;
+    var phi_2900_: type_35;
+    var phi_2923_: type_35;
+    var phi_2946_: u32;
+    var phi_3000_: type_35;
+    var phi_3005_: type_35;
+    var phi_3021_: bool;
+    var phi_3022_: bool;
+    var local_44: u32;
+    var local_45: bool;
+    var local_46: bool;
 
-    let _e64 = id_1;
-    let _e65 = n_1;
-    let _e66 = lane_1;
-    let _e78 = ((_e64.y * _e65.x) + _e64.x);
-    let _e81 = (_e65.x * _e65.y);
-    let _e83 = params.member.member_8;
-    if (_e83 == 0u) {
-        phi_159_ = array<u32, 2>(0u, 2u);
+    let _e81 = id_1;
+    let _e82 = n_1;
+    let _e83 = lane_1;
+    let _e95 = ((_e81.y * _e82.x) + _e81.x);
+    let _e98 = (_e82.x * _e82.y);
+    let _e100 = params.member.member_15;
+    let _e102 = input.member[0u];
+    if (_e100 < _e102) {
+        phi_183_ = _e100;
     } else {
-        phi_159_ = array<u32, 2>(1u, 1u);
+        phi_183_ = _e102;
     }
-    let _e86 = phi_159_;
-    let _e90 = params.member.member_15;
-    let _e92 = input.member[0u];
-    if (_e90 < _e92) {
-        phi_178_ = _e90;
+    let _e105 = phi_183_;
+    let _e106 = (_e83 / 32u);
+    let _e107 = (_e83 % 32u);
+    let _e109 = params.member.member_8;
+    if (_e109 == 0u) {
+        phi_194_ = array<u32, 2>(0u, 2u);
     } else {
-        phi_178_ = _e92;
+        phi_194_ = array<u32, 2>(1u, 1u);
     }
-    let _e95 = phi_178_;
-    let _e97 = params.member.member_12;
-    if (_e95 > _e97) {
-        let _e100 = params.member.member_12;
-        let _e101 = (_e95 - _e100);
-        let _e103 = params.member.member_13;
-        if (_e103 == 0u) {
+    let _e112 = phi_194_;
+    let _e116 = params.member.member_12;
+    if (_e105 > _e116) {
+        let _e119 = params.member.member_12;
+        let _e120 = (_e105 - _e119);
+        let _e122 = params.member.member_13;
+        if (_e122 == 0u) {
             return;
         }
-        let _e105 = (_e101 / _e103);
-        if (_e103 == 0u) {
+        let _e124 = (_e120 / _e122);
+        if (_e122 == 0u) {
             return;
         }
-        if ((_e101 % _e103) > 0u) {
-            phi_205_ = (_e105 + 1u);
+        if ((_e120 % _e122) > 0u) {
+            phi_223_ = (_e124 + 1u);
         } else {
-            phi_205_ = _e105;
+            phi_223_ = _e124;
         }
-        let _e111 = phi_205_;
-        phi_206_ = _e111;
+        let _e130 = phi_223_;
+        phi_224_ = _e130;
     } else {
-        phi_206_ = 0u;
+        phi_224_ = 0u;
     }
-    let _e113 = phi_206_;
-    let _e115 = params.member.member_14;
-    if (_e115 < _e113) {
-        phi_213_ = _e115;
+    let _e132 = phi_224_;
+    let _e134 = params.member.member_14;
+    if (_e134 < _e132) {
+        phi_231_ = _e134;
     } else {
-        phi_213_ = _e113;
+        phi_231_ = _e132;
     }
-    let _e118 = phi_213_;
-    if (_e118 > _e78) {
-        let _e120 = (_e118 - _e78);
-        if (_e81 == 0u) {
+    let _e137 = phi_231_;
+    let _e138 = (_e137 / 4u);
+    if ((_e137 % 4u) > 0u) {
+        phi_247_ = (_e138 + 1u);
+    } else {
+        phi_247_ = _e138;
+    }
+    let _e143 = phi_247_;
+    if (_e143 > _e95) {
+        let _e145 = (_e143 - _e95);
+        if (_e98 == 0u) {
             return;
         }
-        let _e122 = (_e120 / _e81);
-        if (_e81 == 0u) {
+        let _e147 = (_e145 / _e98);
+        if (_e98 == 0u) {
             return;
         }
-        if ((_e120 % _e81) > 0u) {
-            phi_234_ = (_e122 + 1u);
+        if ((_e145 % _e98) > 0u) {
+            phi_268_ = (_e147 + 1u);
         } else {
-            phi_234_ = _e122;
+            phi_268_ = _e147;
         }
-        let _e128 = phi_234_;
-        phi_235_ = _e128;
+        let _e153 = phi_268_;
+        phi_269_ = _e153;
     } else {
-        phi_235_ = 0u;
+        phi_269_ = 0u;
     }
-    let _e130 = phi_235_;
-    phi_238_ = type_37(0u, _e130);
+    let _e155 = phi_269_;
+    phi_272_ = type_35(0u, _e155);
     loop {
-        let _e133 = phi_238_;
-        if (_e133.member < _e133.member_1) {
-            phi_239_ = type_37((_e133.member + 1u), _e133.member_1);
-            phi_262_ = type_37(1u, _e133.member);
+        let _e158 = phi_272_;
+        if (_e158.member < _e158.member_1) {
+            phi_273_ = type_35((_e158.member + 1u), _e158.member_1);
+            phi_296_ = type_35(1u, _e158.member);
         } else {
-            phi_239_ = _e133;
-            phi_262_ = type_37(0u, type_37().member_1);
+            phi_273_ = _e158;
+            phi_296_ = type_35(0u, type_35().member_1);
         }
-        let _e147 = phi_239_;
-        let _e149 = phi_262_;
-        let _e153 = (bitcast<i32>(_e149.member) != 0i);
-        if _e153 {
-            let _e155 = params.member.member_12;
-            let _e159 = params.member.member_13;
-            let _e162 = (2u * (_e155 + ((_e78 + (_e149.member_1 * _e81)) * _e159)));
-            let _e165 = input.member[(4u + _e162)];
-            let _e168 = input.member[(_e162 + 5u)];
-            if (_e66 < 8u) {
-                atomicStore((&counters[_e66]), 0u);
-            }
-            workgroupBarrier();
-            let _e172 = params.member.member_8;
-            if (_e172 == 0u) {
-                phi_314_ = array<u32, 2>(0u, 2u);
-            } else {
-                phi_314_ = array<u32, 2>(1u, 1u);
-            }
-            let _e175 = phi_314_;
-            let _e178 = (_e66 / 32u);
-            if (_e178 == 0u) {
-                phi_322_ = _e175[0];
-                phi_323_ = _e165;
-            } else {
-                phi_322_ = _e175[1];
-                phi_323_ = _e168;
-            }
-            let _e181 = phi_322_;
-            let _e183 = phi_323_;
-            if (_e178 == 0u) {
-                phi_328_ = _e168;
-                phi_329_ = _e175[1];
-            } else {
-                phi_328_ = _e165;
-                phi_329_ = _e175[0];
-            }
-            let _e186 = phi_328_;
-            let _e188 = phi_329_;
-            let _e190 = params.member.member_9;
-            let _e191 = (_e190 - 1u);
-            if (_e191 < 8u) {
-            } else {
-                return;
-            }
-            if (_e181 < 4u) {
-            } else {
-                return;
-            }
-            let _e200 = params.member.member_18[_e191][_e181];
-            let _e203 = nodes.member[(_e200 + ((_e183 * 32u) + (_e66 % 32u)))];
-            let _e205 = params.member.member_9;
-            if (_e205 < 8u) {
-            } else {
-                return;
-            }
-            if (_e188 < 4u) {
-            } else {
-                return;
-            }
-            let _e211 = params.member.member_18[_e205][_e188];
-            let _e214 = nodes.member[(_e211 + _e186)];
-            if ((((((_e203.member[0] <= _e214.member_1[0]) && (_e214.member[0] <= _e203.member_1[0])) && (_e203.member[1] <= _e214.member_1[1])) && (_e214.member[1] <= _e203.member_1[1])) && (_e203.member[2] <= _e214.member_1[2])) && (_e214.member[2] <= _e203.member_1[2])) {
-                let _e252 = atomicAdd((&counters[_e178]), 1u);
-                let _e253 = ((_e178 * 32u) + _e252);
-                sides[_e253] = type_6(array<f32, 3>(_e203.member[0], _e203.member[1], _e203.member[2]), array<f32, 3>(_e203.member_1[0], _e203.member_1[1], _e203.member_1[2]));
-                names[_e253] = (_e66 % 32u);
-            }
-            workgroupBarrier();
-            let _e269 = atomicLoad((&counters[0u]));
-            let _e271 = atomicLoad((&counters[1u]));
-            if (_e269 <= 1u) {
-                phi_447_ = 0u;
-            } else {
-                let _e273 = (_e269 - 1u);
-                phi_447_ = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e273)), 32u, (_e273 == 0u)));
-            }
-            let _e281 = phi_447_;
-            let _e286 = (_e66 & ((1u << bitcast<u32>((_e281 & 31u))) - 1u));
-            if (_e286 < _e269) {
-                let _e289 = sides[_e286];
-                let _e299 = names[_e286];
-                let _e301 = params.member.member_8;
-                if (_e301 == 1u) {
-                    phi_478_ = (_e165 == _e168);
+        let _e172 = phi_273_;
+        let _e174 = phi_296_;
+        let _e178 = (bitcast<i32>(_e174.member) != 0i);
+        if _e178 {
+            let _e182 = (((_e95 + (_e174.member_1 * _e98)) * 4u) + _e106);
+            let _e184 = params.member.member_12;
+            if (_e105 > _e184) {
+                let _e187 = params.member.member_12;
+                let _e188 = (_e105 - _e187);
+                let _e190 = params.member.member_13;
+                if (_e190 == 0u) {
+                    return;
+                }
+                let _e192 = (_e188 / _e190);
+                if (_e190 == 0u) {
+                    return;
+                }
+                if ((_e188 % _e190) > 0u) {
+                    phi_334_ = (_e192 + 1u);
                 } else {
-                    phi_478_ = false;
+                    phi_334_ = _e192;
                 }
-                let _e305 = phi_478_;
-                phi_483_ = type_37(0u, 32u);
-                phi_486_ = (_e66 >> bitcast<u32>((_e281 & 31u)));
-                loop {
-                    let _e310 = phi_483_;
-                    let _e312 = phi_486_;
-                    if (_e310.member < _e310.member_1) {
-                        phi_484_ = type_37((_e310.member + 1u), _e310.member_1);
-                        phi_509_ = type_37(1u, _e310.member);
-                    } else {
-                        phi_484_ = _e310;
-                        phi_509_ = type_37(0u, type_37().member_1);
-                    }
-                    let _e326 = phi_484_;
-                    let _e328 = phi_509_;
-                    if (bitcast<i32>(_e328.member) != 0i) {
-                        if (_e312 >= _e271) {
-                            phi_592_ = u32();
-                            phi_593_ = false;
-                        } else {
-                            let _e335 = sides[(32u + _e312)];
-                            if ((((((_e289.member[0] <= _e335.member_1[0]) && (_e335.member[0] <= _e289.member_1[0])) && (_e289.member[1] <= _e335.member_1[1])) && (_e335.member[1] <= _e289.member_1[1])) && (_e289.member[2] <= _e335.member_1[2])) && (_e335.member[2] <= _e289.member_1[2])) {
-                                let _e357 = names[(32u + _e312)];
-                                if _e305 {
-                                    if (_e299 < _e357) {
-                                        phi_579_ = true;
-                                    } else {
-                                        phi_579_ = false;
-                                    }
-                                    let _e360 = phi_579_;
-                                    phi_580_ = _e360;
-                                } else {
-                                    phi_580_ = true;
-                                }
-                                let _e362 = phi_580_;
-                                if _e362 {
-                                    let _e364 = atomicAdd((&counters[2u]), 1u);
-                                    hits[_e364] = ((_e299 << bitcast<u32>(5i)) | _e357);
-                                }
-                            }
-                            phi_592_ = (_e312 + (64u >> bitcast<u32>((_e281 & 31u))));
-                            phi_593_ = true;
-                        }
-                        let _e374 = phi_592_;
-                        let _e376 = phi_593_;
-                        phi_487_ = _e374;
-                        phi_594_ = _e376;
-                    } else {
-                        phi_487_ = u32();
-                        phi_594_ = false;
-                    }
-                    let _e378 = phi_487_;
-                    let _e380 = phi_594_;
-                    continue;
-                    continuing {
-                        phi_483_ = _e326;
-                        phi_486_ = _e378;
-                        break if !(_e380);
-                    }
+                let _e198 = phi_334_;
+                phi_335_ = _e198;
+            } else {
+                phi_335_ = 0u;
+            }
+            let _e200 = phi_335_;
+            let _e202 = params.member.member_14;
+            if (_e202 < _e200) {
+                phi_342_ = _e202;
+            } else {
+                phi_342_ = _e200;
+            }
+            let _e205 = phi_342_;
+            let _e206 = (_e182 < _e205);
+            let _e208 = params.member.member_12;
+            if _e206 {
+                let _e210 = params.member.member_13;
+                phi_352_ = (_e182 * _e210);
+            } else {
+                phi_352_ = 0u;
+            }
+            let _e213 = phi_352_;
+            let _e215 = (2u * (_e208 + _e213));
+            let _e218 = input.member[(4u + _e215)];
+            let _e221 = input.member[(_e215 + 5u)];
+            if (_e83 < 8u) {
+                atomicStore((&counters[_e83]), 0u);
+            }
+            workgroupBarrier();
+            if (_e112[0] < 4u) {
+            } else {
+                return;
+            }
+            let _e229 = params.member.member_18[0u][_e112[0]];
+            let _e230 = (_e229 + (_e218 * 32u));
+            if (_e112[1] < 4u) {
+            } else {
+                return;
+            }
+            let _e236 = params.member.member_18[0u][_e112[1]];
+            let _e237 = (_e236 + (_e221 * 32u));
+            if (_e107 == 0u) {
+                firsts[(2u * _e106)] = _e230;
+                firsts[((2u * _e106) + 1u)] = _e237;
+            }
+            let _e245 = params.member.member_8;
+            if (_e245 == 0u) {
+                phi_431_ = array<u32, 2>(0u, 2u);
+            } else {
+                phi_431_ = array<u32, 2>(1u, 1u);
+            }
+            let _e248 = phi_431_;
+            let _e251 = (_e83 / 32u);
+            let _e252 = (_e83 % 32u);
+            let _e254 = params.member.member_9;
+            if (_e254 < 8u) {
+            } else {
+                return;
+            }
+            if (_e248[0] < 4u) {
+            } else {
+                return;
+            }
+            let _e260 = params.member.member_18[_e254][_e248[0]];
+            let _e263 = nodes.member[(_e260 + _e218)];
+            let _e265 = params.member.member_9;
+            if (_e265 < 8u) {
+            } else {
+                return;
+            }
+            if (_e248[1] < 4u) {
+            } else {
+                return;
+            }
+            let _e271 = params.member.member_18[_e265][_e248[1]];
+            let _e274 = nodes.member[(_e271 + _e221)];
+            let _e276 = params.member.member_9;
+            let _e277 = (_e276 - 1u);
+            if (_e277 < 8u) {
+            } else {
+                return;
+            }
+            if (_e248[0] < 4u) {
+            } else {
+                return;
+            }
+            let _e285 = params.member.member_18[_e277][_e248[0]];
+            let _e288 = nodes.member[(_e285 + ((_e218 * 32u) + _e252))];
+            let _e290 = params.member.member_9;
+            let _e291 = (_e290 - 1u);
+            if (_e291 < 8u) {
+            } else {
+                return;
+            }
+            if (_e248[1] < 4u) {
+            } else {
+                return;
+            }
+            let _e299 = params.member.member_18[_e291][_e248[1]];
+            let _e302 = nodes.member[(_e299 + ((_e221 * 32u) + _e252))];
+            if _e206 {
+                if ((((((_e302.member[0] <= _e263.member_1[0]) && (_e263.member[0] <= _e302.member_1[0])) && (_e302.member[1] <= _e263.member_1[1])) && (_e263.member[1] <= _e302.member_1[1])) && (_e302.member[2] <= _e263.member_1[2])) && (_e263.member[2] <= _e302.member_1[2])) {
+                    let _e340 = atomicAdd((&counters[_e251]), 1u);
+                    let _e341 = ((_e251 * 32u) + _e340);
+                    columns[_e341] = type_6(array<f32, 3>(_e302.member[0], _e302.member[1], _e302.member[2]), array<f32, 3>(_e302.member_1[0], _e302.member_1[1], _e302.member_1[2]));
+                    names[_e341] = _e252;
                 }
             }
             workgroupBarrier();
-            let _e383 = atomicLoad((&counters[2u]));
-            phi_599_ = type_35(0i, 16i);
-            phi_602_ = _e66;
+            if _e206 {
+                if ((((((_e288.member[0] <= _e274.member_1[0]) && (_e274.member[0] <= _e288.member_1[0])) && (_e288.member[1] <= _e274.member_1[1])) && (_e274.member[1] <= _e288.member_1[1])) && (_e288.member[2] <= _e274.member_1[2])) && (_e274.member[2] <= _e288.member_1[2])) {
+                    phi_625_ = false;
+                } else {
+                    phi_625_ = true;
+                }
+                let _e391 = phi_625_;
+                phi_626_ = _e391;
+            } else {
+                phi_626_ = true;
+            }
+            let _e393 = phi_626_;
+            if _e393 {
+                phi_630_ = type_6(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            } else {
+                phi_630_ = _e288;
+            }
+            let _e395 = phi_630_;
+            if (_e112[0] == _e112[1]) {
+                phi_636_ = (_e218 == _e221);
+            } else {
+                phi_636_ = false;
+            }
+            let _e399 = phi_636_;
+            let _e400 = (_e83 / 32u);
+            let _e401 = (_e83 % 32u);
+            let _e403 = atomicLoad((&counters[_e400]));
+            phi_643_ = type_35(0u, _e403);
+            phi_646_ = 0u;
             loop {
-                let _e385 = phi_599_;
-                let _e387 = phi_602_;
-                if (_e385.member < _e385.member_1) {
-                    let _e395 = (_e385.member + 1i);
-                    if ((false == (_e395 > _e385.member)) != false) {
-                        phi_623_ = true;
-                    } else {
-                        phi_623_ = false;
-                    }
-                    let _e400 = phi_623_;
-                    if _e400 {
-                        phi_629_ = type_36(0u, type_36().member_1);
-                    } else {
-                        phi_629_ = type_36(1u, _e395);
-                    }
-                    let _e406 = phi_629_;
-                    if (bitcast<i32>(_e406.member) != 0i) {
-                    } else {
-                        return;
-                    }
-                    phi_600_ = type_35(_e406.member_1, _e385.member_1);
-                    phi_643_ = type_36(1u, _e385.member);
+                let _e406 = phi_643_;
+                let _e408 = phi_646_;
+                local_44 = _e408;
+                if (_e406.member < _e406.member_1) {
+                    phi_644_ = type_35((_e406.member + 1u), _e406.member_1);
+                    phi_669_ = type_35(1u, _e406.member);
                 } else {
-                    phi_600_ = _e385;
-                    phi_643_ = type_36(0u, type_36().member_1);
+                    phi_644_ = _e406;
+                    phi_669_ = type_35(0u, type_35().member_1);
                 }
-                let _e416 = phi_600_;
-                let _e418 = phi_643_;
-                if (bitcast<i32>(_e418.member) != 0i) {
-                    if (_e387 >= _e383) {
-                        phi_1663_ = u32();
-                        phi_1664_ = false;
+                let _e422 = phi_644_;
+                let _e424 = phi_669_;
+                let _e428 = (bitcast<i32>(_e424.member) != 0i);
+                if _e428 {
+                    let _e432 = names[((_e400 * 32u) + _e424.member_1)];
+                    let _e436 = columns[((_e400 * 32u) + _e424.member_1)];
+                    if ((((((_e395.member[0] <= _e436.member_1[0]) && (_e436.member[0] <= _e395.member_1[0])) && (_e395.member[1] <= _e436.member_1[1])) && (_e436.member[1] <= _e395.member_1[1])) && (_e395.member[2] <= _e436.member_1[2])) && (_e436.member[2] <= _e395.member_1[2])) {
+                        if _e399 {
+                            let _e468 = (_e401 < _e432);
+                            if _e468 {
+                                phi_735_ = bool();
+                            } else {
+                                phi_735_ = false;
+                            }
+                            let _e470 = phi_735_;
+                            phi_736_ = _e470;
+                            phi_737_ = _e468;
+                        } else {
+                            phi_736_ = bool();
+                            phi_737_ = true;
+                        }
+                        let _e472 = phi_736_;
+                        let _e474 = phi_737_;
+                        if _e474 {
+                            phi_741_ = true;
+                        } else {
+                            phi_741_ = _e472;
+                        }
+                        let _e476 = phi_741_;
+                        if _e476 {
+                            let _e478 = atomicAdd((&counters[4u]), 1u);
+                            if (_e478 < 1024u) {
+                                hits[_e478] = (((_e400 << bitcast<u32>(10i)) | (_e401 << bitcast<u32>(5i))) | _e432);
+                                phi_759_ = _e408;
+                            } else {
+                                phi_759_ = (_e408 | (1u << bitcast<u32>((_e424.member_1 & 31u))));
+                            }
+                            let _e492 = phi_759_;
+                            phi_760_ = _e492;
+                        } else {
+                            phi_760_ = _e408;
+                        }
+                        let _e494 = phi_760_;
+                        phi_761_ = _e494;
                     } else {
-                        let _e424 = hits[_e387];
-                        if (_e86[0] < 4u) {
-                        } else {
-                            return;
-                        }
-                        let _e434 = params.member.member_18[0u][_e86[0]];
-                        let _e435 = (_e434 + ((_e165 * 32u) + (_e424 >> bitcast<u32>(5i))));
-                        if (_e86[1] < 4u) {
-                        } else {
-                            return;
-                        }
-                        let _e442 = params.member.member_18[0u][_e86[1]];
-                        let _e443 = (_e442 + ((_e168 * 32u) + (_e424 & 31u)));
-                        let _e445 = leaves.member[_e435];
-                        local_8 = type_23(array<u32, 3>(_e445.member[0], _e445.member[1], _e445.member[2]), _e445.member_1);
-                        let _e454 = leaves.member[_e443];
-                        local_9 = type_23(array<u32, 3>(_e454.member[0], _e454.member[1], _e454.member[2]), _e454.member_1);
-                        let _e463 = nodes.member[_e435];
-                        let _e465 = nodes.member[_e443];
-                        let _e467 = params.member.member_1;
-                        if ((_e467 & 1u) != 0u) {
-                            let _e471 = params.member.member_8;
-                            if (_e471 == 0u) {
-                                let _e515 = local_8.member[0u];
-                                let _e518 = local_9.member[0u];
-                                if (_e515 == _e518) {
-                                    phi_781_ = bool();
-                                    phi_782_ = true;
+                        phi_761_ = _e408;
+                    }
+                    let _e496 = phi_761_;
+                    phi_647_ = _e496;
+                } else {
+                    phi_647_ = u32();
+                }
+                let _e498 = phi_647_;
+                continue;
+                continuing {
+                    phi_643_ = _e422;
+                    phi_646_ = _e498;
+                    break if !(_e428);
+                }
+            }
+            phi_764_ = type_35(0u, 32u);
+            let _e2230 = local_44;
+            phi_767_ = _e2230;
+            loop {
+                let _e501 = phi_764_;
+                let _e503 = phi_767_;
+                if (_e501.member < _e501.member_1) {
+                    phi_765_ = type_35((_e501.member + 1u), _e501.member_1);
+                    phi_790_ = type_35(1u, _e501.member);
+                } else {
+                    phi_765_ = _e501;
+                    phi_790_ = type_35(0u, type_35().member_1);
+                }
+                let _e517 = phi_765_;
+                let _e519 = phi_790_;
+                if (bitcast<i32>(_e519.member) != 0i) {
+                    if (_e503 == 0u) {
+                        phi_1822_ = u32();
+                        phi_1823_ = false;
+                    } else {
+                        let _e530 = names[((_e106 * 32u) + select(firstTrailingBit(_e503), 32u, (_e503 == 0u)))];
+                        let _e533 = (_e230 + _e107);
+                        let _e534 = (_e237 + _e530);
+                        let _e536 = leaves.member[_e533];
+                        let _e538 = leaves.member[_e534];
+                        local_16 = type_23(array<u32, 3>(_e536.member[0], _e536.member[1], _e536.member[2]), _e536.member_1);
+                        local_17 = type_23(array<u32, 3>(_e538.member[0], _e538.member[1], _e538.member[2]), _e538.member_1);
+                        let _e554 = nodes.member[_e533];
+                        let _e556 = nodes.member[_e534];
+                        let _e558 = params.member.member_1;
+                        if ((_e558 & 1u) != 0u) {
+                            let _e562 = params.member.member_8;
+                            if (_e562 == 0u) {
+                                let _e606 = local_16.member[0u];
+                                let _e609 = local_17.member[0u];
+                                if (_e606 == _e609) {
+                                    phi_901_ = bool();
+                                    phi_902_ = true;
                                 } else {
-                                    let _e522 = local_8.member[0u];
-                                    let _e525 = local_9.member[1u];
-                                    let _e526 = (_e522 == _e525);
-                                    if _e526 {
-                                        phi_780_ = bool();
+                                    let _e613 = local_16.member[0u];
+                                    let _e616 = local_17.member[1u];
+                                    let _e617 = (_e613 == _e616);
+                                    if _e617 {
+                                        phi_900_ = bool();
                                     } else {
-                                        let _e529 = local_8.member[0u];
-                                        let _e532 = local_9.member[2u];
-                                        phi_780_ = (_e529 == _e532);
+                                        let _e620 = local_16.member[0u];
+                                        let _e623 = local_17.member[2u];
+                                        phi_900_ = (_e620 == _e623);
                                     }
-                                    let _e535 = phi_780_;
-                                    phi_781_ = _e535;
-                                    phi_782_ = _e526;
+                                    let _e626 = phi_900_;
+                                    phi_901_ = _e626;
+                                    phi_902_ = _e617;
                                 }
-                                let _e537 = phi_781_;
-                                let _e539 = phi_782_;
-                                if _e539 {
-                                    phi_786_ = true;
+                                let _e628 = phi_901_;
+                                let _e630 = phi_902_;
+                                if _e630 {
+                                    phi_906_ = true;
                                 } else {
-                                    phi_786_ = _e537;
+                                    phi_906_ = _e628;
                                 }
-                                let _e541 = phi_786_;
-                                phi_825_ = _e541;
+                                let _e632 = phi_906_;
+                                phi_945_ = _e632;
                             } else {
-                                let _e475 = local_8.member[0u];
-                                let _e478 = local_9.member[0u];
-                                if (_e475 == _e478) {
-                                    phi_819_ = bool();
-                                    phi_820_ = true;
+                                let _e566 = local_16.member[0u];
+                                let _e569 = local_17.member[0u];
+                                if (_e566 == _e569) {
+                                    phi_939_ = bool();
+                                    phi_940_ = true;
                                 } else {
-                                    let _e482 = local_8.member[0u];
-                                    let _e485 = local_9.member[1u];
-                                    if (_e482 == _e485) {
-                                        phi_817_ = bool();
-                                        phi_818_ = true;
+                                    let _e573 = local_16.member[0u];
+                                    let _e576 = local_17.member[1u];
+                                    if (_e573 == _e576) {
+                                        phi_937_ = bool();
+                                        phi_938_ = true;
                                     } else {
-                                        let _e489 = local_8.member[1u];
-                                        let _e492 = local_9.member[0u];
-                                        let _e493 = (_e489 == _e492);
-                                        if _e493 {
-                                            phi_816_ = bool();
+                                        let _e580 = local_16.member[1u];
+                                        let _e583 = local_17.member[0u];
+                                        let _e584 = (_e580 == _e583);
+                                        if _e584 {
+                                            phi_936_ = bool();
                                         } else {
-                                            let _e496 = local_8.member[1u];
-                                            let _e499 = local_9.member[1u];
-                                            phi_816_ = (_e496 == _e499);
+                                            let _e587 = local_16.member[1u];
+                                            let _e590 = local_17.member[1u];
+                                            phi_936_ = (_e587 == _e590);
                                         }
-                                        let _e502 = phi_816_;
-                                        phi_817_ = _e502;
-                                        phi_818_ = _e493;
+                                        let _e593 = phi_936_;
+                                        phi_937_ = _e593;
+                                        phi_938_ = _e584;
                                     }
-                                    let _e504 = phi_817_;
-                                    let _e506 = phi_818_;
-                                    phi_819_ = _e504;
-                                    phi_820_ = _e506;
+                                    let _e595 = phi_937_;
+                                    let _e597 = phi_938_;
+                                    phi_939_ = _e595;
+                                    phi_940_ = _e597;
                                 }
-                                let _e508 = phi_819_;
-                                let _e510 = phi_820_;
-                                if _e510 {
-                                    phi_824_ = true;
+                                let _e599 = phi_939_;
+                                let _e601 = phi_940_;
+                                if _e601 {
+                                    phi_944_ = true;
                                 } else {
-                                    phi_824_ = _e508;
+                                    phi_944_ = _e599;
                                 }
-                                let _e512 = phi_824_;
-                                phi_825_ = _e512;
+                                let _e603 = phi_944_;
+                                phi_945_ = _e603;
                             }
-                            let _e543 = phi_825_;
-                            if _e543 {
-                                phi_829_ = false;
+                            let _e634 = phi_945_;
+                            if _e634 {
+                                phi_949_ = false;
                             } else {
-                                phi_829_ = true;
+                                phi_949_ = true;
                             }
-                            let _e545 = phi_829_;
-                            phi_830_ = _e545;
+                            let _e636 = phi_949_;
+                            phi_950_ = _e636;
                         } else {
-                            phi_830_ = true;
+                            phi_950_ = true;
                         }
-                        let _e547 = phi_830_;
-                        if _e547 {
-                            let _e549 = params.member.member_1;
-                            if ((_e549 & 2u) != 0u) {
-                                let _e554 = local_8.member[0u];
-                                let _e556 = bodies.member[_e554];
-                                let _e559 = local_9.member[0u];
-                                let _e561 = bodies.member[_e559];
-                                if ((_e556 / 2u) == (_e561 / 2u)) {
-                                    let _e566 = params.member.member_1;
-                                    phi_876_ = !(((_e566 & 4u) != 0u));
+                        let _e638 = phi_950_;
+                        if _e638 {
+                            let _e640 = params.member.member_1;
+                            if ((_e640 & 2u) != 0u) {
+                                let _e645 = local_16.member[0u];
+                                let _e647 = bodies.member[_e645];
+                                let _e650 = local_17.member[0u];
+                                let _e652 = bodies.member[_e650];
+                                if ((_e647 / 2u) == (_e652 / 2u)) {
+                                    let _e657 = params.member.member_1;
+                                    phi_996_ = !(((_e657 & 4u) != 0u));
                                 } else {
-                                    phi_876_ = false;
+                                    phi_996_ = false;
                                 }
-                                let _e571 = phi_876_;
-                                if _e571 {
-                                    phi_887_ = true;
+                                let _e662 = phi_996_;
+                                if _e662 {
+                                    phi_1007_ = true;
                                 } else {
-                                    if (((_e556 & _e561) & 1u) == 0u) {
-                                        phi_886_ = false;
+                                    if (((_e647 & _e652) & 1u) == 0u) {
+                                        phi_1006_ = false;
                                     } else {
-                                        phi_886_ = true;
+                                        phi_1006_ = true;
                                     }
-                                    let _e576 = phi_886_;
-                                    phi_887_ = _e576;
+                                    let _e667 = phi_1006_;
+                                    phi_1007_ = _e667;
                                 }
-                                let _e578 = phi_887_;
-                                if _e578 {
-                                    phi_891_ = false;
+                                let _e669 = phi_1007_;
+                                if _e669 {
+                                    phi_1011_ = false;
                                 } else {
-                                    phi_891_ = true;
+                                    phi_1011_ = true;
                                 }
-                                let _e580 = phi_891_;
-                                phi_892_ = _e580;
+                                let _e671 = phi_1011_;
+                                phi_1012_ = _e671;
                             } else {
-                                phi_892_ = true;
+                                phi_1012_ = true;
                             }
-                            let _e582 = phi_892_;
-                            if _e582 {
-                                let _e584 = params.member.member_1;
-                                if ((_e584 & 32u) != 0u) {
-                                    let _e588 = params.member.member_6;
-                                    let _e629 = (((((((_e463.member_1[0] - _e465.member[0]) > _e588) && ((_e465.member_1[0] - _e463.member[0]) > _e588)) && ((_e463.member_1[1] - _e465.member[1]) > _e588)) && ((_e465.member_1[1] - _e463.member[1]) > _e588)) && ((_e463.member_1[2] - _e465.member[2]) > _e588)) && ((_e465.member_1[2] - _e463.member[2]) > _e588));
-                                    if _e629 {
-                                        phi_1641_ = bool();
+                            let _e673 = phi_1012_;
+                            if _e673 {
+                                let _e675 = params.member.member_1;
+                                if ((_e675 & 32u) != 0u) {
+                                    let _e679 = params.member.member_6;
+                                    let _e720 = (((((((_e554.member_1[0] - _e556.member[0]) > _e679) && ((_e556.member_1[0] - _e554.member[0]) > _e679)) && ((_e554.member_1[1] - _e556.member[1]) > _e679)) && ((_e556.member_1[1] - _e554.member[1]) > _e679)) && ((_e554.member_1[2] - _e556.member[2]) > _e679)) && ((_e556.member_1[2] - _e554.member[2]) > _e679));
+                                    if _e720 {
+                                        phi_1761_ = bool();
                                     } else {
-                                        phi_941_ = type_37(0u, 3u);
-                                        phi_944_ = true;
+                                        phi_1061_ = type_35(0u, 3u);
+                                        phi_1064_ = true;
                                         loop {
-                                            let _e633 = phi_941_;
-                                            let _e635 = phi_944_;
-                                            local_22 = _e635;
-                                            if (_e633.member < _e633.member_1) {
-                                                phi_942_ = type_37((_e633.member + 1u), _e633.member_1);
-                                                phi_967_ = type_37(1u, _e633.member);
+                                            let _e724 = phi_1061_;
+                                            let _e726 = phi_1064_;
+                                            local_45 = _e726;
+                                            if (_e724.member < _e724.member_1) {
+                                                phi_1062_ = type_35((_e724.member + 1u), _e724.member_1);
+                                                phi_1087_ = type_35(1u, _e724.member);
                                             } else {
-                                                phi_942_ = _e633;
-                                                phi_967_ = type_37(0u, type_37().member_1);
+                                                phi_1062_ = _e724;
+                                                phi_1087_ = type_35(0u, type_35().member_1);
                                             }
-                                            let _e649 = phi_942_;
-                                            let _e651 = phi_967_;
-                                            let _e655 = (bitcast<i32>(_e651.member) != 0i);
-                                            if _e655 {
-                                                let _e657 = local_8.member[0u];
-                                                let _e659 = keys.member[_e657];
-                                                local_6 = array<array<u32, 2>, 6>(array<u32, 2>(_e659[0][0], _e659[0][1]), array<u32, 2>(_e659[1][0], _e659[1][1]), array<u32, 2>(_e659[2][0], _e659[2][1]), array<u32, 2>(_e659[3][0], _e659[3][1]), array<u32, 2>(_e659[4][0], _e659[4][1]), array<u32, 2>(_e659[5][0], _e659[5][1]));
-                                                if (_e651.member_1 < 6u) {
+                                            let _e740 = phi_1062_;
+                                            let _e742 = phi_1087_;
+                                            let _e746 = (bitcast<i32>(_e742.member) != 0i);
+                                            if _e746 {
+                                                let _e748 = local_16.member[0u];
+                                                let _e750 = keys.member[_e748];
+                                                local_14 = array<array<u32, 2>, 6>(array<u32, 2>(_e750[0][0], _e750[0][1]), array<u32, 2>(_e750[1][0], _e750[1][1]), array<u32, 2>(_e750[2][0], _e750[2][1]), array<u32, 2>(_e750[3][0], _e750[3][1]), array<u32, 2>(_e750[4][0], _e750[4][1]), array<u32, 2>(_e750[5][0], _e750[5][1]));
+                                                if (_e742.member_1 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e687 = local_6[_e651.member_1];
-                                                phi_1024_ = type_37(1u, 3u);
-                                                phi_1027_ = array<u32, 2>(_e687[0], _e687[1]);
+                                                let _e778 = local_14[_e742.member_1];
+                                                phi_1144_ = type_35(1u, 3u);
+                                                phi_1147_ = array<u32, 2>(_e778[0], _e778[1]);
                                                 loop {
-                                                    let _e692 = phi_1024_;
-                                                    let _e694 = phi_1027_;
-                                                    local_10 = _e694;
-                                                    local_12 = _e694;
-                                                    local_14 = _e694;
-                                                    if (_e692.member < _e692.member_1) {
-                                                        phi_1025_ = type_37((_e692.member + 1u), _e692.member_1);
-                                                        phi_1050_ = type_37(1u, _e692.member);
+                                                    let _e783 = phi_1144_;
+                                                    let _e785 = phi_1147_;
+                                                    local_20 = _e785;
+                                                    local_22 = _e785;
+                                                    local_24 = _e785;
+                                                    if (_e783.member < _e783.member_1) {
+                                                        phi_1145_ = type_35((_e783.member + 1u), _e783.member_1);
+                                                        phi_1170_ = type_35(1u, _e783.member);
                                                     } else {
-                                                        phi_1025_ = _e692;
-                                                        phi_1050_ = type_37(0u, type_37().member_1);
+                                                        phi_1145_ = _e783;
+                                                        phi_1170_ = type_35(0u, type_35().member_1);
                                                     }
-                                                    let _e708 = phi_1025_;
-                                                    let _e710 = phi_1050_;
-                                                    let _e714 = (bitcast<i32>(_e710.member) != 0i);
-                                                    if _e714 {
-                                                        if (_e710.member_1 < 3u) {
+                                                    let _e799 = phi_1145_;
+                                                    let _e801 = phi_1170_;
+                                                    let _e805 = (bitcast<i32>(_e801.member) != 0i);
+                                                    if _e805 {
+                                                        if (_e801.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e717 = local_8.member[_e710.member_1];
-                                                        let _e719 = keys.member[_e717];
-                                                        local_7 = array<array<u32, 2>, 6>(array<u32, 2>(_e719[0][0], _e719[0][1]), array<u32, 2>(_e719[1][0], _e719[1][1]), array<u32, 2>(_e719[2][0], _e719[2][1]), array<u32, 2>(_e719[3][0], _e719[3][1]), array<u32, 2>(_e719[4][0], _e719[4][1]), array<u32, 2>(_e719[5][0], _e719[5][1]));
-                                                        if (_e651.member_1 < 6u) {
+                                                        let _e808 = local_16.member[_e801.member_1];
+                                                        let _e810 = keys.member[_e808];
+                                                        local_15 = array<array<u32, 2>, 6>(array<u32, 2>(_e810[0][0], _e810[0][1]), array<u32, 2>(_e810[1][0], _e810[1][1]), array<u32, 2>(_e810[2][0], _e810[2][1]), array<u32, 2>(_e810[3][0], _e810[3][1]), array<u32, 2>(_e810[4][0], _e810[4][1]), array<u32, 2>(_e810[5][0], _e810[5][1]));
+                                                        if (_e742.member_1 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e747 = local_7[_e651.member_1];
-                                                        if (_e694[1] > _e747[1]) {
-                                                            phi_1126_ = true;
+                                                        let _e838 = local_15[_e742.member_1];
+                                                        if (_e785[1] > _e838[1]) {
+                                                            phi_1246_ = true;
                                                         } else {
-                                                            if (_e694[1] == _e747[1]) {
-                                                                phi_1125_ = (_e694[0] > _e747[0]);
+                                                            if (_e785[1] == _e838[1]) {
+                                                                phi_1245_ = (_e785[0] > _e838[0]);
                                                             } else {
-                                                                phi_1125_ = false;
+                                                                phi_1245_ = false;
                                                             }
-                                                            let _e758 = phi_1125_;
-                                                            phi_1126_ = _e758;
+                                                            let _e849 = phi_1245_;
+                                                            phi_1246_ = _e849;
                                                         }
-                                                        let _e760 = phi_1126_;
-                                                        if _e760 {
-                                                            phi_1130_ = array<u32, 2>(_e747[0], _e747[1]);
+                                                        let _e851 = phi_1246_;
+                                                        if _e851 {
+                                                            phi_1250_ = array<u32, 2>(_e838[0], _e838[1]);
                                                         } else {
-                                                            phi_1130_ = _e694;
+                                                            phi_1250_ = _e785;
                                                         }
-                                                        let _e762 = phi_1130_;
-                                                        phi_1028_ = _e762;
+                                                        let _e853 = phi_1250_;
+                                                        phi_1148_ = _e853;
                                                     } else {
-                                                        phi_1028_ = array<u32, 2>();
+                                                        phi_1148_ = array<u32, 2>();
                                                     }
-                                                    let _e764 = phi_1028_;
+                                                    let _e855 = phi_1148_;
                                                     continue;
                                                     continuing {
-                                                        phi_1024_ = _e708;
-                                                        phi_1027_ = _e764;
-                                                        break if !(_e714);
+                                                        phi_1144_ = _e799;
+                                                        phi_1147_ = _e855;
+                                                        break if !(_e805);
                                                     }
                                                 }
-                                                let _e767 = local_9.member[0u];
-                                                let _e769 = keys.member[_e767];
-                                                local_4 = array<array<u32, 2>, 6>(array<u32, 2>(_e769[0][0], _e769[0][1]), array<u32, 2>(_e769[1][0], _e769[1][1]), array<u32, 2>(_e769[2][0], _e769[2][1]), array<u32, 2>(_e769[3][0], _e769[3][1]), array<u32, 2>(_e769[4][0], _e769[4][1]), array<u32, 2>(_e769[5][0], _e769[5][1]));
-                                                let _e795 = (3u + _e651.member_1);
-                                                if (_e795 < 6u) {
+                                                let _e858 = local_17.member[0u];
+                                                let _e860 = keys.member[_e858];
+                                                local_12 = array<array<u32, 2>, 6>(array<u32, 2>(_e860[0][0], _e860[0][1]), array<u32, 2>(_e860[1][0], _e860[1][1]), array<u32, 2>(_e860[2][0], _e860[2][1]), array<u32, 2>(_e860[3][0], _e860[3][1]), array<u32, 2>(_e860[4][0], _e860[4][1]), array<u32, 2>(_e860[5][0], _e860[5][1]));
+                                                let _e886 = (3u + _e742.member_1);
+                                                if (_e886 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e798 = local_4[_e795];
-                                                phi_1181_ = type_37(1u, 3u);
-                                                phi_1184_ = array<u32, 2>(_e798[0], _e798[1]);
+                                                let _e889 = local_12[_e886];
+                                                phi_1301_ = type_35(1u, 3u);
+                                                phi_1304_ = array<u32, 2>(_e889[0], _e889[1]);
                                                 loop {
-                                                    let _e803 = phi_1181_;
-                                                    let _e805 = phi_1184_;
-                                                    local_11 = _e805;
-                                                    local_13 = _e805;
-                                                    local_15 = _e805;
-                                                    if (_e803.member < _e803.member_1) {
-                                                        phi_1182_ = type_37((_e803.member + 1u), _e803.member_1);
-                                                        phi_1207_ = type_37(1u, _e803.member);
+                                                    let _e894 = phi_1301_;
+                                                    let _e896 = phi_1304_;
+                                                    local_21 = _e896;
+                                                    local_23 = _e896;
+                                                    local_25 = _e896;
+                                                    if (_e894.member < _e894.member_1) {
+                                                        phi_1302_ = type_35((_e894.member + 1u), _e894.member_1);
+                                                        phi_1327_ = type_35(1u, _e894.member);
                                                     } else {
-                                                        phi_1182_ = _e803;
-                                                        phi_1207_ = type_37(0u, type_37().member_1);
+                                                        phi_1302_ = _e894;
+                                                        phi_1327_ = type_35(0u, type_35().member_1);
                                                     }
-                                                    let _e819 = phi_1182_;
-                                                    let _e821 = phi_1207_;
-                                                    let _e825 = (bitcast<i32>(_e821.member) != 0i);
-                                                    if _e825 {
-                                                        if (_e821.member_1 < 3u) {
+                                                    let _e910 = phi_1302_;
+                                                    let _e912 = phi_1327_;
+                                                    let _e916 = (bitcast<i32>(_e912.member) != 0i);
+                                                    if _e916 {
+                                                        if (_e912.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e828 = local_9.member[_e821.member_1];
-                                                        let _e830 = keys.member[_e828];
-                                                        local_5 = array<array<u32, 2>, 6>(array<u32, 2>(_e830[0][0], _e830[0][1]), array<u32, 2>(_e830[1][0], _e830[1][1]), array<u32, 2>(_e830[2][0], _e830[2][1]), array<u32, 2>(_e830[3][0], _e830[3][1]), array<u32, 2>(_e830[4][0], _e830[4][1]), array<u32, 2>(_e830[5][0], _e830[5][1]));
-                                                        let _e856 = (3u + _e651.member_1);
-                                                        if (_e856 < 6u) {
+                                                        let _e919 = local_17.member[_e912.member_1];
+                                                        let _e921 = keys.member[_e919];
+                                                        local_13 = array<array<u32, 2>, 6>(array<u32, 2>(_e921[0][0], _e921[0][1]), array<u32, 2>(_e921[1][0], _e921[1][1]), array<u32, 2>(_e921[2][0], _e921[2][1]), array<u32, 2>(_e921[3][0], _e921[3][1]), array<u32, 2>(_e921[4][0], _e921[4][1]), array<u32, 2>(_e921[5][0], _e921[5][1]));
+                                                        let _e947 = (3u + _e742.member_1);
+                                                        if (_e947 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e859 = local_5[_e856];
-                                                        if (_e859[1] > _e805[1]) {
-                                                            phi_1284_ = true;
+                                                        let _e950 = local_13[_e947];
+                                                        if (_e950[1] > _e896[1]) {
+                                                            phi_1404_ = true;
                                                         } else {
-                                                            if (_e859[1] == _e805[1]) {
-                                                                phi_1283_ = (_e859[0] > _e805[0]);
+                                                            if (_e950[1] == _e896[1]) {
+                                                                phi_1403_ = (_e950[0] > _e896[0]);
                                                             } else {
-                                                                phi_1283_ = false;
+                                                                phi_1403_ = false;
                                                             }
-                                                            let _e870 = phi_1283_;
-                                                            phi_1284_ = _e870;
+                                                            let _e961 = phi_1403_;
+                                                            phi_1404_ = _e961;
                                                         }
-                                                        let _e872 = phi_1284_;
-                                                        if _e872 {
-                                                            phi_1288_ = array<u32, 2>(_e859[0], _e859[1]);
+                                                        let _e963 = phi_1404_;
+                                                        if _e963 {
+                                                            phi_1408_ = array<u32, 2>(_e950[0], _e950[1]);
                                                         } else {
-                                                            phi_1288_ = _e805;
+                                                            phi_1408_ = _e896;
                                                         }
-                                                        let _e874 = phi_1288_;
-                                                        phi_1185_ = _e874;
+                                                        let _e965 = phi_1408_;
+                                                        phi_1305_ = _e965;
                                                     } else {
-                                                        phi_1185_ = array<u32, 2>();
+                                                        phi_1305_ = array<u32, 2>();
                                                     }
-                                                    let _e876 = phi_1185_;
+                                                    let _e967 = phi_1305_;
                                                     continue;
                                                     continuing {
-                                                        phi_1181_ = _e819;
-                                                        phi_1184_ = _e876;
-                                                        break if !(_e825);
+                                                        phi_1301_ = _e910;
+                                                        phi_1304_ = _e967;
+                                                        break if !(_e916);
                                                     }
                                                 }
-                                                let _e879 = local_10;
-                                                let _e882 = local_11;
-                                                if (_e879[1] > _e882[1]) {
-                                                    phi_1305_ = true;
+                                                let _e970 = local_20;
+                                                let _e973 = local_21;
+                                                if (_e970[1] > _e973[1]) {
+                                                    phi_1425_ = true;
                                                 } else {
-                                                    let _e886 = local_12;
-                                                    let _e889 = local_13;
-                                                    if (_e886[1] == _e889[1]) {
-                                                        let _e893 = local_14;
-                                                        let _e896 = local_15;
-                                                        phi_1304_ = (_e893[0] > _e896[0]);
+                                                    let _e977 = local_22;
+                                                    let _e980 = local_23;
+                                                    if (_e977[1] == _e980[1]) {
+                                                        let _e984 = local_24;
+                                                        let _e987 = local_25;
+                                                        phi_1424_ = (_e984[0] > _e987[0]);
                                                     } else {
-                                                        phi_1304_ = false;
+                                                        phi_1424_ = false;
                                                     }
-                                                    let _e900 = phi_1304_;
-                                                    phi_1305_ = _e900;
+                                                    let _e991 = phi_1424_;
+                                                    phi_1425_ = _e991;
                                                 }
-                                                let _e902 = phi_1305_;
-                                                let _e905 = local_9.member[0u];
-                                                let _e907 = keys.member[_e905];
-                                                local_2 = array<array<u32, 2>, 6>(array<u32, 2>(_e907[0][0], _e907[0][1]), array<u32, 2>(_e907[1][0], _e907[1][1]), array<u32, 2>(_e907[2][0], _e907[2][1]), array<u32, 2>(_e907[3][0], _e907[3][1]), array<u32, 2>(_e907[4][0], _e907[4][1]), array<u32, 2>(_e907[5][0], _e907[5][1]));
-                                                if (_e651.member_1 < 6u) {
+                                                let _e993 = phi_1425_;
+                                                let _e996 = local_17.member[0u];
+                                                let _e998 = keys.member[_e996];
+                                                local_10 = array<array<u32, 2>, 6>(array<u32, 2>(_e998[0][0], _e998[0][1]), array<u32, 2>(_e998[1][0], _e998[1][1]), array<u32, 2>(_e998[2][0], _e998[2][1]), array<u32, 2>(_e998[3][0], _e998[3][1]), array<u32, 2>(_e998[4][0], _e998[4][1]), array<u32, 2>(_e998[5][0], _e998[5][1]));
+                                                if (_e742.member_1 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e935 = local_2[_e651.member_1];
-                                                phi_1356_ = type_37(1u, 3u);
-                                                phi_1359_ = array<u32, 2>(_e935[0], _e935[1]);
+                                                let _e1026 = local_10[_e742.member_1];
+                                                phi_1476_ = type_35(1u, 3u);
+                                                phi_1479_ = array<u32, 2>(_e1026[0], _e1026[1]);
                                                 loop {
-                                                    let _e940 = phi_1356_;
-                                                    let _e942 = phi_1359_;
-                                                    local_16 = _e942;
-                                                    local_18 = _e942;
-                                                    local_20 = _e942;
-                                                    if (_e940.member < _e940.member_1) {
-                                                        phi_1357_ = type_37((_e940.member + 1u), _e940.member_1);
-                                                        phi_1382_ = type_37(1u, _e940.member);
+                                                    let _e1031 = phi_1476_;
+                                                    let _e1033 = phi_1479_;
+                                                    local_26 = _e1033;
+                                                    local_28 = _e1033;
+                                                    local_30 = _e1033;
+                                                    if (_e1031.member < _e1031.member_1) {
+                                                        phi_1477_ = type_35((_e1031.member + 1u), _e1031.member_1);
+                                                        phi_1502_ = type_35(1u, _e1031.member);
                                                     } else {
-                                                        phi_1357_ = _e940;
-                                                        phi_1382_ = type_37(0u, type_37().member_1);
+                                                        phi_1477_ = _e1031;
+                                                        phi_1502_ = type_35(0u, type_35().member_1);
                                                     }
-                                                    let _e956 = phi_1357_;
-                                                    let _e958 = phi_1382_;
-                                                    let _e962 = (bitcast<i32>(_e958.member) != 0i);
-                                                    if _e962 {
-                                                        if (_e958.member_1 < 3u) {
+                                                    let _e1047 = phi_1477_;
+                                                    let _e1049 = phi_1502_;
+                                                    let _e1053 = (bitcast<i32>(_e1049.member) != 0i);
+                                                    if _e1053 {
+                                                        if (_e1049.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e965 = local_9.member[_e958.member_1];
-                                                        let _e967 = keys.member[_e965];
-                                                        local_3 = array<array<u32, 2>, 6>(array<u32, 2>(_e967[0][0], _e967[0][1]), array<u32, 2>(_e967[1][0], _e967[1][1]), array<u32, 2>(_e967[2][0], _e967[2][1]), array<u32, 2>(_e967[3][0], _e967[3][1]), array<u32, 2>(_e967[4][0], _e967[4][1]), array<u32, 2>(_e967[5][0], _e967[5][1]));
-                                                        if (_e651.member_1 < 6u) {
+                                                        let _e1056 = local_17.member[_e1049.member_1];
+                                                        let _e1058 = keys.member[_e1056];
+                                                        local_11 = array<array<u32, 2>, 6>(array<u32, 2>(_e1058[0][0], _e1058[0][1]), array<u32, 2>(_e1058[1][0], _e1058[1][1]), array<u32, 2>(_e1058[2][0], _e1058[2][1]), array<u32, 2>(_e1058[3][0], _e1058[3][1]), array<u32, 2>(_e1058[4][0], _e1058[4][1]), array<u32, 2>(_e1058[5][0], _e1058[5][1]));
+                                                        if (_e742.member_1 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e995 = local_3[_e651.member_1];
-                                                        if (_e942[1] > _e995[1]) {
-                                                            phi_1458_ = true;
+                                                        let _e1086 = local_11[_e742.member_1];
+                                                        if (_e1033[1] > _e1086[1]) {
+                                                            phi_1578_ = true;
                                                         } else {
-                                                            if (_e942[1] == _e995[1]) {
-                                                                phi_1457_ = (_e942[0] > _e995[0]);
+                                                            if (_e1033[1] == _e1086[1]) {
+                                                                phi_1577_ = (_e1033[0] > _e1086[0]);
                                                             } else {
-                                                                phi_1457_ = false;
+                                                                phi_1577_ = false;
                                                             }
-                                                            let _e1006 = phi_1457_;
-                                                            phi_1458_ = _e1006;
+                                                            let _e1097 = phi_1577_;
+                                                            phi_1578_ = _e1097;
                                                         }
-                                                        let _e1008 = phi_1458_;
-                                                        if _e1008 {
-                                                            phi_1462_ = array<u32, 2>(_e995[0], _e995[1]);
+                                                        let _e1099 = phi_1578_;
+                                                        if _e1099 {
+                                                            phi_1582_ = array<u32, 2>(_e1086[0], _e1086[1]);
                                                         } else {
-                                                            phi_1462_ = _e942;
+                                                            phi_1582_ = _e1033;
                                                         }
-                                                        let _e1010 = phi_1462_;
-                                                        phi_1360_ = _e1010;
+                                                        let _e1101 = phi_1582_;
+                                                        phi_1480_ = _e1101;
                                                     } else {
-                                                        phi_1360_ = array<u32, 2>();
+                                                        phi_1480_ = array<u32, 2>();
                                                     }
-                                                    let _e1012 = phi_1360_;
+                                                    let _e1103 = phi_1480_;
                                                     continue;
                                                     continuing {
-                                                        phi_1356_ = _e956;
-                                                        phi_1359_ = _e1012;
-                                                        break if !(_e962);
+                                                        phi_1476_ = _e1047;
+                                                        phi_1479_ = _e1103;
+                                                        break if !(_e1053);
                                                     }
                                                 }
-                                                let _e1015 = local_8.member[0u];
-                                                let _e1017 = keys.member[_e1015];
-                                                local = array<array<u32, 2>, 6>(array<u32, 2>(_e1017[0][0], _e1017[0][1]), array<u32, 2>(_e1017[1][0], _e1017[1][1]), array<u32, 2>(_e1017[2][0], _e1017[2][1]), array<u32, 2>(_e1017[3][0], _e1017[3][1]), array<u32, 2>(_e1017[4][0], _e1017[4][1]), array<u32, 2>(_e1017[5][0], _e1017[5][1]));
-                                                let _e1043 = (3u + _e651.member_1);
-                                                if (_e1043 < 6u) {
+                                                let _e1106 = local_16.member[0u];
+                                                let _e1108 = keys.member[_e1106];
+                                                local_8 = array<array<u32, 2>, 6>(array<u32, 2>(_e1108[0][0], _e1108[0][1]), array<u32, 2>(_e1108[1][0], _e1108[1][1]), array<u32, 2>(_e1108[2][0], _e1108[2][1]), array<u32, 2>(_e1108[3][0], _e1108[3][1]), array<u32, 2>(_e1108[4][0], _e1108[4][1]), array<u32, 2>(_e1108[5][0], _e1108[5][1]));
+                                                let _e1134 = (3u + _e742.member_1);
+                                                if (_e1134 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1046 = local[_e1043];
-                                                phi_1513_ = type_37(1u, 3u);
-                                                phi_1516_ = array<u32, 2>(_e1046[0], _e1046[1]);
+                                                let _e1137 = local_8[_e1134];
+                                                phi_1633_ = type_35(1u, 3u);
+                                                phi_1636_ = array<u32, 2>(_e1137[0], _e1137[1]);
                                                 loop {
-                                                    let _e1051 = phi_1513_;
-                                                    let _e1053 = phi_1516_;
-                                                    local_17 = _e1053;
-                                                    local_19 = _e1053;
-                                                    local_21 = _e1053;
-                                                    if (_e1051.member < _e1051.member_1) {
-                                                        phi_1514_ = type_37((_e1051.member + 1u), _e1051.member_1);
-                                                        phi_1539_ = type_37(1u, _e1051.member);
+                                                    let _e1142 = phi_1633_;
+                                                    let _e1144 = phi_1636_;
+                                                    local_27 = _e1144;
+                                                    local_29 = _e1144;
+                                                    local_31 = _e1144;
+                                                    if (_e1142.member < _e1142.member_1) {
+                                                        phi_1634_ = type_35((_e1142.member + 1u), _e1142.member_1);
+                                                        phi_1659_ = type_35(1u, _e1142.member);
                                                     } else {
-                                                        phi_1514_ = _e1051;
-                                                        phi_1539_ = type_37(0u, type_37().member_1);
+                                                        phi_1634_ = _e1142;
+                                                        phi_1659_ = type_35(0u, type_35().member_1);
                                                     }
-                                                    let _e1067 = phi_1514_;
-                                                    let _e1069 = phi_1539_;
-                                                    let _e1073 = (bitcast<i32>(_e1069.member) != 0i);
-                                                    if _e1073 {
-                                                        if (_e1069.member_1 < 3u) {
+                                                    let _e1158 = phi_1634_;
+                                                    let _e1160 = phi_1659_;
+                                                    let _e1164 = (bitcast<i32>(_e1160.member) != 0i);
+                                                    if _e1164 {
+                                                        if (_e1160.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1076 = local_8.member[_e1069.member_1];
-                                                        let _e1078 = keys.member[_e1076];
-                                                        local_1 = array<array<u32, 2>, 6>(array<u32, 2>(_e1078[0][0], _e1078[0][1]), array<u32, 2>(_e1078[1][0], _e1078[1][1]), array<u32, 2>(_e1078[2][0], _e1078[2][1]), array<u32, 2>(_e1078[3][0], _e1078[3][1]), array<u32, 2>(_e1078[4][0], _e1078[4][1]), array<u32, 2>(_e1078[5][0], _e1078[5][1]));
-                                                        let _e1104 = (3u + _e651.member_1);
-                                                        if (_e1104 < 6u) {
+                                                        let _e1167 = local_16.member[_e1160.member_1];
+                                                        let _e1169 = keys.member[_e1167];
+                                                        local_9 = array<array<u32, 2>, 6>(array<u32, 2>(_e1169[0][0], _e1169[0][1]), array<u32, 2>(_e1169[1][0], _e1169[1][1]), array<u32, 2>(_e1169[2][0], _e1169[2][1]), array<u32, 2>(_e1169[3][0], _e1169[3][1]), array<u32, 2>(_e1169[4][0], _e1169[4][1]), array<u32, 2>(_e1169[5][0], _e1169[5][1]));
+                                                        let _e1195 = (3u + _e742.member_1);
+                                                        if (_e1195 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1107 = local_1[_e1104];
-                                                        if (_e1107[1] > _e1053[1]) {
-                                                            phi_1616_ = true;
+                                                        let _e1198 = local_9[_e1195];
+                                                        if (_e1198[1] > _e1144[1]) {
+                                                            phi_1736_ = true;
                                                         } else {
-                                                            if (_e1107[1] == _e1053[1]) {
-                                                                phi_1615_ = (_e1107[0] > _e1053[0]);
+                                                            if (_e1198[1] == _e1144[1]) {
+                                                                phi_1735_ = (_e1198[0] > _e1144[0]);
                                                             } else {
-                                                                phi_1615_ = false;
+                                                                phi_1735_ = false;
                                                             }
-                                                            let _e1118 = phi_1615_;
-                                                            phi_1616_ = _e1118;
+                                                            let _e1209 = phi_1735_;
+                                                            phi_1736_ = _e1209;
                                                         }
-                                                        let _e1120 = phi_1616_;
-                                                        if _e1120 {
-                                                            phi_1620_ = array<u32, 2>(_e1107[0], _e1107[1]);
+                                                        let _e1211 = phi_1736_;
+                                                        if _e1211 {
+                                                            phi_1740_ = array<u32, 2>(_e1198[0], _e1198[1]);
                                                         } else {
-                                                            phi_1620_ = _e1053;
+                                                            phi_1740_ = _e1144;
                                                         }
-                                                        let _e1122 = phi_1620_;
-                                                        phi_1517_ = _e1122;
+                                                        let _e1213 = phi_1740_;
+                                                        phi_1637_ = _e1213;
                                                     } else {
-                                                        phi_1517_ = array<u32, 2>();
+                                                        phi_1637_ = array<u32, 2>();
                                                     }
-                                                    let _e1124 = phi_1517_;
+                                                    let _e1215 = phi_1637_;
                                                     continue;
                                                     continuing {
-                                                        phi_1513_ = _e1067;
-                                                        phi_1516_ = _e1124;
-                                                        break if !(_e1073);
+                                                        phi_1633_ = _e1158;
+                                                        phi_1636_ = _e1215;
+                                                        break if !(_e1164);
                                                     }
                                                 }
-                                                let _e1127 = local_16;
-                                                let _e1130 = local_17;
-                                                if (_e1127[1] > _e1130[1]) {
-                                                    phi_1637_ = true;
+                                                let _e1218 = local_26;
+                                                let _e1221 = local_27;
+                                                if (_e1218[1] > _e1221[1]) {
+                                                    phi_1757_ = true;
                                                 } else {
-                                                    let _e1134 = local_18;
-                                                    let _e1137 = local_19;
-                                                    if (_e1134[1] == _e1137[1]) {
-                                                        let _e1141 = local_20;
-                                                        let _e1144 = local_21;
-                                                        phi_1636_ = (_e1141[0] > _e1144[0]);
+                                                    let _e1225 = local_28;
+                                                    let _e1228 = local_29;
+                                                    if (_e1225[1] == _e1228[1]) {
+                                                        let _e1232 = local_30;
+                                                        let _e1235 = local_31;
+                                                        phi_1756_ = (_e1232[0] > _e1235[0]);
                                                     } else {
-                                                        phi_1636_ = false;
+                                                        phi_1756_ = false;
                                                     }
-                                                    let _e1148 = phi_1636_;
-                                                    phi_1637_ = _e1148;
+                                                    let _e1239 = phi_1756_;
+                                                    phi_1757_ = _e1239;
                                                 }
-                                                let _e1150 = phi_1637_;
-                                                phi_945_ = (_e635 && (!(_e902) && !(_e1150)));
+                                                let _e1241 = phi_1757_;
+                                                phi_1065_ = (_e726 && (!(_e993) && !(_e1241)));
                                             } else {
-                                                phi_945_ = bool();
+                                                phi_1065_ = bool();
                                             }
-                                            let _e1155 = phi_945_;
+                                            let _e1246 = phi_1065_;
                                             continue;
                                             continuing {
-                                                phi_941_ = _e649;
-                                                phi_944_ = _e1155;
-                                                break if !(_e655);
+                                                phi_1061_ = _e740;
+                                                phi_1064_ = _e1246;
+                                                break if !(_e746);
                                             }
                                         }
-                                        let _e1405 = local_22;
-                                        phi_1641_ = _e1405;
+                                        let _e2306 = local_45;
+                                        phi_1761_ = _e2306;
                                     }
-                                    let _e1158 = phi_1641_;
-                                    phi_1642_ = _e1158;
-                                    phi_1643_ = _e629;
+                                    let _e1249 = phi_1761_;
+                                    phi_1762_ = _e1249;
+                                    phi_1763_ = _e720;
                                 } else {
-                                    phi_1642_ = bool();
-                                    phi_1643_ = true;
+                                    phi_1762_ = bool();
+                                    phi_1763_ = true;
                                 }
-                                let _e1160 = phi_1642_;
-                                let _e1162 = phi_1643_;
-                                if _e1162 {
-                                    phi_1647_ = false;
+                                let _e1251 = phi_1762_;
+                                let _e1253 = phi_1763_;
+                                if _e1253 {
+                                    phi_1767_ = false;
                                 } else {
-                                    phi_1647_ = true;
+                                    phi_1767_ = true;
                                 }
-                                let _e1164 = phi_1647_;
-                                phi_1648_ = _e1160;
-                                phi_1649_ = _e1164;
+                                let _e1255 = phi_1767_;
+                                phi_1768_ = _e1251;
+                                phi_1769_ = _e1255;
                             } else {
-                                phi_1648_ = false;
-                                phi_1649_ = true;
+                                phi_1768_ = false;
+                                phi_1769_ = true;
                             }
-                            let _e1166 = phi_1648_;
-                            let _e1168 = phi_1649_;
-                            phi_1650_ = _e1166;
-                            phi_1651_ = _e1168;
+                            let _e1257 = phi_1768_;
+                            let _e1259 = phi_1769_;
+                            phi_1770_ = _e1257;
+                            phi_1771_ = _e1259;
                         } else {
-                            phi_1650_ = false;
-                            phi_1651_ = true;
+                            phi_1770_ = false;
+                            phi_1771_ = true;
                         }
-                        let _e1170 = phi_1650_;
-                        let _e1172 = phi_1651_;
-                        if _e1172 {
-                            phi_1655_ = _e1170;
+                        let _e1261 = phi_1770_;
+                        let _e1263 = phi_1771_;
+                        if _e1263 {
+                            phi_1775_ = _e1261;
                         } else {
-                            phi_1655_ = true;
+                            phi_1775_ = true;
                         }
-                        let _e1174 = phi_1655_;
-                        if _e1174 {
-                            let _e1176 = atomicAdd((&counters[3u]), 1u);
-                            kept[_e1176] = _e424;
+                        let _e1265 = phi_1775_;
+                        if _e1265 {
+                            let _e1267 = params.member.member_16;
+                            let _e1270 = local_16.member_1;
+                            let _e1272 = local_17.member_1;
+                            if (_e112[0] == _e112[1]) {
+                                if (_e1270 < _e1272) {
+                                    phi_1795_ = type_35(_e1270, _e1272);
+                                } else {
+                                    phi_1795_ = type_35(_e1272, _e1270);
+                                }
+                                let _e1278 = phi_1795_;
+                                phi_1800_ = _e1278;
+                            } else {
+                                phi_1800_ = type_35(_e1270, _e1272);
+                            }
+                            let _e1280 = phi_1800_;
+                            let _e1284 = atomicAdd((&output.member[0u]), 1u);
+                            if (_e1284 < _e1267) {
+                                atomicStore((&output.member[(4u + (2u * _e1284))]), _e1280.member);
+                                atomicStore((&output.member[((2u * _e1284) + 5u)]), _e1280.member_1);
+                            }
+                            let _e1293 = atomicAdd((&output.member[1u]), 1u);
                         }
-                        phi_1663_ = (_e387 + 64u);
-                        phi_1664_ = true;
+                        phi_1822_ = (_e503 & (_e503 - 1u));
+                        phi_1823_ = true;
                     }
-                    let _e1180 = phi_1663_;
-                    let _e1182 = phi_1664_;
-                    phi_603_ = _e1180;
-                    phi_1665_ = _e1182;
+                    let _e1295 = phi_1822_;
+                    let _e1297 = phi_1823_;
+                    phi_768_ = _e1295;
+                    phi_1824_ = _e1297;
                 } else {
-                    phi_603_ = u32();
-                    phi_1665_ = false;
+                    phi_768_ = u32();
+                    phi_1824_ = false;
                 }
-                let _e1184 = phi_603_;
-                let _e1186 = phi_1665_;
+                let _e1299 = phi_768_;
+                let _e1301 = phi_1824_;
                 continue;
                 continuing {
-                    phi_599_ = _e416;
-                    phi_602_ = _e1184;
-                    break if !(_e1186);
+                    phi_764_ = _e517;
+                    phi_767_ = _e1299;
+                    break if !(_e1301);
                 }
             }
             workgroupBarrier();
-            if (_e66 == 0u) {
-                let _e1190 = atomicLoad((&counters[3u]));
-                if (_e1190 > 0u) {
-                    let _e1193 = atomicAdd((&output.member[0u]), _e1190);
-                    atomicStore((&counters[4u]), _e1193);
-                }
+            let _e1304 = atomicLoad((&counters[4u]));
+            if (1024u < _e1304) {
+                phi_1831_ = 1024u;
+            } else {
+                phi_1831_ = _e1304;
             }
-            workgroupBarrier();
-            let _e1196 = atomicLoad((&counters[4u]));
-            let _e1198 = atomicLoad((&counters[3u]));
-            phi_1686_ = type_35(0i, 16i);
-            phi_1689_ = _e66;
+            let _e1307 = phi_1831_;
+            phi_1834_ = type_35(0u, 8u);
             loop {
-                let _e1200 = phi_1686_;
-                let _e1202 = phi_1689_;
-                if (_e1200.member < _e1200.member_1) {
-                    let _e1210 = (_e1200.member + 1i);
-                    if ((false == (_e1210 > _e1200.member)) != false) {
-                        phi_1710_ = true;
-                    } else {
-                        phi_1710_ = false;
-                    }
-                    let _e1215 = phi_1710_;
-                    if _e1215 {
-                        phi_1716_ = type_36(0u, type_36().member_1);
-                    } else {
-                        phi_1716_ = type_36(1u, _e1210);
-                    }
-                    let _e1221 = phi_1716_;
-                    if (bitcast<i32>(_e1221.member) != 0i) {
-                    } else {
-                        return;
-                    }
-                    phi_1687_ = type_35(_e1221.member_1, _e1200.member_1);
-                    phi_1730_ = type_36(1u, _e1200.member);
+                let _e1309 = phi_1834_;
+                if (_e1309.member < _e1309.member_1) {
+                    phi_1835_ = type_35((_e1309.member + 1u), _e1309.member_1);
+                    phi_1858_ = type_35(1u, _e1309.member);
                 } else {
-                    phi_1687_ = _e1200;
-                    phi_1730_ = type_36(0u, type_36().member_1);
+                    phi_1835_ = _e1309;
+                    phi_1858_ = type_35(0u, type_35().member_1);
                 }
-                let _e1231 = phi_1687_;
-                let _e1233 = phi_1730_;
-                if (bitcast<i32>(_e1233.member) != 0i) {
-                    if (_e1202 >= _e1198) {
-                        phi_1838_ = u32();
-                        phi_1839_ = false;
+                let _e1323 = phi_1835_;
+                let _e1325 = phi_1858_;
+                if (bitcast<i32>(_e1325.member) != 0i) {
+                    let _e1331 = (_e83 + (_e1325.member_1 * 128u));
+                    if (_e1331 >= _e1307) {
+                        phi_2866_ = false;
                     } else {
-                        let _e1239 = kept[_e1202];
-                        if (_e86[0] < 4u) {
-                        } else {
-                            return;
-                        }
-                        let _e1249 = params.member.member_18[0u][_e86[0]];
-                        if (_e86[1] < 4u) {
-                        } else {
-                            return;
-                        }
-                        let _e1257 = params.member.member_18[0u][_e86[1]];
-                        let _e1260 = leaves.member[(_e1249 + ((_e165 * 32u) + (_e1239 >> bitcast<u32>(5i))))];
-                        let _e1263 = leaves.member[(_e1257 + ((_e168 * 32u) + (_e1239 & 31u)))];
-                        let _e1266 = params.member.member_8;
-                        if (_e1266 == 0u) {
-                            phi_1818_ = type_37(_e1260.member_1, _e1263.member_1);
-                        } else {
-                            if (_e1260.member_1 < _e1263.member_1) {
-                                phi_1814_ = type_37(_e1260.member_1, _e1263.member_1);
+                        let _e1334 = hits[_e1331];
+                        let _e1337 = ((_e1334 >> bitcast<u32>(10i)) & 3u);
+                        let _e1344 = firsts[(2u * _e1337)];
+                        let _e1345 = (_e1344 + ((_e1334 >> bitcast<u32>(5i)) & 31u));
+                        let _e1349 = firsts[((2u * _e1337) + 1u)];
+                        let _e1350 = (_e1349 + (_e1334 & 31u));
+                        let _e1352 = leaves.member[_e1345];
+                        let _e1354 = leaves.member[_e1350];
+                        local_18 = type_23(array<u32, 3>(_e1352.member[0], _e1352.member[1], _e1352.member[2]), _e1352.member_1);
+                        local_19 = type_23(array<u32, 3>(_e1354.member[0], _e1354.member[1], _e1354.member[2]), _e1354.member_1);
+                        let _e1370 = nodes.member[_e1345];
+                        let _e1372 = nodes.member[_e1350];
+                        let _e1374 = params.member.member_1;
+                        if ((_e1374 & 1u) != 0u) {
+                            let _e1378 = params.member.member_8;
+                            if (_e1378 == 0u) {
+                                let _e1422 = local_18.member[0u];
+                                let _e1425 = local_19.member[0u];
+                                if (_e1422 == _e1425) {
+                                    phi_1977_ = bool();
+                                    phi_1978_ = true;
+                                } else {
+                                    let _e1429 = local_18.member[0u];
+                                    let _e1432 = local_19.member[1u];
+                                    let _e1433 = (_e1429 == _e1432);
+                                    if _e1433 {
+                                        phi_1976_ = bool();
+                                    } else {
+                                        let _e1436 = local_18.member[0u];
+                                        let _e1439 = local_19.member[2u];
+                                        phi_1976_ = (_e1436 == _e1439);
+                                    }
+                                    let _e1442 = phi_1976_;
+                                    phi_1977_ = _e1442;
+                                    phi_1978_ = _e1433;
+                                }
+                                let _e1444 = phi_1977_;
+                                let _e1446 = phi_1978_;
+                                if _e1446 {
+                                    phi_1982_ = true;
+                                } else {
+                                    phi_1982_ = _e1444;
+                                }
+                                let _e1448 = phi_1982_;
+                                phi_2021_ = _e1448;
                             } else {
-                                phi_1814_ = type_37(_e1263.member_1, _e1260.member_1);
+                                let _e1382 = local_18.member[0u];
+                                let _e1385 = local_19.member[0u];
+                                if (_e1382 == _e1385) {
+                                    phi_2015_ = bool();
+                                    phi_2016_ = true;
+                                } else {
+                                    let _e1389 = local_18.member[0u];
+                                    let _e1392 = local_19.member[1u];
+                                    if (_e1389 == _e1392) {
+                                        phi_2013_ = bool();
+                                        phi_2014_ = true;
+                                    } else {
+                                        let _e1396 = local_18.member[1u];
+                                        let _e1399 = local_19.member[0u];
+                                        let _e1400 = (_e1396 == _e1399);
+                                        if _e1400 {
+                                            phi_2012_ = bool();
+                                        } else {
+                                            let _e1403 = local_18.member[1u];
+                                            let _e1406 = local_19.member[1u];
+                                            phi_2012_ = (_e1403 == _e1406);
+                                        }
+                                        let _e1409 = phi_2012_;
+                                        phi_2013_ = _e1409;
+                                        phi_2014_ = _e1400;
+                                    }
+                                    let _e1411 = phi_2013_;
+                                    let _e1413 = phi_2014_;
+                                    phi_2015_ = _e1411;
+                                    phi_2016_ = _e1413;
+                                }
+                                let _e1415 = phi_2015_;
+                                let _e1417 = phi_2016_;
+                                if _e1417 {
+                                    phi_2020_ = true;
+                                } else {
+                                    phi_2020_ = _e1415;
+                                }
+                                let _e1419 = phi_2020_;
+                                phi_2021_ = _e1419;
                             }
-                            let _e1272 = phi_1814_;
-                            phi_1818_ = _e1272;
+                            let _e1450 = phi_2021_;
+                            if _e1450 {
+                                phi_2025_ = false;
+                            } else {
+                                phi_2025_ = true;
+                            }
+                            let _e1452 = phi_2025_;
+                            phi_2026_ = _e1452;
+                        } else {
+                            phi_2026_ = true;
                         }
-                        let _e1275 = phi_1818_;
-                        let _e1277 = params.member.member_16;
-                        let _e1278 = (_e1196 + _e1202);
-                        if (_e1278 < _e1277) {
-                            atomicStore((&output.member[(4u + (2u * _e1278))]), _e1275.member);
-                            atomicStore((&output.member[((2u * _e1278) + 5u)]), _e1275.member_1);
+                        let _e1454 = phi_2026_;
+                        if _e1454 {
+                            let _e1456 = params.member.member_1;
+                            if ((_e1456 & 2u) != 0u) {
+                                let _e1461 = local_18.member[0u];
+                                let _e1463 = bodies.member[_e1461];
+                                let _e1466 = local_19.member[0u];
+                                let _e1468 = bodies.member[_e1466];
+                                if ((_e1463 / 2u) == (_e1468 / 2u)) {
+                                    let _e1473 = params.member.member_1;
+                                    phi_2072_ = !(((_e1473 & 4u) != 0u));
+                                } else {
+                                    phi_2072_ = false;
+                                }
+                                let _e1478 = phi_2072_;
+                                if _e1478 {
+                                    phi_2083_ = true;
+                                } else {
+                                    if (((_e1463 & _e1468) & 1u) == 0u) {
+                                        phi_2082_ = false;
+                                    } else {
+                                        phi_2082_ = true;
+                                    }
+                                    let _e1483 = phi_2082_;
+                                    phi_2083_ = _e1483;
+                                }
+                                let _e1485 = phi_2083_;
+                                if _e1485 {
+                                    phi_2087_ = false;
+                                } else {
+                                    phi_2087_ = true;
+                                }
+                                let _e1487 = phi_2087_;
+                                phi_2088_ = _e1487;
+                            } else {
+                                phi_2088_ = true;
+                            }
+                            let _e1489 = phi_2088_;
+                            if _e1489 {
+                                let _e1491 = params.member.member_1;
+                                if ((_e1491 & 32u) != 0u) {
+                                    let _e1495 = params.member.member_6;
+                                    let _e1536 = (((((((_e1370.member_1[0] - _e1372.member[0]) > _e1495) && ((_e1372.member_1[0] - _e1370.member[0]) > _e1495)) && ((_e1370.member_1[1] - _e1372.member[1]) > _e1495)) && ((_e1372.member_1[1] - _e1370.member[1]) > _e1495)) && ((_e1370.member_1[2] - _e1372.member[2]) > _e1495)) && ((_e1372.member_1[2] - _e1370.member[2]) > _e1495));
+                                    if _e1536 {
+                                        phi_2837_ = bool();
+                                    } else {
+                                        phi_2137_ = type_35(0u, 3u);
+                                        phi_2140_ = true;
+                                        loop {
+                                            let _e1540 = phi_2137_;
+                                            let _e1542 = phi_2140_;
+                                            local_46 = _e1542;
+                                            if (_e1540.member < _e1540.member_1) {
+                                                phi_2138_ = type_35((_e1540.member + 1u), _e1540.member_1);
+                                                phi_2163_ = type_35(1u, _e1540.member);
+                                            } else {
+                                                phi_2138_ = _e1540;
+                                                phi_2163_ = type_35(0u, type_35().member_1);
+                                            }
+                                            let _e1556 = phi_2138_;
+                                            let _e1558 = phi_2163_;
+                                            let _e1562 = (bitcast<i32>(_e1558.member) != 0i);
+                                            if _e1562 {
+                                                let _e1564 = local_18.member[0u];
+                                                let _e1566 = keys.member[_e1564];
+                                                local_6 = array<array<u32, 2>, 6>(array<u32, 2>(_e1566[0][0], _e1566[0][1]), array<u32, 2>(_e1566[1][0], _e1566[1][1]), array<u32, 2>(_e1566[2][0], _e1566[2][1]), array<u32, 2>(_e1566[3][0], _e1566[3][1]), array<u32, 2>(_e1566[4][0], _e1566[4][1]), array<u32, 2>(_e1566[5][0], _e1566[5][1]));
+                                                if (_e1558.member_1 < 6u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1594 = local_6[_e1558.member_1];
+                                                phi_2220_ = type_35(1u, 3u);
+                                                phi_2223_ = array<u32, 2>(_e1594[0], _e1594[1]);
+                                                loop {
+                                                    let _e1599 = phi_2220_;
+                                                    let _e1601 = phi_2223_;
+                                                    local_32 = _e1601;
+                                                    local_34 = _e1601;
+                                                    local_36 = _e1601;
+                                                    if (_e1599.member < _e1599.member_1) {
+                                                        phi_2221_ = type_35((_e1599.member + 1u), _e1599.member_1);
+                                                        phi_2246_ = type_35(1u, _e1599.member);
+                                                    } else {
+                                                        phi_2221_ = _e1599;
+                                                        phi_2246_ = type_35(0u, type_35().member_1);
+                                                    }
+                                                    let _e1615 = phi_2221_;
+                                                    let _e1617 = phi_2246_;
+                                                    let _e1621 = (bitcast<i32>(_e1617.member) != 0i);
+                                                    if _e1621 {
+                                                        if (_e1617.member_1 < 3u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1624 = local_18.member[_e1617.member_1];
+                                                        let _e1626 = keys.member[_e1624];
+                                                        local_7 = array<array<u32, 2>, 6>(array<u32, 2>(_e1626[0][0], _e1626[0][1]), array<u32, 2>(_e1626[1][0], _e1626[1][1]), array<u32, 2>(_e1626[2][0], _e1626[2][1]), array<u32, 2>(_e1626[3][0], _e1626[3][1]), array<u32, 2>(_e1626[4][0], _e1626[4][1]), array<u32, 2>(_e1626[5][0], _e1626[5][1]));
+                                                        if (_e1558.member_1 < 6u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1654 = local_7[_e1558.member_1];
+                                                        if (_e1601[1] > _e1654[1]) {
+                                                            phi_2322_ = true;
+                                                        } else {
+                                                            if (_e1601[1] == _e1654[1]) {
+                                                                phi_2321_ = (_e1601[0] > _e1654[0]);
+                                                            } else {
+                                                                phi_2321_ = false;
+                                                            }
+                                                            let _e1665 = phi_2321_;
+                                                            phi_2322_ = _e1665;
+                                                        }
+                                                        let _e1667 = phi_2322_;
+                                                        if _e1667 {
+                                                            phi_2326_ = array<u32, 2>(_e1654[0], _e1654[1]);
+                                                        } else {
+                                                            phi_2326_ = _e1601;
+                                                        }
+                                                        let _e1669 = phi_2326_;
+                                                        phi_2224_ = _e1669;
+                                                    } else {
+                                                        phi_2224_ = array<u32, 2>();
+                                                    }
+                                                    let _e1671 = phi_2224_;
+                                                    continue;
+                                                    continuing {
+                                                        phi_2220_ = _e1615;
+                                                        phi_2223_ = _e1671;
+                                                        break if !(_e1621);
+                                                    }
+                                                }
+                                                let _e1674 = local_19.member[0u];
+                                                let _e1676 = keys.member[_e1674];
+                                                local_4 = array<array<u32, 2>, 6>(array<u32, 2>(_e1676[0][0], _e1676[0][1]), array<u32, 2>(_e1676[1][0], _e1676[1][1]), array<u32, 2>(_e1676[2][0], _e1676[2][1]), array<u32, 2>(_e1676[3][0], _e1676[3][1]), array<u32, 2>(_e1676[4][0], _e1676[4][1]), array<u32, 2>(_e1676[5][0], _e1676[5][1]));
+                                                let _e1702 = (3u + _e1558.member_1);
+                                                if (_e1702 < 6u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1705 = local_4[_e1702];
+                                                phi_2377_ = type_35(1u, 3u);
+                                                phi_2380_ = array<u32, 2>(_e1705[0], _e1705[1]);
+                                                loop {
+                                                    let _e1710 = phi_2377_;
+                                                    let _e1712 = phi_2380_;
+                                                    local_33 = _e1712;
+                                                    local_35 = _e1712;
+                                                    local_37 = _e1712;
+                                                    if (_e1710.member < _e1710.member_1) {
+                                                        phi_2378_ = type_35((_e1710.member + 1u), _e1710.member_1);
+                                                        phi_2403_ = type_35(1u, _e1710.member);
+                                                    } else {
+                                                        phi_2378_ = _e1710;
+                                                        phi_2403_ = type_35(0u, type_35().member_1);
+                                                    }
+                                                    let _e1726 = phi_2378_;
+                                                    let _e1728 = phi_2403_;
+                                                    let _e1732 = (bitcast<i32>(_e1728.member) != 0i);
+                                                    if _e1732 {
+                                                        if (_e1728.member_1 < 3u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1735 = local_19.member[_e1728.member_1];
+                                                        let _e1737 = keys.member[_e1735];
+                                                        local_5 = array<array<u32, 2>, 6>(array<u32, 2>(_e1737[0][0], _e1737[0][1]), array<u32, 2>(_e1737[1][0], _e1737[1][1]), array<u32, 2>(_e1737[2][0], _e1737[2][1]), array<u32, 2>(_e1737[3][0], _e1737[3][1]), array<u32, 2>(_e1737[4][0], _e1737[4][1]), array<u32, 2>(_e1737[5][0], _e1737[5][1]));
+                                                        let _e1763 = (3u + _e1558.member_1);
+                                                        if (_e1763 < 6u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1766 = local_5[_e1763];
+                                                        if (_e1766[1] > _e1712[1]) {
+                                                            phi_2480_ = true;
+                                                        } else {
+                                                            if (_e1766[1] == _e1712[1]) {
+                                                                phi_2479_ = (_e1766[0] > _e1712[0]);
+                                                            } else {
+                                                                phi_2479_ = false;
+                                                            }
+                                                            let _e1777 = phi_2479_;
+                                                            phi_2480_ = _e1777;
+                                                        }
+                                                        let _e1779 = phi_2480_;
+                                                        if _e1779 {
+                                                            phi_2484_ = array<u32, 2>(_e1766[0], _e1766[1]);
+                                                        } else {
+                                                            phi_2484_ = _e1712;
+                                                        }
+                                                        let _e1781 = phi_2484_;
+                                                        phi_2381_ = _e1781;
+                                                    } else {
+                                                        phi_2381_ = array<u32, 2>();
+                                                    }
+                                                    let _e1783 = phi_2381_;
+                                                    continue;
+                                                    continuing {
+                                                        phi_2377_ = _e1726;
+                                                        phi_2380_ = _e1783;
+                                                        break if !(_e1732);
+                                                    }
+                                                }
+                                                let _e1786 = local_32;
+                                                let _e1789 = local_33;
+                                                if (_e1786[1] > _e1789[1]) {
+                                                    phi_2501_ = true;
+                                                } else {
+                                                    let _e1793 = local_34;
+                                                    let _e1796 = local_35;
+                                                    if (_e1793[1] == _e1796[1]) {
+                                                        let _e1800 = local_36;
+                                                        let _e1803 = local_37;
+                                                        phi_2500_ = (_e1800[0] > _e1803[0]);
+                                                    } else {
+                                                        phi_2500_ = false;
+                                                    }
+                                                    let _e1807 = phi_2500_;
+                                                    phi_2501_ = _e1807;
+                                                }
+                                                let _e1809 = phi_2501_;
+                                                let _e1812 = local_19.member[0u];
+                                                let _e1814 = keys.member[_e1812];
+                                                local_2 = array<array<u32, 2>, 6>(array<u32, 2>(_e1814[0][0], _e1814[0][1]), array<u32, 2>(_e1814[1][0], _e1814[1][1]), array<u32, 2>(_e1814[2][0], _e1814[2][1]), array<u32, 2>(_e1814[3][0], _e1814[3][1]), array<u32, 2>(_e1814[4][0], _e1814[4][1]), array<u32, 2>(_e1814[5][0], _e1814[5][1]));
+                                                if (_e1558.member_1 < 6u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1842 = local_2[_e1558.member_1];
+                                                phi_2552_ = type_35(1u, 3u);
+                                                phi_2555_ = array<u32, 2>(_e1842[0], _e1842[1]);
+                                                loop {
+                                                    let _e1847 = phi_2552_;
+                                                    let _e1849 = phi_2555_;
+                                                    local_38 = _e1849;
+                                                    local_40 = _e1849;
+                                                    local_42 = _e1849;
+                                                    if (_e1847.member < _e1847.member_1) {
+                                                        phi_2553_ = type_35((_e1847.member + 1u), _e1847.member_1);
+                                                        phi_2578_ = type_35(1u, _e1847.member);
+                                                    } else {
+                                                        phi_2553_ = _e1847;
+                                                        phi_2578_ = type_35(0u, type_35().member_1);
+                                                    }
+                                                    let _e1863 = phi_2553_;
+                                                    let _e1865 = phi_2578_;
+                                                    let _e1869 = (bitcast<i32>(_e1865.member) != 0i);
+                                                    if _e1869 {
+                                                        if (_e1865.member_1 < 3u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1872 = local_19.member[_e1865.member_1];
+                                                        let _e1874 = keys.member[_e1872];
+                                                        local_3 = array<array<u32, 2>, 6>(array<u32, 2>(_e1874[0][0], _e1874[0][1]), array<u32, 2>(_e1874[1][0], _e1874[1][1]), array<u32, 2>(_e1874[2][0], _e1874[2][1]), array<u32, 2>(_e1874[3][0], _e1874[3][1]), array<u32, 2>(_e1874[4][0], _e1874[4][1]), array<u32, 2>(_e1874[5][0], _e1874[5][1]));
+                                                        if (_e1558.member_1 < 6u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1902 = local_3[_e1558.member_1];
+                                                        if (_e1849[1] > _e1902[1]) {
+                                                            phi_2654_ = true;
+                                                        } else {
+                                                            if (_e1849[1] == _e1902[1]) {
+                                                                phi_2653_ = (_e1849[0] > _e1902[0]);
+                                                            } else {
+                                                                phi_2653_ = false;
+                                                            }
+                                                            let _e1913 = phi_2653_;
+                                                            phi_2654_ = _e1913;
+                                                        }
+                                                        let _e1915 = phi_2654_;
+                                                        if _e1915 {
+                                                            phi_2658_ = array<u32, 2>(_e1902[0], _e1902[1]);
+                                                        } else {
+                                                            phi_2658_ = _e1849;
+                                                        }
+                                                        let _e1917 = phi_2658_;
+                                                        phi_2556_ = _e1917;
+                                                    } else {
+                                                        phi_2556_ = array<u32, 2>();
+                                                    }
+                                                    let _e1919 = phi_2556_;
+                                                    continue;
+                                                    continuing {
+                                                        phi_2552_ = _e1863;
+                                                        phi_2555_ = _e1919;
+                                                        break if !(_e1869);
+                                                    }
+                                                }
+                                                let _e1922 = local_18.member[0u];
+                                                let _e1924 = keys.member[_e1922];
+                                                local = array<array<u32, 2>, 6>(array<u32, 2>(_e1924[0][0], _e1924[0][1]), array<u32, 2>(_e1924[1][0], _e1924[1][1]), array<u32, 2>(_e1924[2][0], _e1924[2][1]), array<u32, 2>(_e1924[3][0], _e1924[3][1]), array<u32, 2>(_e1924[4][0], _e1924[4][1]), array<u32, 2>(_e1924[5][0], _e1924[5][1]));
+                                                let _e1950 = (3u + _e1558.member_1);
+                                                if (_e1950 < 6u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1953 = local[_e1950];
+                                                phi_2709_ = type_35(1u, 3u);
+                                                phi_2712_ = array<u32, 2>(_e1953[0], _e1953[1]);
+                                                loop {
+                                                    let _e1958 = phi_2709_;
+                                                    let _e1960 = phi_2712_;
+                                                    local_39 = _e1960;
+                                                    local_41 = _e1960;
+                                                    local_43 = _e1960;
+                                                    if (_e1958.member < _e1958.member_1) {
+                                                        phi_2710_ = type_35((_e1958.member + 1u), _e1958.member_1);
+                                                        phi_2735_ = type_35(1u, _e1958.member);
+                                                    } else {
+                                                        phi_2710_ = _e1958;
+                                                        phi_2735_ = type_35(0u, type_35().member_1);
+                                                    }
+                                                    let _e1974 = phi_2710_;
+                                                    let _e1976 = phi_2735_;
+                                                    let _e1980 = (bitcast<i32>(_e1976.member) != 0i);
+                                                    if _e1980 {
+                                                        if (_e1976.member_1 < 3u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1983 = local_18.member[_e1976.member_1];
+                                                        let _e1985 = keys.member[_e1983];
+                                                        local_1 = array<array<u32, 2>, 6>(array<u32, 2>(_e1985[0][0], _e1985[0][1]), array<u32, 2>(_e1985[1][0], _e1985[1][1]), array<u32, 2>(_e1985[2][0], _e1985[2][1]), array<u32, 2>(_e1985[3][0], _e1985[3][1]), array<u32, 2>(_e1985[4][0], _e1985[4][1]), array<u32, 2>(_e1985[5][0], _e1985[5][1]));
+                                                        let _e2011 = (3u + _e1558.member_1);
+                                                        if (_e2011 < 6u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e2014 = local_1[_e2011];
+                                                        if (_e2014[1] > _e1960[1]) {
+                                                            phi_2812_ = true;
+                                                        } else {
+                                                            if (_e2014[1] == _e1960[1]) {
+                                                                phi_2811_ = (_e2014[0] > _e1960[0]);
+                                                            } else {
+                                                                phi_2811_ = false;
+                                                            }
+                                                            let _e2025 = phi_2811_;
+                                                            phi_2812_ = _e2025;
+                                                        }
+                                                        let _e2027 = phi_2812_;
+                                                        if _e2027 {
+                                                            phi_2816_ = array<u32, 2>(_e2014[0], _e2014[1]);
+                                                        } else {
+                                                            phi_2816_ = _e1960;
+                                                        }
+                                                        let _e2029 = phi_2816_;
+                                                        phi_2713_ = _e2029;
+                                                    } else {
+                                                        phi_2713_ = array<u32, 2>();
+                                                    }
+                                                    let _e2031 = phi_2713_;
+                                                    continue;
+                                                    continuing {
+                                                        phi_2709_ = _e1974;
+                                                        phi_2712_ = _e2031;
+                                                        break if !(_e1980);
+                                                    }
+                                                }
+                                                let _e2034 = local_38;
+                                                let _e2037 = local_39;
+                                                if (_e2034[1] > _e2037[1]) {
+                                                    phi_2833_ = true;
+                                                } else {
+                                                    let _e2041 = local_40;
+                                                    let _e2044 = local_41;
+                                                    if (_e2041[1] == _e2044[1]) {
+                                                        let _e2048 = local_42;
+                                                        let _e2051 = local_43;
+                                                        phi_2832_ = (_e2048[0] > _e2051[0]);
+                                                    } else {
+                                                        phi_2832_ = false;
+                                                    }
+                                                    let _e2055 = phi_2832_;
+                                                    phi_2833_ = _e2055;
+                                                }
+                                                let _e2057 = phi_2833_;
+                                                phi_2141_ = (_e1542 && (!(_e1809) && !(_e2057)));
+                                            } else {
+                                                phi_2141_ = bool();
+                                            }
+                                            let _e2062 = phi_2141_;
+                                            continue;
+                                            continuing {
+                                                phi_2137_ = _e1556;
+                                                phi_2140_ = _e2062;
+                                                break if !(_e1562);
+                                            }
+                                        }
+                                        let _e2398 = local_46;
+                                        phi_2837_ = _e2398;
+                                    }
+                                    let _e2065 = phi_2837_;
+                                    phi_2838_ = _e2065;
+                                    phi_2839_ = _e1536;
+                                } else {
+                                    phi_2838_ = bool();
+                                    phi_2839_ = true;
+                                }
+                                let _e2067 = phi_2838_;
+                                let _e2069 = phi_2839_;
+                                if _e2069 {
+                                    phi_2843_ = false;
+                                } else {
+                                    phi_2843_ = true;
+                                }
+                                let _e2071 = phi_2843_;
+                                phi_2844_ = _e2067;
+                                phi_2845_ = _e2071;
+                            } else {
+                                phi_2844_ = false;
+                                phi_2845_ = true;
+                            }
+                            let _e2073 = phi_2844_;
+                            let _e2075 = phi_2845_;
+                            phi_2846_ = _e2073;
+                            phi_2847_ = _e2075;
+                        } else {
+                            phi_2846_ = false;
+                            phi_2847_ = true;
                         }
-                        phi_1838_ = (_e1202 + 64u);
-                        phi_1839_ = true;
+                        let _e2077 = phi_2846_;
+                        let _e2079 = phi_2847_;
+                        if _e2079 {
+                            phi_2851_ = _e2077;
+                        } else {
+                            phi_2851_ = true;
+                        }
+                        let _e2081 = phi_2851_;
+                        if _e2081 {
+                            let _e2083 = atomicAdd((&counters[7u]), 1u);
+                            let _e2085 = atomicAdd((&counters[5u]), 1u);
+                            hits[_e1331] = ((2147483648u | (_e2085 << bitcast<u32>(12i))) | _e1334);
+                        }
+                        phi_2866_ = true;
                     }
-                    let _e1290 = phi_1838_;
-                    let _e1292 = phi_1839_;
-                    phi_1690_ = _e1290;
-                    phi_1840_ = _e1292;
+                    let _e2092 = phi_2866_;
+                    phi_2867_ = _e2092;
                 } else {
-                    phi_1690_ = u32();
-                    phi_1840_ = false;
+                    phi_2867_ = false;
                 }
-                let _e1294 = phi_1690_;
-                let _e1296 = phi_1840_;
+                let _e2094 = phi_2867_;
                 continue;
                 continuing {
-                    phi_1686_ = _e1231;
-                    phi_1689_ = _e1294;
-                    break if !(_e1296);
+                    phi_1834_ = _e1323;
+                    break if !(_e2094);
+                }
+            }
+            workgroupBarrier();
+            if (_e83 == 0u) {
+                let _e2098 = atomicLoad((&counters[5u]));
+                if (_e2098 > 0u) {
+                    let _e2101 = atomicAdd((&output.member[0u]), _e2098);
+                    atomicStore((&counters[6u]), _e2101);
+                }
+            }
+            workgroupBarrier();
+            let _e2104 = atomicLoad((&counters[6u]));
+            if (_e83 == 0u) {
+                let _e2107 = atomicLoad((&counters[7u]));
+                if (_e2107 > 0u) {
+                    let _e2110 = atomicAdd((&output.member[1u]), _e2107);
+                }
+            }
+            phi_2899_ = type_35(0u, 8u);
+            loop {
+                let _e2112 = phi_2899_;
+                if (_e2112.member < _e2112.member_1) {
+                    phi_2900_ = type_35((_e2112.member + 1u), _e2112.member_1);
+                    phi_2923_ = type_35(1u, _e2112.member);
+                } else {
+                    phi_2900_ = _e2112;
+                    phi_2923_ = type_35(0u, type_35().member_1);
+                }
+                let _e2126 = phi_2900_;
+                let _e2128 = phi_2923_;
+                if (bitcast<i32>(_e2128.member) != 0i) {
+                    let _e2134 = (_e83 + (_e2128.member_1 * 128u));
+                    if (_e2134 >= _e1307) {
+                        phi_3021_ = false;
+                    } else {
+                        let _e2137 = hits[_e2134];
+                        if ((_e2137 & 2147483648u) == 0u) {
+                            phi_2946_ = 4294967295u;
+                        } else {
+                            phi_2946_ = ((_e2137 & 2147483647u) >> bitcast<u32>(12i));
+                        }
+                        let _e2144 = phi_2946_;
+                        if (_e2144 != 4294967295u) {
+                            let _e2148 = ((_e2137 >> bitcast<u32>(10i)) & 3u);
+                            let _e2155 = firsts[(2u * _e2148)];
+                            let _e2158 = leaves.member[(_e2155 + ((_e2137 >> bitcast<u32>(5i)) & 31u))];
+                            let _e2162 = firsts[((2u * _e2148) + 1u)];
+                            let _e2165 = leaves.member[(_e2162 + (_e2137 & 31u))];
+                            let _e2169 = params.member.member_16;
+                            let _e2170 = (_e2104 + _e2144);
+                            if (_e112[0] == _e112[1]) {
+                                if (_e2158.member_1 < _e2165.member_1) {
+                                    phi_3000_ = type_35(_e2158.member_1, _e2165.member_1);
+                                } else {
+                                    phi_3000_ = type_35(_e2165.member_1, _e2158.member_1);
+                                }
+                                let _e2177 = phi_3000_;
+                                phi_3005_ = _e2177;
+                            } else {
+                                phi_3005_ = type_35(_e2158.member_1, _e2165.member_1);
+                            }
+                            let _e2179 = phi_3005_;
+                            if (_e2170 < _e2169) {
+                                atomicStore((&output.member[(4u + (2u * _e2170))]), _e2179.member);
+                                atomicStore((&output.member[((2u * _e2170) + 5u)]), _e2179.member_1);
+                            }
+                        }
+                        phi_3021_ = true;
+                    }
+                    let _e2190 = phi_3021_;
+                    phi_3022_ = _e2190;
+                } else {
+                    phi_3022_ = false;
+                }
+                let _e2192 = phi_3022_;
+                continue;
+                continuing {
+                    phi_2899_ = _e2126;
+                    break if !(_e2192);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_238_ = _e147;
-            break if !(_e153);
+            phi_272_ = _e172;
+            break if !(_e178);
         }
     }
     return;
 }
 
-@compute @workgroup_size(64, 1, 1) 
+@compute @workgroup_size(128, 1, 1) 
 fn list_candidates(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     id_1 = id;
     n_1 = n;

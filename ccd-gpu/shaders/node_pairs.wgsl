@@ -38,21 +38,11 @@ struct type_21 {
 }
 
 struct type_30 {
-    member: i32,
-    member_1: i32,
-}
-
-struct type_31 {
-    member: u32,
-    member_1: i32,
-}
-
-struct type_32 {
     member: u32,
     member_1: u32,
 }
 
-struct type_44 {
+struct type_42 {
     member: array<atomic<u32>>,
 }
 
@@ -66,369 +56,490 @@ var<storage> nodes: type_17;
 @group(0) @binding(2) 
 var<storage> input: type_21;
 @group(0) @binding(3) 
-var<storage, read_write> output: type_44;
+var<storage, read_write> output: type_42;
 var<workgroup> counters: array<atomic<u32>, 8>;
-var<workgroup> sides: array<type_6, 64>;
-var<workgroup> names: array<u32, 64>;
+var<workgroup> firsts: array<u32, 8>;
+var<workgroup> columns: array<type_6, 128>;
+var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 1024>;
 
 fn function_() {
-    var phi_122_: u32;
-    var phi_149_: u32;
-    var phi_150_: u32;
-    var phi_157_: u32;
+    var phi_126_: u32;
+    var phi_154_: u32;
+    var phi_155_: u32;
+    var phi_162_: u32;
     var phi_178_: u32;
-    var phi_179_: u32;
-    var phi_182_: type_32;
-    var phi_183_: type_32;
-    var phi_206_: type_32;
-    var phi_258_: array<u32, 2>;
+    var phi_199_: u32;
+    var phi_200_: u32;
+    var phi_203_: type_30;
+    var phi_204_: type_30;
+    var phi_227_: type_30;
+    var phi_265_: u32;
     var phi_266_: u32;
-    var phi_267_: u32;
-    var phi_272_: u32;
     var phi_273_: u32;
-    var phi_391_: u32;
-    var phi_422_: bool;
-    var phi_427_: type_32;
-    var phi_430_: u32;
-    var phi_428_: type_32;
-    var phi_453_: type_32;
-    var phi_522_: bool;
-    var phi_523_: bool;
-    var phi_524_: bool;
-    var phi_536_: u32;
-    var phi_537_: bool;
-    var phi_431_: u32;
-    var phi_538_: bool;
-    var phi_564_: type_30;
-    var phi_567_: u32;
-    var phi_588_: bool;
-    var phi_594_: type_31;
-    var phi_565_: type_30;
-    var phi_608_: type_31;
-    var phi_644_: u32;
+    var phi_283_: u32;
+    var phi_333_: array<u32, 2>;
+    var phi_527_: bool;
+    var phi_528_: bool;
+    var phi_532_: type_6;
+    var phi_540_: bool;
+    var phi_547_: type_30;
+    var phi_550_: u32;
+    var phi_548_: type_30;
+    var phi_573_: type_30;
+    var phi_638_: bool;
+    var phi_639_: bool;
+    var phi_640_: bool;
+    var phi_641_: bool;
     var phi_645_: bool;
-    var phi_568_: u32;
-    var phi_646_: bool;
+    var phi_663_: u32;
+    var phi_664_: u32;
+    var phi_665_: u32;
+    var phi_551_: u32;
+    var phi_668_: type_30;
+    var phi_671_: u32;
+    var phi_669_: type_30;
+    var phi_694_: type_30;
+    var phi_737_: u32;
+    var phi_738_: bool;
+    var phi_672_: u32;
+    var phi_739_: bool;
+    var phi_746_: u32;
+    var phi_770_: type_30;
+    var phi_771_: type_30;
+    var phi_794_: type_30;
+    var phi_840_: bool;
+    var phi_841_: bool;
+    var local: u32;
 
-    let _e45 = id_1;
-    let _e46 = n_1;
-    let _e47 = lane_1;
-    let _e56 = ((_e45.y * _e46.x) + _e45.x);
-    let _e59 = (_e46.x * _e46.y);
-    let _e61 = params.member.member_15;
-    let _e63 = input.member[0u];
-    if (_e61 < _e63) {
-        phi_122_ = _e61;
+    let _e50 = id_1;
+    let _e51 = n_1;
+    let _e52 = lane_1;
+    let _e61 = ((_e50.y * _e51.x) + _e50.x);
+    let _e64 = (_e51.x * _e51.y);
+    let _e66 = params.member.member_15;
+    let _e68 = input.member[0u];
+    if (_e66 < _e68) {
+        phi_126_ = _e66;
     } else {
-        phi_122_ = _e63;
+        phi_126_ = _e68;
     }
-    let _e66 = phi_122_;
-    let _e68 = params.member.member_12;
-    if (_e66 > _e68) {
-        let _e71 = params.member.member_12;
-        let _e72 = (_e66 - _e71);
-        let _e74 = params.member.member_13;
-        if (_e74 == 0u) {
+    let _e71 = phi_126_;
+    let _e72 = (_e52 / 32u);
+    let _e74 = params.member.member_12;
+    if (_e71 > _e74) {
+        let _e77 = params.member.member_12;
+        let _e78 = (_e71 - _e77);
+        let _e80 = params.member.member_13;
+        if (_e80 == 0u) {
             return;
         }
-        let _e76 = (_e72 / _e74);
-        if (_e74 == 0u) {
+        let _e82 = (_e78 / _e80);
+        if (_e80 == 0u) {
             return;
         }
-        if ((_e72 % _e74) > 0u) {
-            phi_149_ = (_e76 + 1u);
+        if ((_e78 % _e80) > 0u) {
+            phi_154_ = (_e82 + 1u);
         } else {
-            phi_149_ = _e76;
+            phi_154_ = _e82;
         }
-        let _e82 = phi_149_;
-        phi_150_ = _e82;
+        let _e88 = phi_154_;
+        phi_155_ = _e88;
     } else {
-        phi_150_ = 0u;
+        phi_155_ = 0u;
     }
-    let _e84 = phi_150_;
-    let _e86 = params.member.member_14;
-    if (_e86 < _e84) {
-        phi_157_ = _e86;
+    let _e90 = phi_155_;
+    let _e92 = params.member.member_14;
+    if (_e92 < _e90) {
+        phi_162_ = _e92;
     } else {
-        phi_157_ = _e84;
+        phi_162_ = _e90;
     }
-    let _e89 = phi_157_;
-    if (_e89 > _e56) {
-        let _e91 = (_e89 - _e56);
-        if (_e59 == 0u) {
+    let _e95 = phi_162_;
+    let _e96 = (_e95 / 4u);
+    if ((_e95 % 4u) > 0u) {
+        phi_178_ = (_e96 + 1u);
+    } else {
+        phi_178_ = _e96;
+    }
+    let _e101 = phi_178_;
+    if (_e101 > _e61) {
+        let _e103 = (_e101 - _e61);
+        if (_e64 == 0u) {
             return;
         }
-        let _e93 = (_e91 / _e59);
-        if (_e59 == 0u) {
+        let _e105 = (_e103 / _e64);
+        if (_e64 == 0u) {
             return;
         }
-        if ((_e91 % _e59) > 0u) {
-            phi_178_ = (_e93 + 1u);
+        if ((_e103 % _e64) > 0u) {
+            phi_199_ = (_e105 + 1u);
         } else {
-            phi_178_ = _e93;
+            phi_199_ = _e105;
         }
-        let _e99 = phi_178_;
-        phi_179_ = _e99;
+        let _e111 = phi_199_;
+        phi_200_ = _e111;
     } else {
-        phi_179_ = 0u;
+        phi_200_ = 0u;
     }
-    let _e101 = phi_179_;
-    phi_182_ = type_32(0u, _e101);
+    let _e113 = phi_200_;
+    phi_203_ = type_30(0u, _e113);
     loop {
-        let _e104 = phi_182_;
-        if (_e104.member < _e104.member_1) {
-            phi_183_ = type_32((_e104.member + 1u), _e104.member_1);
-            phi_206_ = type_32(1u, _e104.member);
+        let _e116 = phi_203_;
+        if (_e116.member < _e116.member_1) {
+            phi_204_ = type_30((_e116.member + 1u), _e116.member_1);
+            phi_227_ = type_30(1u, _e116.member);
         } else {
-            phi_183_ = _e104;
-            phi_206_ = type_32(0u, type_32().member_1);
+            phi_204_ = _e116;
+            phi_227_ = type_30(0u, type_30().member_1);
         }
-        let _e118 = phi_183_;
-        let _e120 = phi_206_;
-        let _e124 = (bitcast<i32>(_e120.member) != 0i);
-        if _e124 {
-            let _e126 = params.member.member_12;
-            let _e130 = params.member.member_13;
-            let _e133 = (2u * (_e126 + ((_e56 + (_e120.member_1 * _e59)) * _e130)));
-            let _e136 = input.member[(4u + _e133)];
-            let _e139 = input.member[(_e133 + 5u)];
-            if (_e47 < 8u) {
-                atomicStore((&counters[_e47]), 0u);
-            }
-            workgroupBarrier();
-            let _e143 = params.member.member_8;
-            if (_e143 == 0u) {
-                phi_258_ = array<u32, 2>(0u, 2u);
-            } else {
-                phi_258_ = array<u32, 2>(1u, 1u);
-            }
-            let _e146 = phi_258_;
-            let _e149 = (_e47 / 32u);
-            if (_e149 == 0u) {
-                phi_266_ = _e146[0];
-                phi_267_ = _e136;
-            } else {
-                phi_266_ = _e146[1];
-                phi_267_ = _e139;
-            }
-            let _e152 = phi_266_;
-            let _e154 = phi_267_;
-            if (_e149 == 0u) {
-                phi_272_ = _e139;
-                phi_273_ = _e146[1];
-            } else {
-                phi_272_ = _e136;
-                phi_273_ = _e146[0];
-            }
-            let _e157 = phi_272_;
-            let _e159 = phi_273_;
-            let _e161 = params.member.member_9;
-            let _e162 = (_e161 - 1u);
-            if (_e162 < 8u) {
-            } else {
-                return;
-            }
-            if (_e152 < 4u) {
-            } else {
-                return;
-            }
-            let _e171 = params.member.member_18[_e162][_e152];
-            let _e174 = nodes.member[(_e171 + ((_e154 * 32u) + (_e47 % 32u)))];
-            let _e176 = params.member.member_9;
-            if (_e176 < 8u) {
-            } else {
-                return;
-            }
-            if (_e159 < 4u) {
-            } else {
-                return;
-            }
-            let _e182 = params.member.member_18[_e176][_e159];
-            let _e185 = nodes.member[(_e182 + _e157)];
-            if ((((((_e174.member[0] <= _e185.member_1[0]) && (_e185.member[0] <= _e174.member_1[0])) && (_e174.member[1] <= _e185.member_1[1])) && (_e185.member[1] <= _e174.member_1[1])) && (_e174.member[2] <= _e185.member_1[2])) && (_e185.member[2] <= _e174.member_1[2])) {
-                let _e223 = atomicAdd((&counters[_e149]), 1u);
-                let _e224 = ((_e149 * 32u) + _e223);
-                sides[_e224] = type_6(array<f32, 3>(_e174.member[0], _e174.member[1], _e174.member[2]), array<f32, 3>(_e174.member_1[0], _e174.member_1[1], _e174.member_1[2]));
-                names[_e224] = (_e47 % 32u);
-            }
-            workgroupBarrier();
-            let _e240 = atomicLoad((&counters[0u]));
-            let _e242 = atomicLoad((&counters[1u]));
-            if (_e240 <= 1u) {
-                phi_391_ = 0u;
-            } else {
-                let _e244 = (_e240 - 1u);
-                phi_391_ = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e244)), 32u, (_e244 == 0u)));
-            }
-            let _e252 = phi_391_;
-            let _e257 = (_e47 & ((1u << bitcast<u32>((_e252 & 31u))) - 1u));
-            if (_e257 < _e240) {
-                let _e260 = sides[_e257];
-                let _e270 = names[_e257];
-                let _e272 = params.member.member_8;
-                if (_e272 == 1u) {
-                    phi_422_ = (_e136 == _e139);
+        let _e130 = phi_204_;
+        let _e132 = phi_227_;
+        let _e136 = (bitcast<i32>(_e132.member) != 0i);
+        if _e136 {
+            let _e140 = (((_e61 + (_e132.member_1 * _e64)) * 4u) + _e72);
+            let _e142 = params.member.member_12;
+            if (_e71 > _e142) {
+                let _e145 = params.member.member_12;
+                let _e146 = (_e71 - _e145);
+                let _e148 = params.member.member_13;
+                if (_e148 == 0u) {
+                    return;
+                }
+                let _e150 = (_e146 / _e148);
+                if (_e148 == 0u) {
+                    return;
+                }
+                if ((_e146 % _e148) > 0u) {
+                    phi_265_ = (_e150 + 1u);
                 } else {
-                    phi_422_ = false;
+                    phi_265_ = _e150;
                 }
-                let _e276 = phi_422_;
-                phi_427_ = type_32(0u, 32u);
-                phi_430_ = (_e47 >> bitcast<u32>((_e252 & 31u)));
-                loop {
-                    let _e281 = phi_427_;
-                    let _e283 = phi_430_;
-                    if (_e281.member < _e281.member_1) {
-                        phi_428_ = type_32((_e281.member + 1u), _e281.member_1);
-                        phi_453_ = type_32(1u, _e281.member);
-                    } else {
-                        phi_428_ = _e281;
-                        phi_453_ = type_32(0u, type_32().member_1);
-                    }
-                    let _e297 = phi_428_;
-                    let _e299 = phi_453_;
-                    if (bitcast<i32>(_e299.member) != 0i) {
-                        if (_e283 >= _e242) {
-                            phi_536_ = u32();
-                            phi_537_ = false;
-                        } else {
-                            let _e306 = sides[(32u + _e283)];
-                            if ((((((_e260.member[0] <= _e306.member_1[0]) && (_e306.member[0] <= _e260.member_1[0])) && (_e260.member[1] <= _e306.member_1[1])) && (_e306.member[1] <= _e260.member_1[1])) && (_e260.member[2] <= _e306.member_1[2])) && (_e306.member[2] <= _e260.member_1[2])) {
-                                let _e328 = names[(32u + _e283)];
-                                if _e276 {
-                                    if (_e270 < _e328) {
-                                        phi_523_ = true;
-                                    } else {
-                                        if (_e270 == _e328) {
-                                            phi_522_ = true;
-                                        } else {
-                                            phi_522_ = false;
-                                        }
-                                        let _e332 = phi_522_;
-                                        phi_523_ = _e332;
-                                    }
-                                    let _e334 = phi_523_;
-                                    phi_524_ = _e334;
-                                } else {
-                                    phi_524_ = true;
-                                }
-                                let _e336 = phi_524_;
-                                if _e336 {
-                                    let _e338 = atomicAdd((&counters[2u]), 1u);
-                                    hits[_e338] = ((_e270 << bitcast<u32>(5i)) | _e328);
-                                }
-                            }
-                            phi_536_ = (_e283 + (64u >> bitcast<u32>((_e252 & 31u))));
-                            phi_537_ = true;
-                        }
-                        let _e348 = phi_536_;
-                        let _e350 = phi_537_;
-                        phi_431_ = _e348;
-                        phi_538_ = _e350;
-                    } else {
-                        phi_431_ = u32();
-                        phi_538_ = false;
-                    }
-                    let _e352 = phi_431_;
-                    let _e354 = phi_538_;
-                    continue;
-                    continuing {
-                        phi_427_ = _e297;
-                        phi_430_ = _e352;
-                        break if !(_e354);
-                    }
+                let _e156 = phi_265_;
+                phi_266_ = _e156;
+            } else {
+                phi_266_ = 0u;
+            }
+            let _e158 = phi_266_;
+            let _e160 = params.member.member_14;
+            if (_e160 < _e158) {
+                phi_273_ = _e160;
+            } else {
+                phi_273_ = _e158;
+            }
+            let _e163 = phi_273_;
+            let _e164 = (_e140 < _e163);
+            let _e166 = params.member.member_12;
+            if _e164 {
+                let _e168 = params.member.member_13;
+                phi_283_ = (_e140 * _e168);
+            } else {
+                phi_283_ = 0u;
+            }
+            let _e171 = phi_283_;
+            let _e173 = (2u * (_e166 + _e171));
+            let _e176 = input.member[(4u + _e173)];
+            let _e179 = input.member[(_e173 + 5u)];
+            if (_e52 < 8u) {
+                atomicStore((&counters[_e52]), 0u);
+            }
+            workgroupBarrier();
+            if ((_e52 % 32u) == 0u) {
+                firsts[(2u * _e72)] = (_e176 * 32u);
+                firsts[((2u * _e72) + 1u)] = (_e179 * 32u);
+            }
+            let _e192 = params.member.member_8;
+            if (_e192 == 0u) {
+                phi_333_ = array<u32, 2>(0u, 2u);
+            } else {
+                phi_333_ = array<u32, 2>(1u, 1u);
+            }
+            let _e195 = phi_333_;
+            let _e198 = (_e52 / 32u);
+            let _e199 = (_e52 % 32u);
+            let _e201 = params.member.member_9;
+            if (_e201 < 8u) {
+            } else {
+                return;
+            }
+            if (_e195[0] < 4u) {
+            } else {
+                return;
+            }
+            let _e207 = params.member.member_18[_e201][_e195[0]];
+            let _e210 = nodes.member[(_e207 + _e176)];
+            let _e212 = params.member.member_9;
+            if (_e212 < 8u) {
+            } else {
+                return;
+            }
+            if (_e195[1] < 4u) {
+            } else {
+                return;
+            }
+            let _e218 = params.member.member_18[_e212][_e195[1]];
+            let _e221 = nodes.member[(_e218 + _e179)];
+            let _e223 = params.member.member_9;
+            let _e224 = (_e223 - 1u);
+            if (_e224 < 8u) {
+            } else {
+                return;
+            }
+            if (_e195[0] < 4u) {
+            } else {
+                return;
+            }
+            let _e232 = params.member.member_18[_e224][_e195[0]];
+            let _e235 = nodes.member[(_e232 + ((_e176 * 32u) + _e199))];
+            let _e237 = params.member.member_9;
+            let _e238 = (_e237 - 1u);
+            if (_e238 < 8u) {
+            } else {
+                return;
+            }
+            if (_e195[1] < 4u) {
+            } else {
+                return;
+            }
+            let _e246 = params.member.member_18[_e238][_e195[1]];
+            let _e249 = nodes.member[(_e246 + ((_e179 * 32u) + _e199))];
+            if _e164 {
+                if ((((((_e249.member[0] <= _e210.member_1[0]) && (_e210.member[0] <= _e249.member_1[0])) && (_e249.member[1] <= _e210.member_1[1])) && (_e210.member[1] <= _e249.member_1[1])) && (_e249.member[2] <= _e210.member_1[2])) && (_e210.member[2] <= _e249.member_1[2])) {
+                    let _e287 = atomicAdd((&counters[_e198]), 1u);
+                    let _e288 = ((_e198 * 32u) + _e287);
+                    columns[_e288] = type_6(array<f32, 3>(_e249.member[0], _e249.member[1], _e249.member[2]), array<f32, 3>(_e249.member_1[0], _e249.member_1[1], _e249.member_1[2]));
+                    names[_e288] = _e199;
                 }
             }
             workgroupBarrier();
-            let _e357 = atomicLoad((&counters[2u]));
-            if (_e47 == 0u) {
-                atomicStore((&counters[3u]), _e357);
-            }
-            workgroupBarrier();
-            if (_e47 == 0u) {
-                let _e362 = atomicLoad((&counters[3u]));
-                if (_e362 > 0u) {
-                    let _e365 = atomicAdd((&output.member[0u]), _e362);
-                    atomicStore((&counters[4u]), _e365);
+            if _e164 {
+                if ((((((_e235.member[0] <= _e221.member_1[0]) && (_e221.member[0] <= _e235.member_1[0])) && (_e235.member[1] <= _e221.member_1[1])) && (_e221.member[1] <= _e235.member_1[1])) && (_e235.member[2] <= _e221.member_1[2])) && (_e221.member[2] <= _e235.member_1[2])) {
+                    phi_527_ = false;
+                } else {
+                    phi_527_ = true;
                 }
+                let _e338 = phi_527_;
+                phi_528_ = _e338;
+            } else {
+                phi_528_ = true;
             }
-            workgroupBarrier();
-            let _e368 = atomicLoad((&counters[4u]));
-            phi_564_ = type_30(0i, 16i);
-            phi_567_ = _e47;
+            let _e340 = phi_528_;
+            if _e340 {
+                phi_532_ = type_6(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            } else {
+                phi_532_ = _e235;
+            }
+            let _e342 = phi_532_;
+            let _e344 = params.member.member_8;
+            if (_e344 == 1u) {
+                phi_540_ = (_e176 == _e179);
+            } else {
+                phi_540_ = false;
+            }
+            let _e348 = phi_540_;
+            let _e349 = (_e52 / 32u);
+            let _e350 = (_e52 % 32u);
+            let _e352 = atomicLoad((&counters[_e349]));
+            phi_547_ = type_30(0u, _e352);
+            phi_550_ = 0u;
             loop {
-                let _e370 = phi_564_;
-                let _e372 = phi_567_;
-                if (_e370.member < _e370.member_1) {
-                    let _e380 = (_e370.member + 1i);
-                    if ((false == (_e380 > _e370.member)) != false) {
-                        phi_588_ = true;
-                    } else {
-                        phi_588_ = false;
-                    }
-                    let _e385 = phi_588_;
-                    if _e385 {
-                        phi_594_ = type_31(0u, type_31().member_1);
-                    } else {
-                        phi_594_ = type_31(1u, _e380);
-                    }
-                    let _e391 = phi_594_;
-                    if (bitcast<i32>(_e391.member) != 0i) {
-                    } else {
-                        return;
-                    }
-                    phi_565_ = type_30(_e391.member_1, _e370.member_1);
-                    phi_608_ = type_31(1u, _e370.member);
+                let _e355 = phi_547_;
+                let _e357 = phi_550_;
+                local = _e357;
+                if (_e355.member < _e355.member_1) {
+                    phi_548_ = type_30((_e355.member + 1u), _e355.member_1);
+                    phi_573_ = type_30(1u, _e355.member);
                 } else {
-                    phi_565_ = _e370;
-                    phi_608_ = type_31(0u, type_31().member_1);
+                    phi_548_ = _e355;
+                    phi_573_ = type_30(0u, type_30().member_1);
                 }
-                let _e401 = phi_565_;
-                let _e403 = phi_608_;
-                if (bitcast<i32>(_e403.member) != 0i) {
-                    if (_e372 >= _e357) {
-                        phi_644_ = u32();
-                        phi_645_ = false;
-                    } else {
-                        let _e409 = hits[_e372];
-                        let _e414 = params.member.member_16;
-                        let _e415 = (_e368 + _e372);
-                        if (_e415 < _e414) {
-                            atomicStore((&output.member[(4u + (2u * _e415))]), ((_e136 * 32u) + (_e409 >> bitcast<u32>(5i))));
-                            atomicStore((&output.member[((2u * _e415) + 5u)]), ((_e139 * 32u) + (_e409 & 31u)));
+                let _e371 = phi_548_;
+                let _e373 = phi_573_;
+                let _e377 = (bitcast<i32>(_e373.member) != 0i);
+                if _e377 {
+                    let _e381 = names[((_e349 * 32u) + _e373.member_1)];
+                    let _e385 = columns[((_e349 * 32u) + _e373.member_1)];
+                    if ((((((_e342.member[0] <= _e385.member_1[0]) && (_e385.member[0] <= _e342.member_1[0])) && (_e342.member[1] <= _e385.member_1[1])) && (_e385.member[1] <= _e342.member_1[1])) && (_e342.member[2] <= _e385.member_1[2])) && (_e385.member[2] <= _e342.member_1[2])) {
+                        if _e348 {
+                            let _e417 = (_e350 < _e381);
+                            if _e417 {
+                                phi_639_ = bool();
+                            } else {
+                                if (_e350 == _e381) {
+                                    phi_638_ = true;
+                                } else {
+                                    phi_638_ = false;
+                                }
+                                let _e420 = phi_638_;
+                                phi_639_ = _e420;
+                            }
+                            let _e422 = phi_639_;
+                            phi_640_ = _e422;
+                            phi_641_ = _e417;
+                        } else {
+                            phi_640_ = bool();
+                            phi_641_ = true;
                         }
-                        phi_644_ = (_e372 + 64u);
-                        phi_645_ = true;
+                        let _e424 = phi_640_;
+                        let _e426 = phi_641_;
+                        if _e426 {
+                            phi_645_ = true;
+                        } else {
+                            phi_645_ = _e424;
+                        }
+                        let _e428 = phi_645_;
+                        if _e428 {
+                            let _e430 = atomicAdd((&counters[4u]), 1u);
+                            if (_e430 < 1024u) {
+                                hits[_e430] = (((_e349 << bitcast<u32>(10i)) | (_e350 << bitcast<u32>(5i))) | _e381);
+                                phi_663_ = _e357;
+                            } else {
+                                phi_663_ = (_e357 | (1u << bitcast<u32>((_e373.member_1 & 31u))));
+                            }
+                            let _e444 = phi_663_;
+                            phi_664_ = _e444;
+                        } else {
+                            phi_664_ = _e357;
+                        }
+                        let _e446 = phi_664_;
+                        phi_665_ = _e446;
+                    } else {
+                        phi_665_ = _e357;
                     }
-                    let _e429 = phi_644_;
-                    let _e431 = phi_645_;
-                    phi_568_ = _e429;
-                    phi_646_ = _e431;
+                    let _e448 = phi_665_;
+                    phi_551_ = _e448;
                 } else {
-                    phi_568_ = u32();
-                    phi_646_ = false;
+                    phi_551_ = u32();
                 }
-                let _e433 = phi_568_;
-                let _e435 = phi_646_;
+                let _e450 = phi_551_;
                 continue;
                 continuing {
-                    phi_564_ = _e401;
-                    phi_567_ = _e433;
-                    break if !(_e435);
+                    phi_547_ = _e371;
+                    phi_550_ = _e450;
+                    break if !(_e377);
+                }
+            }
+            phi_668_ = type_30(0u, 32u);
+            let _e620 = local;
+            phi_671_ = _e620;
+            loop {
+                let _e453 = phi_668_;
+                let _e455 = phi_671_;
+                if (_e453.member < _e453.member_1) {
+                    phi_669_ = type_30((_e453.member + 1u), _e453.member_1);
+                    phi_694_ = type_30(1u, _e453.member);
+                } else {
+                    phi_669_ = _e453;
+                    phi_694_ = type_30(0u, type_30().member_1);
+                }
+                let _e469 = phi_669_;
+                let _e471 = phi_694_;
+                if (bitcast<i32>(_e471.member) != 0i) {
+                    if (_e455 == 0u) {
+                        phi_737_ = u32();
+                        phi_738_ = false;
+                    } else {
+                        let _e482 = names[((_e72 * 32u) + select(firstTrailingBit(_e455), 32u, (_e455 == 0u)))];
+                        let _e486 = params.member.member_16;
+                        let _e493 = atomicAdd((&output.member[0u]), 1u);
+                        if (_e493 < _e486) {
+                            atomicStore((&output.member[(4u + (2u * _e493))]), ((_e176 * 32u) + (_e52 % 32u)));
+                            atomicStore((&output.member[((2u * _e493) + 5u)]), ((_e179 * 32u) + _e482));
+                        }
+                        phi_737_ = (_e455 & (_e455 - 1u));
+                        phi_738_ = true;
+                    }
+                    let _e502 = phi_737_;
+                    let _e504 = phi_738_;
+                    phi_672_ = _e502;
+                    phi_739_ = _e504;
+                } else {
+                    phi_672_ = u32();
+                    phi_739_ = false;
+                }
+                let _e506 = phi_672_;
+                let _e508 = phi_739_;
+                continue;
+                continuing {
+                    phi_668_ = _e469;
+                    phi_671_ = _e506;
+                    break if !(_e508);
+                }
+            }
+            workgroupBarrier();
+            let _e511 = atomicLoad((&counters[4u]));
+            if (1024u < _e511) {
+                phi_746_ = 1024u;
+            } else {
+                phi_746_ = _e511;
+            }
+            let _e514 = phi_746_;
+            if (_e52 == 0u) {
+                atomicStore((&counters[5u]), _e514);
+            }
+            workgroupBarrier();
+            if (_e52 == 0u) {
+                let _e519 = atomicLoad((&counters[5u]));
+                if (_e519 > 0u) {
+                    let _e522 = atomicAdd((&output.member[0u]), _e519);
+                    atomicStore((&counters[6u]), _e522);
+                }
+            }
+            workgroupBarrier();
+            let _e525 = atomicLoad((&counters[6u]));
+            phi_770_ = type_30(0u, 8u);
+            loop {
+                let _e527 = phi_770_;
+                if (_e527.member < _e527.member_1) {
+                    phi_771_ = type_30((_e527.member + 1u), _e527.member_1);
+                    phi_794_ = type_30(1u, _e527.member);
+                } else {
+                    phi_771_ = _e527;
+                    phi_794_ = type_30(0u, type_30().member_1);
+                }
+                let _e541 = phi_771_;
+                let _e543 = phi_794_;
+                if (bitcast<i32>(_e543.member) != 0i) {
+                    let _e549 = (_e52 + (_e543.member_1 * 128u));
+                    if (_e549 >= _e514) {
+                        phi_840_ = false;
+                    } else {
+                        let _e552 = hits[_e549];
+                        let _e555 = ((_e552 >> bitcast<u32>(10i)) & 3u);
+                        let _e561 = params.member.member_16;
+                        let _e562 = (_e525 + _e549);
+                        let _e565 = firsts[(2u * _e555)];
+                        let _e570 = firsts[((2u * _e555) + 1u)];
+                        if (_e562 < _e561) {
+                            atomicStore((&output.member[(4u + (2u * _e562))]), (_e565 + ((_e552 >> bitcast<u32>(5i)) & 31u)));
+                            atomicStore((&output.member[((2u * _e562) + 5u)]), (_e570 + (_e552 & 31u)));
+                        }
+                        phi_840_ = true;
+                    }
+                    let _e580 = phi_840_;
+                    phi_841_ = _e580;
+                } else {
+                    phi_841_ = false;
+                }
+                let _e582 = phi_841_;
+                continue;
+                continuing {
+                    phi_770_ = _e541;
+                    break if !(_e582);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_182_ = _e118;
-            break if !(_e124);
+            phi_203_ = _e130;
+            break if !(_e136);
         }
     }
     return;
 }
 
-@compute @workgroup_size(64, 1, 1) 
+@compute @workgroup_size(128, 1, 1) 
 fn node_pairs(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     id_1 = id;
     n_1 = n;

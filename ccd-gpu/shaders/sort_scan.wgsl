@@ -37,9 +37,9 @@ var<private> id_1: vec3<u32>;
 var<private> lane_1: u32;
 @group(0) @binding(0) 
 var<storage> params: type_11;
-var<workgroup> sums: array<u32, 512>;
 @group(0) @binding(1) 
 var<storage, read_write> table: type_15;
+var<workgroup> sums: array<u32, 512>;
 
 fn function_() {
     var phi_75_: u32;
@@ -50,9 +50,9 @@ fn function_() {
     var phi_131_: u32;
     var phi_135_: type_20;
     var phi_138_: u32;
-    var phi_139_: u32;
     var phi_140_: u32;
     var phi_142_: u32;
+    var phi_139_: u32;
     var phi_136_: type_20;
     var phi_165_: type_20;
     var phi_181_: u32;
@@ -102,17 +102,17 @@ fn function_() {
             let _e70 = phi_131_;
             sums[_e21] = _e70;
             phi_135_ = type_20(0u, 8u);
-            phi_138_ = 256u;
-            phi_139_ = 0u;
+            phi_138_ = 0u;
             phi_140_ = 1u;
             phi_142_ = _e70;
+            phi_139_ = 256u;
             loop {
                 let _e73 = phi_135_;
                 let _e75 = phi_138_;
-                let _e77 = phi_139_;
-                let _e79 = phi_140_;
-                let _e81 = phi_142_;
-                local = _e81;
+                let _e77 = phi_140_;
+                let _e79 = phi_142_;
+                let _e81 = phi_139_;
+                local = _e79;
                 if (_e73.member < _e73.member_1) {
                     phi_136_ = type_20((_e73.member + 1u), _e73.member_1);
                     phi_165_ = type_20(1u, _e73.member);
@@ -125,15 +125,15 @@ fn function_() {
                 let _e100 = (bitcast<i32>(_e97.member) != 0i);
                 if _e100 {
                     workgroupBarrier();
-                    if (_e21 >= _e79) {
-                        let _e105 = sums[((_e77 + _e21) - _e79)];
-                        phi_181_ = (_e81 + _e105);
+                    if (_e21 >= _e77) {
+                        let _e105 = sums[((_e75 + _e21) - _e77)];
+                        phi_181_ = (_e79 + _e105);
                     } else {
-                        phi_181_ = _e81;
+                        phi_181_ = _e79;
                     }
                     let _e108 = phi_181_;
-                    sums[(_e75 + _e21)] = _e108;
-                    phi_141_ = (_e79 * 2u);
+                    sums[(_e81 + _e21)] = _e108;
+                    phi_141_ = (_e77 * 2u);
                     phi_143_ = _e108;
                 } else {
                     phi_141_ = u32();
@@ -144,10 +144,10 @@ fn function_() {
                 continue;
                 continuing {
                     phi_135_ = _e95;
-                    phi_138_ = _e77;
-                    phi_139_ = _e75;
+                    phi_138_ = _e81;
                     phi_140_ = _e113;
                     phi_142_ = _e115;
+                    phi_139_ = _e75;
                     break if !(_e100);
                 }
             }

@@ -48,290 +48,304 @@ var<storage> values: type_15;
 var<storage, read_write> keys_out: type_15;
 @group(0) @binding(5) 
 var<storage, read_write> values_out: type_15;
-var<workgroup> masks: array<atomic<u32>, 1024>;
-var<workgroup> counts: array<u32, 1024>;
-var<workgroup> sums: array<u32, 512>;
+var<workgroup> masks: array<atomic<u32>, 2048>;
+var<workgroup> counts: array<atomic<u32>, 1024>;
+var<workgroup> ranks: array<u32, 1024>;
 
 fn function_() {
-    var local: array<u32, 16>;
-    var phi_91_: type_20;
-    var phi_92_: type_20;
-    var phi_115_: type_20;
-    var phi_133_: type_20;
+    var phi_88_: type_20;
+    var phi_89_: type_20;
+    var phi_112_: type_20;
     var phi_134_: type_20;
-    var phi_157_: type_20;
-    var phi_200_: u32;
-    var phi_264_: type_20;
-    var phi_267_: u32;
-    var phi_268_: u32;
-    var phi_269_: u32;
-    var phi_271_: u32;
-    var phi_265_: type_20;
-    var phi_294_: type_20;
-    var phi_310_: u32;
-    var phi_270_: u32;
-    var phi_272_: u32;
-    var local_1: u32;
-    var phi_317_: type_20;
-    var phi_320_: u32;
-    var phi_318_: type_20;
-    var phi_343_: type_20;
-    var phi_373_: u32;
-    var phi_377_: type_20;
-    var phi_380_: u32;
-    var phi_378_: type_20;
-    var phi_403_: type_20;
+    var phi_135_: type_20;
+    var phi_158_: type_20;
+    var phi_212_: u32;
+    var phi_241_: u32;
+    var phi_335_: type_20;
+    var phi_338_: u32;
+    var phi_340_: u32;
+    var phi_342_: u32;
+    var phi_339_: u32;
+    var phi_336_: type_20;
+    var phi_365_: type_20;
     var phi_381_: u32;
-    var phi_321_: u32;
-    var phi_420_: type_20;
-    var phi_421_: type_20;
-    var phi_444_: type_20;
+    var phi_341_: u32;
+    var phi_343_: u32;
+    var local: u32;
+    var phi_388_: type_20;
+    var phi_391_: u32;
+    var phi_389_: type_20;
+    var phi_414_: type_20;
+    var phi_444_: u32;
+    var phi_448_: type_20;
+    var phi_451_: u32;
+    var phi_449_: type_20;
+    var phi_474_: type_20;
+    var phi_452_: u32;
+    var phi_392_: u32;
+    var phi_491_: type_20;
+    var phi_492_: type_20;
+    var phi_515_: type_20;
 
-    let _e42 = id_1;
-    let _e43 = n_1;
-    let _e44 = lane_1;
-    let _e55 = ((_e42.y * _e43.x) + _e42.x);
-    phi_91_ = type_20(0u, 8u);
+    let _e43 = id_1;
+    let _e44 = n_1;
+    let _e45 = lane_1;
+    let _e56 = ((_e43.y * _e44.x) + _e43.x);
+    phi_88_ = type_20(0u, 8u);
     loop {
-        let _e57 = phi_91_;
-        if (_e57.member < _e57.member_1) {
-            phi_92_ = type_20((_e57.member + 1u), _e57.member_1);
-            phi_115_ = type_20(1u, _e57.member);
+        let _e58 = phi_88_;
+        if (_e58.member < _e58.member_1) {
+            phi_89_ = type_20((_e58.member + 1u), _e58.member_1);
+            phi_112_ = type_20(1u, _e58.member);
         } else {
-            phi_92_ = _e57;
-            phi_115_ = type_20(0u, type_20().member_1);
+            phi_89_ = _e58;
+            phi_112_ = type_20(0u, type_20().member_1);
         }
-        let _e71 = phi_92_;
-        let _e73 = phi_115_;
-        let _e77 = (bitcast<i32>(_e73.member) != 0i);
-        if _e77 {
-            atomicStore((&masks[((_e73.member_1 * 128u) + _e44)]), 0u);
-            counts[((_e73.member_1 * 128u) + _e44)] = 0u;
+        let _e72 = phi_89_;
+        let _e74 = phi_112_;
+        let _e78 = (bitcast<i32>(_e74.member) != 0i);
+        if _e78 {
+            atomicStore((&masks[((_e74.member_1 * 128u) + _e45)]), 0u);
+            atomicStore((&masks[((1024u + (_e74.member_1 * 128u)) + _e45)]), 0u);
+            atomicStore((&counts[((_e74.member_1 * 128u) + _e45)]), 0u);
         }
         continue;
         continuing {
-            phi_91_ = _e71;
-            break if !(_e77);
+            phi_88_ = _e72;
+            break if !(_e78);
         }
     }
     workgroupBarrier();
-    let _e86 = ((_e44 / 32u) * 256u);
-    local = array<u32, 16>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-    phi_133_ = type_20(0u, 16u);
+    let _e91 = ((_e45 / 32u) * 256u);
+    phi_134_ = type_20(0u, 8u);
     loop {
-        let _e88 = phi_133_;
-        if (_e88.member < _e88.member_1) {
-            phi_134_ = type_20((_e88.member + 1u), _e88.member_1);
-            phi_157_ = type_20(1u, _e88.member);
+        let _e93 = phi_134_;
+        if (_e93.member < _e93.member_1) {
+            phi_135_ = type_20((_e93.member + 1u), _e93.member_1);
+            phi_158_ = type_20(1u, _e93.member);
         } else {
-            phi_134_ = _e88;
-            phi_157_ = type_20(0u, type_20().member_1);
+            phi_135_ = _e93;
+            phi_158_ = type_20(0u, type_20().member_1);
         }
-        let _e102 = phi_134_;
-        let _e104 = phi_157_;
-        let _e108 = (bitcast<i32>(_e104.member) != 0i);
-        if _e108 {
-            let _e116 = ((_e55 * 2048u) + ((((_e44 / 32u) * 512u) + (_e104.member_1 * 32u)) + (_e44 % 32u)));
-            let _e118 = params.member.member_17;
-            if (_e116 < _e118) {
-                let _e121 = keys.member[_e116];
-                let _e123 = params.member.member_10;
-                let _e128 = (_e86 + ((_e121 >> bitcast<u32>((_e123 & 31u))) & 255u));
-                let _e134 = atomicOr((&masks[_e128]), (1u << bitcast<u32>(((_e44 % 32u) & 31u))));
-                phi_200_ = _e128;
+        let _e107 = phi_135_;
+        let _e109 = phi_158_;
+        let _e113 = (bitcast<i32>(_e109.member) != 0i);
+        if _e113 {
+            let _e121 = ((_e56 * 2048u) + ((((_e45 / 32u) * 512u) + (_e109.member_1 * 64u)) + (_e45 % 32u)));
+            let _e131 = ((_e56 * 2048u) + ((((_e45 / 32u) * 512u) + (((2u * _e109.member_1) + 1u) * 32u)) + (_e45 % 32u)));
+            let _e133 = params.member.member_17;
+            if (_e121 < _e133) {
+                let _e136 = keys.member[_e121];
+                let _e138 = params.member.member_10;
+                let _e143 = (_e91 + ((_e136 >> bitcast<u32>((_e138 & 31u))) & 255u));
+                let _e149 = atomicOr((&masks[_e143]), (1u << bitcast<u32>(((_e45 % 32u) & 31u))));
+                phi_212_ = _e143;
             } else {
-                phi_200_ = 0u;
+                phi_212_ = _e91;
             }
-            let _e136 = phi_200_;
-            workgroupBarrier();
-            let _e138 = atomicLoad((&masks[_e136]));
-            let _e145 = countOneBits((_e138 & ((1u << bitcast<u32>(((_e44 % 32u) & 31u))) - 1u)));
-            let _e147 = counts[_e136];
-            let _e148 = (_e147 + _e145);
-            if (_e104.member_1 < 16u) {
+            let _e151 = phi_212_;
+            let _e153 = params.member.member_17;
+            if (_e131 < _e153) {
+                let _e156 = keys.member[_e131];
+                let _e158 = params.member.member_10;
+                let _e163 = (_e91 + ((_e156 >> bitcast<u32>((_e158 & 31u))) & 255u));
+                let _e170 = atomicOr((&masks[(1024u + _e163)]), (1u << bitcast<u32>(((_e45 % 32u) & 31u))));
+                phi_241_ = _e163;
             } else {
-                return;
+                phi_241_ = _e91;
             }
-            local[_e104.member_1] = _e148;
+            let _e172 = phi_241_;
             workgroupBarrier();
-            let _e152 = params.member.member_17;
-            if (_e116 < _e152) {
-                if (_e145 == 0u) {
-                    counts[_e136] = (_e148 + countOneBits(_e138));
-                    atomicStore((&masks[_e136]), 0u);
+            let _e174 = atomicLoad((&masks[_e151]));
+            let _e177 = atomicLoad((&masks[(1024u + _e172)]));
+            let _e184 = countOneBits((_e174 & ((1u << bitcast<u32>(((_e45 % 32u) & 31u))) - 1u)));
+            let _e191 = countOneBits((_e177 & ((1u << bitcast<u32>(((_e45 % 32u) & 31u))) - 1u)));
+            let _e193 = atomicLoad((&counts[_e151]));
+            let _e196 = atomicLoad((&counts[_e172]));
+            let _e198 = atomicLoad((&masks[_e172]));
+            ranks[((_e109.member_1 * 128u) + _e45)] = ((_e193 + _e184) | (((_e196 + countOneBits(_e198)) + _e191) << bitcast<u32>(16i)));
+            workgroupBarrier();
+            let _e209 = params.member.member_17;
+            if (_e121 < _e209) {
+                if (_e184 == 0u) {
+                    let _e214 = atomicAdd((&counts[_e151]), countOneBits(_e174));
+                    atomicStore((&masks[_e151]), 0u);
+                }
+            }
+            let _e217 = params.member.member_17;
+            if (_e131 < _e217) {
+                if (_e191 == 0u) {
+                    let _e222 = atomicAdd((&counts[_e172]), countOneBits(_e177));
+                    atomicStore((&masks[(1024u + _e172)]), 0u);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_133_ = _e102;
-            break if !(_e108);
+            phi_134_ = _e107;
+            break if !(_e113);
         }
     }
-    let _e161 = params.member.member_11;
-    let _e162 = (256u * _e161);
-    let _e166 = table.member[(_e162 + (2u * _e44))];
-    let _e171 = table.member[((_e162 + (2u * _e44)) + 1u)];
-    let _e172 = (_e166 + _e171);
-    sums[_e44] = _e172;
-    phi_264_ = type_20(0u, 7u);
-    phi_267_ = 256u;
-    phi_268_ = 0u;
-    phi_269_ = 1u;
-    phi_271_ = _e172;
+    let _e227 = params.member.member_11;
+    let _e228 = (256u * _e227);
+    let _e232 = table.member[(_e228 + (2u * _e45))];
+    let _e237 = table.member[((_e228 + (2u * _e45)) + 1u)];
+    let _e238 = (_e232 + _e237);
+    atomicStore((&masks[_e45]), _e238);
+    phi_335_ = type_20(0u, 7u);
+    phi_338_ = 0u;
+    phi_340_ = 1u;
+    phi_342_ = _e238;
+    phi_339_ = 1024u;
     loop {
-        let _e175 = phi_264_;
-        let _e177 = phi_267_;
-        let _e179 = phi_268_;
-        let _e181 = phi_269_;
-        let _e183 = phi_271_;
-        local_1 = _e183;
-        if (_e175.member < _e175.member_1) {
-            phi_265_ = type_20((_e175.member + 1u), _e175.member_1);
-            phi_294_ = type_20(1u, _e175.member);
+        let _e241 = phi_335_;
+        let _e243 = phi_338_;
+        let _e245 = phi_340_;
+        let _e247 = phi_342_;
+        let _e249 = phi_339_;
+        local = _e247;
+        if (_e241.member < _e241.member_1) {
+            phi_336_ = type_20((_e241.member + 1u), _e241.member_1);
+            phi_365_ = type_20(1u, _e241.member);
         } else {
-            phi_265_ = _e175;
-            phi_294_ = type_20(0u, type_20().member_1);
+            phi_336_ = _e241;
+            phi_365_ = type_20(0u, type_20().member_1);
         }
-        let _e197 = phi_265_;
-        let _e199 = phi_294_;
-        let _e202 = (bitcast<i32>(_e199.member) != 0i);
-        if _e202 {
+        let _e263 = phi_336_;
+        let _e265 = phi_365_;
+        let _e268 = (bitcast<i32>(_e265.member) != 0i);
+        if _e268 {
             workgroupBarrier();
-            if (_e44 >= _e181) {
-                let _e207 = sums[((_e179 + _e44) - _e181)];
-                phi_310_ = (_e183 + _e207);
+            if (_e45 >= _e245) {
+                let _e273 = atomicLoad((&masks[((_e243 + _e45) - _e245)]));
+                phi_381_ = (_e247 + _e273);
             } else {
-                phi_310_ = _e183;
+                phi_381_ = _e247;
             }
-            let _e210 = phi_310_;
-            sums[(_e177 + _e44)] = _e210;
-            phi_270_ = (_e181 * 2u);
-            phi_272_ = _e210;
+            let _e276 = phi_381_;
+            atomicStore((&masks[(_e249 + _e45)]), _e276);
+            phi_341_ = (_e245 * 2u);
+            phi_343_ = _e276;
         } else {
-            phi_270_ = u32();
-            phi_272_ = u32();
+            phi_341_ = u32();
+            phi_343_ = u32();
         }
-        let _e215 = phi_270_;
-        let _e217 = phi_272_;
+        let _e281 = phi_341_;
+        let _e283 = phi_343_;
         continue;
         continuing {
-            phi_264_ = _e197;
-            phi_267_ = _e179;
-            phi_268_ = _e177;
-            phi_269_ = _e215;
-            phi_271_ = _e217;
-            break if !(_e202);
+            phi_335_ = _e263;
+            phi_338_ = _e249;
+            phi_340_ = _e281;
+            phi_342_ = _e283;
+            phi_339_ = _e243;
+            break if !(_e268);
         }
     }
     workgroupBarrier();
-    let _e220 = local_1;
-    phi_317_ = type_20(0u, 2u);
-    phi_320_ = (_e220 - _e172);
+    let _e286 = local;
+    phi_388_ = type_20(0u, 2u);
+    phi_391_ = (_e286 - _e238);
     loop {
-        let _e223 = phi_317_;
-        let _e225 = phi_320_;
-        if (_e223.member < _e223.member_1) {
-            phi_318_ = type_20((_e223.member + 1u), _e223.member_1);
-            phi_343_ = type_20(1u, _e223.member);
+        let _e289 = phi_388_;
+        let _e291 = phi_391_;
+        if (_e289.member < _e289.member_1) {
+            phi_389_ = type_20((_e289.member + 1u), _e289.member_1);
+            phi_414_ = type_20(1u, _e289.member);
         } else {
-            phi_318_ = _e223;
-            phi_343_ = type_20(0u, type_20().member_1);
+            phi_389_ = _e289;
+            phi_414_ = type_20(0u, type_20().member_1);
         }
-        let _e239 = phi_318_;
-        let _e241 = phi_343_;
-        let _e245 = (bitcast<i32>(_e241.member) != 0i);
-        if _e245 {
-            let _e247 = ((2u * _e44) + _e241.member_1);
-            let _e249 = params.member.member_11;
-            if (_e55 < _e249) {
-                let _e252 = params.member.member_11;
-                let _e256 = table.member[((_e247 * _e252) + _e55)];
-                phi_373_ = _e256;
+        let _e305 = phi_389_;
+        let _e307 = phi_414_;
+        let _e311 = (bitcast<i32>(_e307.member) != 0i);
+        if _e311 {
+            let _e313 = ((2u * _e45) + _e307.member_1);
+            let _e315 = params.member.member_11;
+            if (_e56 < _e315) {
+                let _e318 = params.member.member_11;
+                let _e322 = table.member[((_e313 * _e318) + _e56)];
+                phi_444_ = _e322;
             } else {
-                phi_373_ = 0u;
+                phi_444_ = 0u;
             }
-            let _e258 = phi_373_;
-            phi_377_ = type_20(0u, 4u);
-            phi_380_ = (_e225 + _e258);
+            let _e324 = phi_444_;
+            phi_448_ = type_20(0u, 4u);
+            phi_451_ = (_e291 + _e324);
             loop {
-                let _e261 = phi_377_;
-                let _e263 = phi_380_;
-                if (_e261.member < _e261.member_1) {
-                    phi_378_ = type_20((_e261.member + 1u), _e261.member_1);
-                    phi_403_ = type_20(1u, _e261.member);
+                let _e327 = phi_448_;
+                let _e329 = phi_451_;
+                if (_e327.member < _e327.member_1) {
+                    phi_449_ = type_20((_e327.member + 1u), _e327.member_1);
+                    phi_474_ = type_20(1u, _e327.member);
                 } else {
-                    phi_378_ = _e261;
-                    phi_403_ = type_20(0u, type_20().member_1);
+                    phi_449_ = _e327;
+                    phi_474_ = type_20(0u, type_20().member_1);
                 }
-                let _e277 = phi_378_;
-                let _e279 = phi_403_;
-                let _e283 = (bitcast<i32>(_e279.member) != 0i);
-                if _e283 {
-                    let _e285 = ((_e279.member_1 * 256u) + _e247);
-                    let _e287 = counts[_e285];
-                    counts[_e285] = _e263;
-                    phi_381_ = (_e263 + _e287);
+                let _e343 = phi_449_;
+                let _e345 = phi_474_;
+                let _e349 = (bitcast<i32>(_e345.member) != 0i);
+                if _e349 {
+                    let _e351 = ((_e345.member_1 * 256u) + _e313);
+                    let _e353 = atomicLoad((&counts[_e351]));
+                    atomicStore((&counts[_e351]), _e329);
+                    phi_452_ = (_e329 + _e353);
                 } else {
-                    phi_381_ = u32();
+                    phi_452_ = u32();
                 }
-                let _e291 = phi_381_;
+                let _e357 = phi_452_;
                 continue;
                 continuing {
-                    phi_377_ = _e277;
-                    phi_380_ = _e291;
-                    break if !(_e283);
+                    phi_448_ = _e343;
+                    phi_451_ = _e357;
+                    break if !(_e349);
                 }
             }
-            phi_321_ = (_e225 + _e166);
+            phi_392_ = (_e291 + _e232);
         } else {
-            phi_321_ = u32();
+            phi_392_ = u32();
         }
-        let _e295 = phi_321_;
+        let _e361 = phi_392_;
         continue;
         continuing {
-            phi_317_ = _e239;
-            phi_320_ = _e295;
-            break if !(_e245);
+            phi_388_ = _e305;
+            phi_391_ = _e361;
+            break if !(_e311);
         }
     }
     workgroupBarrier();
-    phi_420_ = type_20(0u, 16u);
+    phi_491_ = type_20(0u, 16u);
     loop {
-        let _e298 = phi_420_;
-        if (_e298.member < _e298.member_1) {
-            phi_421_ = type_20((_e298.member + 1u), _e298.member_1);
-            phi_444_ = type_20(1u, _e298.member);
+        let _e364 = phi_491_;
+        if (_e364.member < _e364.member_1) {
+            phi_492_ = type_20((_e364.member + 1u), _e364.member_1);
+            phi_515_ = type_20(1u, _e364.member);
         } else {
-            phi_421_ = _e298;
-            phi_444_ = type_20(0u, type_20().member_1);
+            phi_492_ = _e364;
+            phi_515_ = type_20(0u, type_20().member_1);
         }
-        let _e312 = phi_421_;
-        let _e314 = phi_444_;
-        let _e318 = (bitcast<i32>(_e314.member) != 0i);
-        if _e318 {
-            let _e326 = ((_e55 * 2048u) + ((((_e44 / 32u) * 512u) + (_e314.member_1 * 32u)) + (_e44 % 32u)));
-            let _e328 = params.member.member_17;
-            if (_e326 < _e328) {
-                let _e331 = keys.member[_e326];
-                let _e333 = params.member.member_10;
-                let _e340 = counts[(_e86 + ((_e331 >> bitcast<u32>((_e333 & 31u))) & 255u))];
-                if (_e314.member_1 < 16u) {
-                } else {
-                    return;
-                }
-                let _e343 = local[_e314.member_1];
-                let _e344 = (_e340 + _e343);
-                keys_out.member[_e344] = _e331;
-                let _e347 = values.member[_e326];
-                values_out.member[_e344] = _e347;
+        let _e378 = phi_492_;
+        let _e380 = phi_515_;
+        let _e384 = (bitcast<i32>(_e380.member) != 0i);
+        if _e384 {
+            let _e392 = ((_e56 * 2048u) + ((((_e45 / 32u) * 512u) + (_e380.member_1 * 32u)) + (_e45 % 32u)));
+            let _e394 = params.member.member_17;
+            if (_e392 < _e394) {
+                let _e397 = keys.member[_e392];
+                let _e402 = ranks[(((_e380.member_1 / 2u) * 128u) + _e45)];
+                let _e410 = params.member.member_10;
+                let _e417 = atomicLoad((&counts[(_e91 + ((_e397 >> bitcast<u32>((_e410 & 31u))) & 255u))]));
+                let _e418 = (_e417 + ((_e402 >> bitcast<u32>(((16u * (_e380.member_1 % 2u)) & 31u))) & 65535u));
+                keys_out.member[_e418] = _e397;
+                let _e421 = values.member[_e392];
+                values_out.member[_e418] = _e421;
             }
         }
         continue;
         continuing {
-            phi_420_ = _e312;
-            break if !(_e318);
+            phi_491_ = _e378;
+            break if !(_e384);
         }
     }
     return;

@@ -6,7 +6,7 @@ use crate::list::{HEADER_BYTES, List};
 use crate::readback::Readback;
 use crate::recorder::Bench;
 use crate::session::submit;
-use crate::tree::{GROUPS, Tree};
+use crate::tree::Tree;
 use ccd_core::Aabb;
 use ccd_core::kernel::Id;
 use ccd_core::layout::{Pair, Params};
@@ -108,7 +108,7 @@ impl BroadPhase {
                 let input = tree.block_pairs(kind as usize);
                 tree.each_part(&params, 1, input, pairs.room(), 1, |p| {
                     let buffers = [&tree.nodes, &tree.leaves, none, none, input.buffer(), pairs.buffer()];
-                    recorder.dispatch(Id::ListCandidates, p, &buffers, GROUPS.min(input.room()));
+                    recorder.dispatch(Id::ListCandidates, p, &buffers, tree.groups.min(input.room()));
                 });
                 recorder.stage("read back");
                 for (part, list) in parts.iter().zip(&heads) {
@@ -170,6 +170,7 @@ impl Sorter {
     pub fn new(device: &Device, n: u32) -> Result<Self, Error> {
         let mut bench = Bench::new(device)?;
         bench.time_stages(true)?;
+        bench.details = true;
         Ok(Self { bench, tree: Tree::new(device, [0, n, 0])?, device: device.clone(), n })
     }
 
@@ -189,7 +190,9 @@ impl Sorter {
             readback.copy(recorder, parts[1], order);
         })?;
         let mut read = readback.read(device, &parts)?.into_iter().map(|b| bytemuck::pod_collect_to_vec(&b));
-        let ms = bench.times(&stages)?.first().map_or(0.0, |s| s.1);
+        let times = bench.times(&stages)?;
+        let ms = times.iter().map(|s| s.1).sum();
+        if std::env::var("SORT_DETAIL").is_ok() { println!("{times:?}"); }
         Ok((read.next().unwrap_or_default(), read.next().unwrap_or_default(), ms))
     }
 }

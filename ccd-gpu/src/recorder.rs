@@ -19,6 +19,8 @@ pub struct Bench {
     params: wgpu::Buffer,
     groups: HashMap<(Id, Vec<wgpu::Buffer>), wgpu::BindGroup>,
     timer: Option<Timer>,
+    /// Time kernels rather than stages, where a stage has several.
+    pub details: bool,
 }
 
 struct Timer {
@@ -31,7 +33,7 @@ impl Bench {
     pub fn new(device: &Device) -> Result<Self, Error> {
         use wgpu::BufferUsages as U;
         let params = device.buffer("parameters", PARAMS_STRIDE * MAX_DISPATCHES, U::STORAGE | U::COPY_DST)?;
-        Ok(Self { device: device.clone(), params, groups: HashMap::new(), timer: None })
+        Ok(Self { device: device.clone(), params, groups: HashMap::new(), timer: None, details: false })
     }
 
     /// Starts or stops timing stages; where there are no timestamps, nothing is timed.
@@ -86,6 +88,13 @@ impl Recorder<'_> {
         if self.bench.timer.is_some() && self.stages.len() < MAX_STAGES as usize {
             self.pass = None;
             self.stages.push(name);
+        }
+    }
+
+    /// A part of a stage, which is timed by itself if details are.
+    pub fn detail(&mut self, name: &'static str) {
+        if self.bench.details {
+            self.stage(name);
         }
     }
 

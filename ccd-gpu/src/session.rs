@@ -6,7 +6,7 @@ use crate::list::{HEADER_BYTES, List};
 use crate::readback::Readback;
 use crate::recorder::{Bench, Recorder};
 use crate::tail;
-use crate::tree::{GROUPS, Tree};
+use crate::tree::Tree;
 use crate::upload::Positions;
 use ccd_core::error::check_min_distance;
 use ccd_core::kernel::{Id, decide};
@@ -464,7 +464,7 @@ impl Buffers {
         let input = tree.block_pairs(params.kind as usize);
         tree.each_part(params, 1, input, output.room(), 1, |p| {
             let buffers = [&tree.nodes, &tree.leaves, &self.bodies, &self.positions.keys, input.buffer(), output.buffer()];
-            recorder.dispatch(Id::ListCandidates, p, &buffers, GROUPS.min(input.room()));
+            recorder.dispatch(Id::ListCandidates, p, &buffers, self.tree.groups.min(input.room()));
         });
     }
 
@@ -477,7 +477,7 @@ impl Buffers {
             let input = tree.block_pairs(kind);
             tree.each_part(params, 1, input, output.room(), step, |p| {
                 let buffers = [&tree.nodes, &tree.leaves, &self.bodies, &self.positions.keys, paths, input.buffer(), output.buffer()];
-                recorder.dispatch([Id::FilterVertexFace, Id::FilterEdgeEdge][kind], p, &buffers, GROUPS.min(input.room()));
+                recorder.dispatch([Id::FilterVertexFace, Id::FilterEdgeEdge][kind], p, &buffers, self.tree.groups.min(input.room()));
             });
         });
         for kind in [0, 1] {
@@ -485,7 +485,7 @@ impl Buffers {
             let input = &self.survivors[kind];
             let elements = [&self.faces, &self.edges][kind];
             let p = Params { kind: kind as u32, room_in: input.room(), room_out: self.contacts.room(), path_error: self.positions.path_error, ..*params };
-            let groups = GROUPS.min(input.room().div_ceil(64));
+            let groups = self.tree.groups.min(input.room().div_ceil(64));
             let (paths, survivors, contacts) = (&self.positions.paths, input.buffer(), self.contacts.buffer());
             if wide {
                 let buffers = [paths, &self.positions.wide, elements, survivors, contacts, &self.earliest];

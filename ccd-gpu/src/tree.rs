@@ -10,8 +10,11 @@ use ccd_core::kernel::{Id, bounds, sort};
 use ccd_core::layout::{Leaf, Params};
 use wgpu::BufferUsages as U;
 
-/// Workgroups of kernels that take one pair of nodes after another: enough for the largest devices, few enough that each gets many pairs.
-pub const GROUPS: u32 = 8192;
+/// Workgroups of kernels that take one item after another: enough for the largest GPUs; few where a CPU plays one, because each costs it some time to start.
+pub fn groups(device: &Device) -> u32 {
+    if device.info().adapter.device_type == wgpu::DeviceType::Cpu { 64 } else { 8192 }
+}
+
 /// Pairs of nodes that one dispatch takes at most: some milliseconds of a small device, so that no driver thinks that it hangs.
 pub const DISPATCH_LIMIT: u32 = 1 << 20;
 
@@ -27,6 +30,8 @@ pub struct Tree {
     orders: [wgpu::Buffer; 2],
     table: wgpu::Buffer,
     n_tiles: u32,
+    /// Most workgroups of a kernel that loops over a list.
+    pub groups: u32,
     /// By kind: all pairs of nodes where the descent starts.
     start: [List; 2],
     /// By kind and level below the start: pairs of nodes.
@@ -67,6 +72,7 @@ impl Tree {
             start: [start(0)?, start(1)?],
             pairs: [pairs(0)?, pairs(1)?],
             n_tiles,
+            groups: groups(device),
             levels,
             count,
             nodes,
@@ -104,9 +110,12 @@ impl Tree {
         let (mut from, mut to) = (0, 1);
         for pass in 0..4 {
             let p = Params { n, n_tiles: self.n_tiles, shift: 8 * pass, ..Params::default() };
+            recorder.detail("sort_count");
             recorder.dispatch(Id::SortCount, &p, &[&self.keys[from], &self.table], self.n_tiles);
+            recorder.detail("sort_scan");
             recorder.dispatch(Id::SortScan, &p, &[&self.table], sort::DIGITS);
             let buffers = [&self.table, &self.keys[from], &self.orders[from], &self.keys[to], &self.orders[to]];
+            recorder.detail("sort_scatter");
             recorder.dispatch(Id::SortScatter, &p, &buffers, self.n_tiles);
             std::mem::swap(&mut from, &mut to);
         }
@@ -134,7 +143,7 @@ impl Tree {
         for level in (2..=self.levels.start(params.kind)).rev() {
             let output = &self.pairs[kind][level as usize - 2];
             self.each_part(params, level, input, output.room(), 1, |p| {
-                recorder.dispatch(Id::NodePairs, p, &[&self.nodes, input.buffer(), output.buffer()], GROUPS.min(input.room()));
+                recorder.dispatch(Id::NodePairs, p, &[&self.nodes, input.buffer(), output.buffer()], self.groups.min(input.room()));
             });
             input = output;
         }

@@ -1,87 +1,116 @@
-//! Pairs of nodes, candidates, and candidates that pass the filters: a workgroup of 64 threads takes one pair of nodes after another.
+//! Pairs of nodes, candidates, and candidates that pass the filters: a workgroup takes four pairs of nodes at once, a team of 32 threads each.
 //!
-//! For each: the first 32 threads look at the children of one node, the others at those of the other; children that reach into the other node are gathered
-//! in workgroup memory; those of one side become rows, those of the other columns, and every thread tests one row against its share of the columns.
+//! A thread holds one child of the first node; the children of the second that reach into the first are gathered in workgroup memory, and every thread
+//! whose child reaches into the second tests it against all of them. The hits of all teams are then worked on together, one a thread.
 
 use crate::share::{add, add_shared, barrier, get, group, length, set};
 use ccd_core::Aabb;
-use ccd_core::kernel::blocks::{THREADS, WIDTH, pack, row_bits, sets, slot, unpack, wanted};
+use ccd_core::kernel::blocks::{NOT_KEPT, POOL, TEAMS, THREADS, WIDTH, keep, kept, pack, sets, slot, unpack, wanted};
 use ccd_core::kernel::filter;
 use ccd_core::layout::{LIST_HEADER, Leaf, Pair, Params, Path};
 use ccd_core::slice::{at, put};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 
-/// Words of `counters`: children of either side, hits, hits that are kept, where they go in the list, hits that are candidates.
-const ROWS: u32 = 0;
-const HITS: u32 = 2;
-const KEPT: u32 = 3;
-const BASE: u32 = 4;
-const WANTED: u32 = 5;
+/// Words of `counters`: columns of each team, hits, hits that are kept, where they go in the list, hits that are candidates.
+const HITS: u32 = 4;
+const KEPT: u32 = 5;
+const BASE: u32 = 6;
+const WANTED: u32 = 7;
+/// Hits of the pool that a thread works on, at most.
+const SHARE: u32 = POOL / THREADS;
 
-/// How many of the entries from `params.first` on, every `params.step`-th, are there for workgroup `own` of `groups`.
+/// Rounds of workgroup `own` of `groups`: how often it takes `TEAMS` of the entries from `params.first` on, every `params.step`-th.
 #[inline(always)]
 fn rounds(params: &Params, there: u32, own: u32, groups: u32) -> u32 {
-    let wanted = if there > params.first { (there - params.first).div_ceil(params.step) } else { 0 };
-    let n = wanted.min(params.limit);
+    let n = entries(params, there).div_ceil(TEAMS);
     if n > own { (n - own).div_ceil(groups) } else { 0 }
 }
 
-/// Finds which children of the nodes `pair` overlap and writes each hit into `hits`, their number into `counters[HITS]`. `leaves`: the children are boxes, and
-/// a box is no pair with itself.
+/// Entries that this dispatch looks at.
 #[inline(always)]
-#[allow(clippy::too_many_arguments)]
-fn test_children(
-    lane: u32,
-    params: &Params,
-    pair: [u32; 2],
-    leaves: bool,
-    nodes: &[Aabb],
-    sides: &mut [Aabb; 64],
-    names: &mut [u32; 64],
-    counters: &mut [u32; 8],
-    hits: &mut [u32; 1024],
-) {
+fn entries(params: &Params, there: u32) -> u32 {
+    let wanted = if there > params.first { (there - params.first).div_ceil(params.step) } else { 0 };
+    wanted.min(params.limit)
+}
+
+/// The pair of nodes of a team; a team for which there is none gets no children, see `test_children`.
+#[inline(always)]
+fn team_pair(params: &Params, list: &[u32], there: u32, own: u32, groups: u32, round: u32, team: u32) -> ([u32; 2], bool) {
+    let i = (own + round * groups) * TEAMS + team;
+    let some = i < entries(params, there);
+    let pair = read(list, params.first + if some { i * params.step } else { 0 });
+    (pair, some)
+}
+
+#[inline(always)]
+fn clear(lane: u32, counters: &mut [u32; 8]) {
     if lane < 8 {
         set(counters, lane, 0);
     }
     barrier();
+}
+
+/// Gathers the columns of each team. Returns this thread's child of the first node, empty if it does not reach into the second.
+#[inline(always)]
+#[allow(clippy::too_many_arguments)]
+fn gather(
+    lane: u32,
+    params: &Params,
+    pair: [u32; 2],
+    some: bool,
+    nodes: &[Aabb],
+    columns: &mut [Aabb; 128],
+    names: &mut [u32; 128],
+    counters: &mut [u32; 8],
+) -> Aabb {
     let [set_a, set_b] = sets(params.kind);
-    let side = lane / WIDTH;
-    let (own_set, own_node) = if side == 0 { (set_a, pair[0]) } else { (set_b, pair[1]) };
-    let (other_set, other_node) = if side == 0 { (set_b, pair[1]) } else { (set_a, pair[0]) };
-    let child = at(nodes, slot(params, params.level - 1, own_set, own_node * WIDTH + lane % WIDTH));
-    if child.overlaps(&at(nodes, slot(params, params.level, other_set, other_node))) {
-        let to = side * WIDTH + add_shared(counters, ROWS + side, 1);
-        set(sides, to, child);
-        set(names, to, lane % WIDTH);
+    let (team, own) = (lane / WIDTH, lane % WIDTH);
+    let (a, b) = (at(nodes, slot(params, params.level, set_a, pair[0])), at(nodes, slot(params, params.level, set_b, pair[1])));
+    let row = at(nodes, slot(params, params.level - 1, set_a, pair[0] * WIDTH + own));
+    let column = at(nodes, slot(params, params.level - 1, set_b, pair[1] * WIDTH + own));
+    if some && column.overlaps(&a) {
+        let to = team * WIDTH + add_shared(counters, team, 1);
+        set(columns, to, column);
+        set(names, to, own);
     }
     barrier();
-    let (n_rows, n_columns) = (get(counters, ROWS), get(counters, ROWS + 1));
-    let bits = row_bits(n_rows);
-    let row = lane & ((1 << bits) - 1);
-    if row < n_rows {
-        let a = get(sides, row);
-        let i = get(names, row);
-        let same = params.kind == 1 && pair[0] == pair[1];
-        let mut column = lane >> bits;
-        for _ in 0..WIDTH {
-            if column >= n_columns {
-                break;
+    if some && row.overlaps(&b) { row } else { Aabb::EMPTY }
+}
+
+/// Whether child `i` of the first node and `j` of the second are a pair: within one node each pair comes twice, and once with itself.
+#[inline(always)]
+fn counts(same: bool, leaves: bool, i: u32, j: u32) -> bool {
+    !same || i < j || (i == j && !leaves)
+}
+
+/// Tests this thread's row against the columns of its team and pools the hits. Returns the columns of those for which the pool has no room, as bits.
+#[inline(always)]
+#[allow(clippy::too_many_arguments)]
+fn test(
+    lane: u32,
+    row: Aabb,
+    same: bool,
+    leaves: bool,
+    columns: &[Aabb; 128],
+    names: &[u32; 128],
+    counters: &mut [u32; 8],
+    hits: &mut [u32; 1024],
+) -> u32 {
+    let (team, i) = (lane / WIDTH, lane % WIDTH);
+    let mut beyond = 0;
+    for c in 0..get(counters, team) {
+        let j = get(names, team * WIDTH + c);
+        if row.overlaps(&get(columns, team * WIDTH + c)) && counts(same, leaves, i, j) {
+            let to = add_shared(counters, HITS, 1);
+            if to < POOL {
+                set(hits, to, pack(team, i, j));
+            } else {
+                beyond |= 1 << c;
             }
-            let b = get(sides, WIDTH + column);
-            if a.overlaps(&b) {
-                let j = get(names, WIDTH + column);
-                // Within one node each pair comes twice, and once with itself.
-                if !same || i < j || (i == j && !leaves) {
-                    let to = add_shared(counters, HITS, 1);
-                    set(hits, to, pack(i, j));
-                }
-            }
-            column += THREADS >> bits;
         }
     }
-    barrier();
+    beyond
 }
 
 /// Reserves room in `list` for what the workgroup kept, `counters[KEPT]`; returns where it begins.
@@ -107,6 +136,13 @@ fn write(list: &mut [u32], room: u32, i: u32, pair: [u32; 2]) {
     }
 }
 
+/// Appends one pair; for hits beyond the pool.
+#[inline(always)]
+fn append(list: &mut [u32], room: u32, pair: [u32; 2]) {
+    let i = add(list, 0, 1);
+    write(list, room, i, pair);
+}
+
 #[inline(always)]
 fn read(list: &[u32], i: u32) -> [u32; 2] {
     let at_word = LIST_HEADER + 2 * i as usize;
@@ -114,162 +150,150 @@ fn read(list: &[u32], i: u32) -> [u32; 2] {
 }
 
 /// From pairs of nodes of level `params.level` to those of their children that overlap.
-#[spirv(compute(threads(64)))]
+#[spirv(compute(threads(128)))]
 pub fn node_pairs(
     #[spirv(workgroup_id)] id: UVec3,
     #[spirv(num_workgroups)] n: UVec3,
     #[spirv(local_invocation_index)] lane: u32,
-    #[spirv(workgroup)] sides: &mut [Aabb; 64],
-    #[spirv(workgroup)] names: &mut [u32; 64],
+    #[spirv(workgroup)] columns: &mut [Aabb; 128],
+    #[spirv(workgroup)] names: &mut [u32; 128],
     #[spirv(workgroup)] counters: &mut [u32; 8],
     #[spirv(workgroup)] hits: &mut [u32; 1024],
+    #[spirv(workgroup)] firsts: &mut [u32; 8],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &[Aabb],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] input: &[u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] output: &mut [u32],
 ) {
     let (own, groups) = (group(id, n), n.x * n.y);
-    for round in 0..rounds(params, length(input, params.room_in), own, groups) {
-        let pair = read(input, params.first + (own + round * groups) * params.step);
-        test_children(lane, params, pair, false, nodes, sides, names, counters, hits);
-        let n_hits = get(counters, HITS);
+    let there = length(input, params.room_in);
+    let team = lane / WIDTH;
+    for round in 0..rounds(params, there, own, groups) {
+        let (pair, some) = team_pair(params, input, there, own, groups, round, team);
+        clear(lane, counters);
+        if lane % WIDTH == 0 {
+            set(firsts, 2 * team, pair[0] * WIDTH);
+            set(firsts, 2 * team + 1, pair[1] * WIDTH);
+        }
+        let row = gather(lane, params, pair, some, nodes, columns, names, counters);
+        let same = params.kind == 1 && pair[0] == pair[1];
+        let mut beyond = test(lane, row, same, false, columns, names, counters, hits);
+        for _ in 0..WIDTH {
+            if beyond == 0 {
+                break;
+            }
+            let j = get(names, team * WIDTH + beyond.trailing_zeros());
+            beyond &= beyond - 1;
+            append(output, params.room_out, [pair[0] * WIDTH + lane % WIDTH, pair[1] * WIDTH + j]);
+        }
+        barrier();
+        let n_hits = get(counters, HITS).min(POOL);
         if lane == 0 {
             set(counters, KEPT, n_hits);
         }
         let base = reserve(lane, counters, output);
-        let mut h = lane;
-        for _ in 0..16 {
+        for s in 0..SHARE {
+            let h = lane + s * THREADS;
             if h >= n_hits {
                 break;
             }
-            let [i, j] = unpack(get(hits, h));
-            write(output, params.room_out, base + h, [pair[0] * WIDTH + i, pair[1] * WIDTH + j]);
-            h += THREADS;
+            let [t, i, j] = unpack(get(hits, h));
+            write(output, params.room_out, base + h, [get(firsts, 2 * t) + i, get(firsts, 2 * t + 1) + j]);
         }
         barrier();
     }
 }
 
-/// From pairs of nodes of level 1 to candidates, as pairs of ids.
-#[spirv(compute(threads(64)))]
-pub fn list_candidates(
-    #[spirv(workgroup_id)] id: UVec3,
-    #[spirv(num_workgroups)] n: UVec3,
-    #[spirv(local_invocation_index)] lane: u32,
-    #[spirv(workgroup)] sides: &mut [Aabb; 64],
-    #[spirv(workgroup)] names: &mut [u32; 64],
-    #[spirv(workgroup)] counters: &mut [u32; 8],
-    #[spirv(workgroup)] hits: &mut [u32; 1024],
-    #[spirv(workgroup)] kept: &mut [u32; 1024],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &[Aabb],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] leaves: &[Leaf],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] bodies: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] keys: &[[[u32; 2]; 6]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] input: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] output: &mut [u32],
-) {
-    let (own, groups) = (group(id, n), n.x * n.y);
-    let [set_a, set_b] = sets(params.kind);
-    for round in 0..rounds(params, length(input, params.room_in), own, groups) {
-        let pair = read(input, params.first + (own + round * groups) * params.step);
-        test_children(lane, params, pair, true, nodes, sides, names, counters, hits);
-        let n_hits = get(counters, HITS);
-        let mut h = lane;
-        for _ in 0..16 {
-            if h >= n_hits {
-                break;
-            }
-            let hit = get(hits, h);
-            let [i, j] = unpack(hit);
-            let (p, q) = (slot(params, 0, set_a, pair[0] * WIDTH + i), slot(params, 0, set_b, pair[1] * WIDTH + j));
-            if wanted(params, &at(leaves, p), &at(leaves, q), [&at(nodes, p), &at(nodes, q)], bodies, keys) {
-                let to = add_shared(counters, KEPT, 1);
-                set(kept, to, hit);
-            }
-            h += THREADS;
-        }
-        let base = reserve(lane, counters, output);
-        let n_kept = get(counters, KEPT);
-        let mut h = lane;
-        for _ in 0..16 {
-            if h >= n_kept {
-                break;
-            }
-            let [i, j] = unpack(get(kept, h));
-            let (p, q) = (slot(params, 0, set_a, pair[0] * WIDTH + i), slot(params, 0, set_b, pair[1] * WIDTH + j));
-            let (a, b) = (at(leaves, p).id, at(leaves, q).id);
-            let pair = if params.kind == 0 { Pair { a, b } } else { Pair::ordered(a, b) };
-            write(output, params.room_out, base + h, [pair.a, pair.b]);
-            h += THREADS;
-        }
-        barrier();
-    }
-}
-
-macro_rules! filter_entry {
-    ($(#[$doc:meta])* $name:ident, $sets:expr, $may_touch:expr) => {
+macro_rules! leaf_entry {
+    ($(#[$doc:meta])* $name:ident, $sets:ident, $may_touch:ident, [$($paths:ident)?], $input:literal, $output:literal) => {
         $(#[$doc])*
-        #[spirv(compute(threads(64)))]
+        #[spirv(compute(threads(128)))]
         pub fn $name(
             #[spirv(workgroup_id)] id: UVec3,
             #[spirv(num_workgroups)] n: UVec3,
             #[spirv(local_invocation_index)] lane: u32,
-            #[spirv(workgroup)] sides: &mut [Aabb; 64],
-            #[spirv(workgroup)] names: &mut [u32; 64],
+            #[spirv(workgroup)] columns: &mut [Aabb; 128],
+            #[spirv(workgroup)] names: &mut [u32; 128],
             #[spirv(workgroup)] counters: &mut [u32; 8],
             #[spirv(workgroup)] hits: &mut [u32; 1024],
-            #[spirv(workgroup)] kept: &mut [u32; 1024],
+            #[spirv(workgroup)] firsts: &mut [u32; 8],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
             #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &[Aabb],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] leaves: &[Leaf],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] bodies: &[u32],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] keys: &[[[u32; 2]; 6]],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] paths: &[Path],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] input: &[u32],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] output: &mut [u32],
+            $(#[spirv(storage_buffer, descriptor_set = 0, binding = 5)] $paths: &[Path],)?
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $input)] input: &[u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $output)] output: &mut [u32],
         ) {
             let (own, groups) = (group(id, n), n.x * n.y);
-            let [set_a, set_b] = $sets;
-            for round in 0..rounds(params, length(input, params.room_in), own, groups) {
-                let pair = read(input, params.first + (own + round * groups) * params.step);
-                test_children(lane, params, pair, true, nodes, sides, names, counters, hits);
-                let n_hits = get(counters, HITS);
-                let mut h = lane;
-                for _ in 0..16 {
+            let there = length(input, params.room_in);
+            let (team, i) = (lane / WIDTH, lane % WIDTH);
+            let [set_a, set_b] = $sets(params);
+            for round in 0..rounds(params, there, own, groups) {
+                let (pair, some) = team_pair(params, input, there, own, groups, round, team);
+                clear(lane, counters);
+                let (first_a, first_b) = (slot(params, 0, set_a, pair[0] * WIDTH) as u32, slot(params, 0, set_b, pair[1] * WIDTH) as u32);
+                if i == 0 {
+                    set(firsts, 2 * team, first_a);
+                    set(firsts, 2 * team + 1, first_b);
+                }
+                let row = gather(lane, params, pair, some, nodes, columns, names, counters);
+                let same = set_a == set_b && pair[0] == pair[1];
+                let mut beyond = test(lane, row, same, true, columns, names, counters, hits);
+                for _ in 0..WIDTH {
+                    if beyond == 0 {
+                        break;
+                    }
+                    let j = get(names, team * WIDTH + beyond.trailing_zeros());
+                    beyond &= beyond - 1;
+                    // Not filtered, which is allowed: filters only save work.
+                    let (p, q) = ((first_a + i) as usize, (first_b + j) as usize);
+                    let (a, b) = (at(leaves, p), at(leaves, q));
+                    if wanted(params, &a, &b, [&at(nodes, p), &at(nodes, q)], bodies, keys) {
+                        append(output, params.room_out, ids(set_a == set_b, a.id, b.id));
+                        add(output, 1, 1);
+                    }
+                }
+                barrier();
+                let n_hits = get(counters, HITS).min(POOL);
+                for s in 0..SHARE {
+                    let h = lane + s * THREADS;
                     if h >= n_hits {
                         break;
                     }
                     let hit = get(hits, h);
-                    let [i, j] = unpack(hit);
-                    let (p, q) = (slot(params, 0, set_a, pair[0] * WIDTH + i), slot(params, 0, set_b, pair[1] * WIDTH + j));
+                    let [t, i, j] = unpack(hit);
+                    let (p, q) = ((get(firsts, 2 * t) + i) as usize, (get(firsts, 2 * t + 1) + j) as usize);
                     let (a, b) = (at(leaves, p), at(leaves, q));
                     if wanted(params, &a, &b, [&at(nodes, p), &at(nodes, q)], bodies, keys) {
                         add_shared(counters, WANTED, 1);
-                        if $may_touch(&a, &b, paths, params) {
+                        if $may_touch(&a, &b, params, $($paths)?) {
                             let to = add_shared(counters, KEPT, 1);
-                            set(kept, to, hit);
+                            set(hits, h, keep(hit, to));
                         }
                     }
-                    h += THREADS;
                 }
                 let base = reserve(lane, counters, output);
-                // The candidates themselves are not written; how many there were is the second word of the list.
+                // The candidates themselves need not be written; how many there were is the second word of the list.
                 if lane == 0 {
-                    add(output, 1, get(counters, WANTED));
+                    let n = get(counters, WANTED);
+                    if n > 0 {
+                        add(output, 1, n);
+                    }
                 }
-                let n_kept = get(counters, KEPT);
-                let mut h = lane;
-                for _ in 0..16 {
-                    if h >= n_kept {
+                for s in 0..SHARE {
+                    let h = lane + s * THREADS;
+                    if h >= n_hits {
                         break;
                     }
-                    let [i, j] = unpack(get(kept, h));
-                    let (p, q) = (slot(params, 0, set_a, pair[0] * WIDTH + i), slot(params, 0, set_b, pair[1] * WIDTH + j));
-                    let (a, b) = (at(leaves, p).id, at(leaves, q).id);
-                    let pair = if set_a != set_b { Pair { a, b } } else { Pair::ordered(a, b) };
-                    write(output, params.room_out, base + h, [pair.a, pair.b]);
-                    h += THREADS;
+                    let hit = get(hits, h);
+                    let to = kept(hit);
+                    if to != NOT_KEPT {
+                        let [t, i, j] = unpack(hit);
+                        let (a, b) = (at(leaves, (get(firsts, 2 * t) + i) as usize), at(leaves, (get(firsts, 2 * t + 1) + j) as usize));
+                        write(output, params.room_out, base + to, ids(set_a == set_b, a.id, b.id));
+                    }
                 }
                 barrier();
             }
@@ -277,27 +301,69 @@ macro_rules! filter_entry {
     };
 }
 
-filter_entry!(
+leaf_entry!(
+    /// From pairs of nodes of level 1 to candidates, as pairs of ids.
+    list_candidates,
+    any_sets,
+    all,
+    [],
+    5,
+    6
+);
+leaf_entry!(
     /// From pairs of nodes of level 1 to the vertex-face candidates that may touch.
     filter_vertex_face,
-    sets(0),
-    may_touch_vertex_face
+    vertex_face_sets,
+    may_touch_vertex_face,
+    [paths],
+    6,
+    7
 );
-filter_entry!(
+leaf_entry!(
     /// From pairs of nodes of level 1 to the edge-edge candidates that may touch.
     filter_edge_edge,
-    sets(1),
-    may_touch_edge_edge
+    edge_edge_sets,
+    may_touch_edge_edge,
+    [paths],
+    6,
+    7
 );
 
 #[inline(always)]
-fn may_touch_vertex_face(a: &Leaf, b: &Leaf, paths: &[Path], params: &Params) -> bool {
+fn any_sets(params: &Params) -> [usize; 2] {
+    sets(params.kind)
+}
+
+#[inline(always)]
+fn vertex_face_sets(_params: &Params) -> [usize; 2] {
+    sets(0)
+}
+
+#[inline(always)]
+fn edge_edge_sets(_params: &Params) -> [usize; 2] {
+    sets(1)
+}
+
+/// Ids of a pair; within one set the lesser first.
+#[inline(always)]
+fn ids(one_set: bool, a: u32, b: u32) -> [u32; 2] {
+    let pair = if one_set { Pair::ordered(a, b) } else { Pair { a, b } };
+    [pair.a, pair.b]
+}
+
+#[inline(always)]
+fn all(_a: &Leaf, _b: &Leaf, _params: &Params) -> bool {
+    true
+}
+
+#[inline(always)]
+fn may_touch_vertex_face(a: &Leaf, b: &Leaf, params: &Params, paths: &[Path]) -> bool {
     filter::vertex_face(a, b, paths, params.path_error, params.min_distance)
 }
 
 /// Pairs enter the arithmetic with the lesser edge first, so no result depends on the order of leaves.
 #[inline(always)]
-fn may_touch_edge_edge(a: &Leaf, b: &Leaf, paths: &[Path], params: &Params) -> bool {
+fn may_touch_edge_edge(a: &Leaf, b: &Leaf, params: &Params, paths: &[Path]) -> bool {
     let (first, second) = if a.id < b.id { (*a, *b) } else { (*b, *a) };
     filter::edge_edge(&first, &second, paths, params.path_error, params.min_distance)
 }

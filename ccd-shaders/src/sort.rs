@@ -51,7 +51,7 @@ pub fn sort_scan(
     for round in 0..params.n_tiles.div_ceil(256) {
         let i = round * 256 + lane;
         let count = if i < params.n_tiles { at(table, (row + i) as usize) } else { 0 };
-        let sum = scan(lane, 256, 8, count, sums);
+        let sum = scan(lane, 8, 256, count, sums);
         if i < params.n_tiles {
             put(table, (row + i) as usize, carry + sum - count);
         }
@@ -63,13 +63,13 @@ pub fn sort_scan(
     }
 }
 
-/// Sum of the values of threads up to this one, among `threads = 2^steps`; the sum of all is in `sums[threads - 1]` until the next barrier.
+/// Sum of the values of threads up to this one, among `2^steps` threads; after an even number of steps the sum of all is in `sums[2^steps - 1]` until the next
+/// barrier. `sums` has two halves that are used in turn, so that one barrier a step is enough.
 #[inline(always)]
-fn scan(lane: u32, threads: u32, steps: u32, value: u32, sums: &mut [u32; 512]) -> u32 {
+fn scan<const N: usize>(lane: u32, steps: u32, half: u32, value: u32, sums: &mut [u32; N]) -> u32 {
     let mut sum = value;
     let mut reach = 1;
-    // Two halves in turn, so that one barrier a step is enough; an even number of steps ends in the first.
-    let (mut from, mut to) = (0, 256);
+    let (mut from, mut to) = (0, half);
     set(sums, lane, sum);
     for _ in 0..steps {
         barrier();
@@ -83,7 +83,6 @@ fn scan(lane: u32, threads: u32, steps: u32, value: u32, sums: &mut [u32; 512]) 
         reach *= 2;
     }
     barrier();
-    let _ = threads;
     sum
 }
 
@@ -93,9 +92,9 @@ pub fn sort_scatter(
     #[spirv(workgroup_id)] id: UVec3,
     #[spirv(num_workgroups)] n: UVec3,
     #[spirv(local_invocation_index)] lane: u32,
-    #[spirv(workgroup)] masks: &mut [u32; 1024],
+    #[spirv(workgroup)] masks: &mut [u32; 2048],
     #[spirv(workgroup)] counts: &mut [u32; 1024],
-    #[spirv(workgroup)] sums: &mut [u32; 512],
+    #[spirv(workgroup)] ranks: &mut [u32; 1024],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] table: &[u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] keys: &[u32],
@@ -106,36 +105,45 @@ pub fn sort_scatter(
     let tile = group(id, n);
     for k in 0..8 {
         set(masks, k * THREADS + lane, 0);
+        set(masks, 1024 + k * THREADS + lane, 0);
         set(counts, k * THREADS + lane, 0);
     }
     barrier();
-    // Rank of every key among those of the same digit that come before it in its run.
+    // Rank of every key among those of the same digit that come before it in its run; two keys a thread between barriers.
     let run = lane / 32 * DIGITS;
-    let mut ranks = [0u32; KEYS as usize];
-    for k in 0..KEYS {
-        let i = tile * TILE + place(lane, k);
-        let mut word = 0;
+    for k in 0..KEYS / 2 {
+        let (i, j) = (tile * TILE + place(lane, 2 * k), tile * TILE + place(lane, 2 * k + 1));
+        let (mut first, mut second) = (run, run);
         if i < params.n {
-            word = run + digit(at(keys, i as usize), params.shift);
-            or_shared(masks, word, 1 << (lane % 32));
+            first += digit(at(keys, i as usize), params.shift);
+            or_shared(masks, first, 1 << (lane % 32));
+        }
+        if j < params.n {
+            second += digit(at(keys, j as usize), params.shift);
+            or_shared(masks, 1024 + second, 1 << (lane % 32));
         }
         barrier();
-        let mask = get(masks, word);
-        let earlier = before(mask, lane);
-        let rank = get(counts, word) + earlier;
-        ranks[k as usize] = rank;
+        let (mask, next_mask) = (get(masks, first), get(masks, 1024 + second));
+        let (earlier, next_earlier) = (before(mask, lane), before(next_mask, lane));
+        let rank = get(counts, first) + earlier;
+        let next_rank = get(counts, second) + get(masks, second).count_ones() + next_earlier;
+        set(ranks, k * THREADS + lane, rank | next_rank << 16);
         barrier();
         if i < params.n && earlier == 0 {
-            set(counts, word, rank + mask.count_ones());
-            set(masks, word, 0);
+            add_shared(counts, first, mask.count_ones());
+            set(masks, first, 0);
+        }
+        if j < params.n && next_earlier == 0 {
+            add_shared(counts, second, next_mask.count_ones());
+            set(masks, 1024 + second, 0);
         }
         barrier();
     }
-    // Where each digit starts: keys of lesser digits, of earlier tiles, of earlier runs. A thread has two digits.
+    // Where each digit starts: keys of lesser digits, of earlier tiles, of earlier runs. A thread has two digits. The masks are not needed any more.
     let totals = DIGITS * params.n_tiles;
     let low = at(table, (totals + 2 * lane) as usize);
     let both = low + at(table, (totals + 2 * lane + 1) as usize);
-    let mut start = scan(lane, 128, 7, both, sums) - both;
+    let mut start = scan(lane, 7, 1024, both, masks) - both;
     for half in 0..2 {
         let d = 2 * lane + half;
         let in_tiles = if tile < params.n_tiles { at(table, (d * params.n_tiles + tile) as usize) } else { 0 };
@@ -153,7 +161,8 @@ pub fn sort_scatter(
         let i = tile * TILE + place(lane, k);
         if i < params.n {
             let key = at(keys, i as usize);
-            let to = get(counts, run + digit(key, params.shift)) + ranks[k as usize];
+            let rank = get(ranks, k / 2 * THREADS + lane) >> (16 * (k % 2)) & 0xffff;
+            let to = get(counts, run + digit(key, params.shift)) + rank;
             put(keys_out, to as usize, key);
             put(values_out, to as usize, at(values, i as usize));
         }

@@ -10,12 +10,14 @@ use crate::slice::at;
 
 /// Children of a node.
 pub const WIDTH: u32 = 32;
-/// Threads of a workgroup: one per child on both sides.
-pub const THREADS: u32 = 2 * WIDTH;
+/// Pairs of nodes that a workgroup takes at once, each with as many threads as a node has children.
+pub const TEAMS: u32 = 4;
+/// Threads of a workgroup.
+pub const THREADS: u32 = TEAMS * WIDTH;
 /// Nodes of a set on a level are padded to a multiple of this, so that a workgroup that fits eight blocks has one set.
 pub const PADDING: u32 = 8 * WIDTH;
-/// Hits that two nodes can give.
-pub const HITS: usize = (WIDTH * WIDTH) as usize;
+/// Hits that a workgroup gathers before it works on them all together; `TEAMS` pairs of nodes rarely give as many. Those beyond are worked on one by one.
+pub const POOL: u32 = 1024;
 
 /// The sets that a kind of pairs is between.
 #[inline(always)]
@@ -41,23 +43,33 @@ pub fn set_of(first: &[u32; 4], i: u32) -> usize {
     }
 }
 
-/// Into how many columns `THREADS` threads are split when there are `rows` rows, as a power of two: every row has a thread in every column.
+/// A hit in one word: which pair of nodes, which child of either side.
 #[inline(always)]
-pub fn row_bits(rows: u32) -> u32 {
-    if rows <= 1 { 0 } else { 32 - (rows - 1).leading_zeros() }
-}
-
-/// A hit in one word: which child of either side.
-#[inline(always)]
-pub fn pack(i: u32, j: u32) -> u32 {
-    i << 5 | j
+pub fn pack(team: u32, i: u32, j: u32) -> u32 {
+    team << 10 | i << 5 | j
 }
 
 /// The parts of [`pack`].
 #[inline(always)]
-pub fn unpack(hit: u32) -> [u32; 2] {
-    [hit >> 5, hit & 31]
+pub fn unpack(hit: u32) -> [u32; 3] {
+    [hit >> 10 & 3, hit >> 5 & 31, hit & 31]
 }
+
+/// A hit that is kept as the `to`-th of its workgroup.
+#[inline(always)]
+pub fn keep(hit: u32, to: u32) -> u32 {
+    KEPT | to << 12 | hit
+}
+
+/// Which of its workgroup a kept hit is; [`NOT_KEPT`] for one that is not.
+#[inline(always)]
+pub fn kept(hit: u32) -> u32 {
+    if hit & KEPT != 0 { (hit & !KEPT) >> 12 } else { NOT_KEPT }
+}
+
+/// What [`kept`] says of a hit that is not.
+pub const NOT_KEPT: u32 = u32::MAX;
+const KEPT: u32 = 1 << 31;
 
 /// Whether two features whose boxes overlap are a candidate: no common vertex, bodies that are wanted, and boxes that overlap by more than rounding or
 /// also in the precision of the input.
@@ -164,11 +176,12 @@ mod tests {
     }
 
     #[test]
-    fn rows_fill_the_threads() {
-        for rows in 1..=WIDTH {
-            let padded = 1 << row_bits(rows);
-            assert!(padded >= rows && padded < 2 * rows && THREADS % padded == 0);
+    fn hits_pack() {
+        for hit in [[0, 0, 0], [3, 31, 7], [TEAMS - 1, WIDTH - 1, WIDTH - 1]] {
+            let [team, i, j] = hit;
+            let word = pack(team, i, j);
+            assert_eq!((unpack(word), kept(word)), (hit, NOT_KEPT));
+            assert_eq!((unpack(keep(word, POOL - 1)), kept(keep(word, POOL - 1))), (hit, POOL - 1));
         }
-        assert_eq!(unpack(pack(31, 7)), [31, 7]);
     }
 }

@@ -112,13 +112,13 @@ table! {
     /// Nodes of the next level: params; nodes.
     FitLevel "fit_level" 256 [Params Write] Exact false;
     /// Pairs of nodes to pairs of their children: params, nodes, pairs; pairs.
-    NodePairs "node_pairs" 64 [Params Read Read Write] ExactSet false;
+    NodePairs "node_pairs" 128 [Params Read Read Write] ExactSet false;
     /// Pairs of blocks to candidates: params, nodes, leaves, bodies, keys, pairs; pairs.
-    ListCandidates "list_candidates" 64 [Params Read Read Read Read Read Write] ExactSet false;
+    ListCandidates "list_candidates" 128 [Params Read Read Read Read Read Write] ExactSet false;
     /// Pairs of blocks to filtered vertex-face candidates: params, nodes, leaves, bodies, keys, paths, pairs; pairs.
-    FilterVertexFace "filter_vertex_face" 64 [Params Read Read Read Read Read Read Write] NotLater false;
+    FilterVertexFace "filter_vertex_face" 128 [Params Read Read Read Read Read Read Write] NotLater false;
     /// Pairs of blocks to filtered edge-edge candidates: as for vertices and faces.
-    FilterEdgeEdge "filter_edge_edge" 64 [Params Read Read Read Read Read Read Write] NotLater false;
+    FilterEdgeEdge "filter_edge_edge" 128 [Params Read Read Read Read Read Read Write] NotLater false;
     /// Verdicts in `f32`: params, paths, faces, pairs; contacts, undecided pairs, time.
     DecideVertexFace "decide_vertex_face" 64 [Params Read Read Read Write Write Write] NotLater false;
     /// Verdicts in `f32`: params, paths, edges, pairs; contacts, undecided pairs, time.

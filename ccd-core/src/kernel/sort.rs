@@ -2,7 +2,7 @@
 //!
 //! `sort_count` counts the digits of each tile, `sort_scan` turns the counts of each digit into offsets, `sort_scatter` ranks each tile
 //! and moves it. Nothing waits for another workgroup (reduce, then scan), and nothing depends on the size of subgroups: the ranks within 32 keys
-//! come from a mask of lanes for each digit in workgroup memory, the way of Ha, Krüger and Silva (2009) with 32 lanes at once instead of 4 bits.
+//! come from a mask of lanes for each digit in workgroup memory: a digit's mask has a bit for every of 32 threads that has the digit.
 
 /// Digits of a pass.
 pub const DIGITS: u32 = 256;
