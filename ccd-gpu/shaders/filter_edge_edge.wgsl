@@ -86,7 +86,7 @@ var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
 var<workgroup> columns: array<type_6, 128>;
 var<workgroup> names: array<u32, 128>;
-var<workgroup> hits: array<u32, 1024>;
+var<workgroup> hits: array<u32, 2048>;
 @group(0) @binding(2) 
 var<storage> leaves: type_26;
 @group(0) @binding(3) 
@@ -985,7 +985,7 @@ fn function_() {
                         let _e492 = phi_788_;
                         if _e492 {
                             let _e494 = atomicAdd((&counters[4u]), 1u);
-                            if (_e494 < 1024u) {
+                            if (_e494 < 2048u) {
                                 hits[_e494] = (((_e416 << bitcast<u32>(10i)) | (_e417 << bitcast<u32>(5i))) | _e448);
                                 phi_806_ = _e424;
                             } else {
@@ -1599,13 +1599,13 @@ fn function_() {
             }
             workgroupBarrier();
             let _e1316 = atomicLoad((&counters[4u]));
-            if (1024u < _e1316) {
-                phi_1878_ = 1024u;
+            if (2048u < _e1316) {
+                phi_1878_ = 2048u;
             } else {
                 phi_1878_ = _e1316;
             }
             let _e1319 = phi_1878_;
-            phi_1881_ = type_35(0u, 8u);
+            phi_1881_ = type_35(0u, 16u);
             loop {
                 let _e1321 = phi_1881_;
                 if (_e1321.member < _e1321.member_1) {
@@ -4693,7 +4693,7 @@ fn function_() {
                     let _e5133 = atomicAdd((&output.member[1u]), _e5130);
                 }
             }
-            phi_8178_ = type_35(0u, 8u);
+            phi_8178_ = type_35(0u, 16u);
             loop {
                 let _e5135 = phi_8178_;
                 if (_e5135.member < _e5135.member_1) {

@@ -86,7 +86,7 @@ var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
 var<workgroup> columns: array<type_6, 128>;
 var<workgroup> names: array<u32, 128>;
-var<workgroup> hits: array<u32, 1024>;
+var<workgroup> hits: array<u32, 2048>;
 @group(0) @binding(2) 
 var<storage> leaves: type_26;
 @group(0) @binding(3) 
@@ -1009,7 +1009,7 @@ fn function_() {
                     let _e451 = columns[((_e415 * 32u) + _e439.member_1)];
                     if ((((((_e414.member[0] <= _e451.member_1[0]) && (_e451.member[0] <= _e414.member_1[0])) && (_e414.member[1] <= _e451.member_1[1])) && (_e451.member[1] <= _e414.member_1[1])) && (_e414.member[2] <= _e451.member_1[2])) && (_e451.member[2] <= _e414.member_1[2])) {
                         let _e484 = atomicAdd((&counters[4u]), 1u);
-                        if (_e484 < 1024u) {
+                        if (_e484 < 2048u) {
                             hits[_e484] = (((_e415 << bitcast<u32>(10i)) | ((_e110 % 32u) << bitcast<u32>(5i))) | _e447);
                             phi_806_ = _e423;
                         } else {
@@ -1612,13 +1612,13 @@ fn function_() {
             }
             workgroupBarrier();
             let _e1297 = atomicLoad((&counters[4u]));
-            if (1024u < _e1297) {
-                phi_1878_ = 1024u;
+            if (2048u < _e1297) {
+                phi_1878_ = 2048u;
             } else {
                 phi_1878_ = _e1297;
             }
             let _e1300 = phi_1878_;
-            phi_1881_ = type_35(0u, 8u);
+            phi_1881_ = type_35(0u, 16u);
             loop {
                 let _e1302 = phi_1881_;
                 if (_e1302.member < _e1302.member_1) {
@@ -5032,7 +5032,7 @@ fn function_() {
                     let _e5445 = atomicAdd((&output.member[1u]), _e5442);
                 }
             }
-            phi_8140_ = type_35(0u, 8u);
+            phi_8140_ = type_35(0u, 16u);
             loop {
                 let _e5447 = phi_8140_;
                 if (_e5447.member < _e5447.member_1) {

@@ -70,7 +70,7 @@ var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
 var<workgroup> columns: array<type_6, 128>;
 var<workgroup> names: array<u32, 128>;
-var<workgroup> hits: array<u32, 1024>;
+var<workgroup> hits: array<u32, 2048>;
 @group(0) @binding(2) 
 var<storage> leaves: type_26;
 @group(0) @binding(3) 
@@ -614,7 +614,7 @@ fn function_() {
                         let _e476 = phi_741_;
                         if _e476 {
                             let _e478 = atomicAdd((&counters[4u]), 1u);
-                            if (_e478 < 1024u) {
+                            if (_e478 < 2048u) {
                                 hits[_e478] = (((_e400 << bitcast<u32>(10i)) | (_e401 << bitcast<u32>(5i))) | _e432);
                                 phi_759_ = _e408;
                             } else {
@@ -1234,13 +1234,13 @@ fn function_() {
             }
             workgroupBarrier();
             let _e1304 = atomicLoad((&counters[4u]));
-            if (1024u < _e1304) {
-                phi_1831_ = 1024u;
+            if (2048u < _e1304) {
+                phi_1831_ = 2048u;
             } else {
                 phi_1831_ = _e1304;
             }
             let _e1307 = phi_1831_;
-            phi_1834_ = type_35(0u, 8u);
+            phi_1834_ = type_35(0u, 16u);
             loop {
                 let _e1309 = phi_1834_;
                 if (_e1309.member < _e1309.member_1) {
@@ -1821,7 +1821,7 @@ fn function_() {
                     let _e2110 = atomicAdd((&output.member[1u]), _e2107);
                 }
             }
-            phi_2899_ = type_35(0u, 8u);
+            phi_2899_ = type_35(0u, 16u);
             loop {
                 let _e2112 = phi_2899_;
                 if (_e2112.member < _e2112.member_1) {

@@ -61,7 +61,7 @@ var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
 var<workgroup> columns: array<type_6, 128>;
 var<workgroup> names: array<u32, 128>;
-var<workgroup> hits: array<u32, 1024>;
+var<workgroup> hits: array<u32, 2048>;
 
 fn function_() {
     var phi_126_: u32;
@@ -390,7 +390,7 @@ fn function_() {
                         let _e428 = phi_645_;
                         if _e428 {
                             let _e430 = atomicAdd((&counters[4u]), 1u);
-                            if (_e430 < 1024u) {
+                            if (_e430 < 2048u) {
                                 hits[_e430] = (((_e349 << bitcast<u32>(10i)) | (_e350 << bitcast<u32>(5i))) | _e381);
                                 phi_663_ = _e357;
                             } else {
@@ -468,8 +468,8 @@ fn function_() {
             }
             workgroupBarrier();
             let _e511 = atomicLoad((&counters[4u]));
-            if (1024u < _e511) {
-                phi_746_ = 1024u;
+            if (2048u < _e511) {
+                phi_746_ = 2048u;
             } else {
                 phi_746_ = _e511;
             }
@@ -487,7 +487,7 @@ fn function_() {
             }
             workgroupBarrier();
             let _e525 = atomicLoad((&counters[6u]));
-            phi_770_ = type_30(0u, 8u);
+            phi_770_ = type_30(0u, 16u);
             loop {
                 let _e527 = phi_770_;
                 if (_e527.member < _e527.member_1) {

@@ -45,74 +45,268 @@ var<storage, read_write> table: type_15;
 var<workgroup> counts: array<atomic<u32>, 256>;
 
 fn function_() {
-    var phi_72_: type_20;
-    var phi_73_: type_20;
-    var phi_96_: type_20;
-    var phi_139_: type_20;
-    var phi_140_: type_20;
-    var phi_163_: type_20;
+    var phi_103_: u32;
+    var phi_121_: u32;
+    var phi_139_: u32;
+    var phi_157_: u32;
+    var phi_175_: u32;
+    var phi_193_: u32;
+    var phi_211_: u32;
+    var phi_229_: u32;
+    var phi_247_: u32;
+    var phi_265_: u32;
+    var phi_283_: u32;
+    var phi_301_: u32;
+    var phi_319_: u32;
+    var phi_337_: u32;
+    var phi_355_: u32;
+    var phi_373_: u32;
+    var phi_574_: type_20;
+    var phi_575_: type_20;
+    var phi_598_: type_20;
 
-    let _e27 = id_1;
-    let _e28 = n_1;
-    let _e29 = lane_1;
-    let _e37 = ((_e27.y * _e28.x) + _e27.x);
-    atomicStore((&counts[_e29]), 0u);
-    atomicStore((&counts[(_e29 + 128u)]), 0u);
+    let _e38 = id_1;
+    let _e39 = n_1;
+    let _e40 = lane_1;
+    let _e48 = ((_e38.y * _e39.x) + _e38.x);
+    atomicStore((&counts[_e40]), 0u);
+    atomicStore((&counts[(_e40 + 128u)]), 0u);
     workgroupBarrier();
-    phi_72_ = type_20(0u, 16u);
-    loop {
-        let _e42 = phi_72_;
-        if (_e42.member < _e42.member_1) {
-            phi_73_ = type_20((_e42.member + 1u), _e42.member_1);
-            phi_96_ = type_20(1u, _e42.member);
-        } else {
-            phi_73_ = _e42;
-            phi_96_ = type_20(0u, type_20().member_1);
-        }
-        let _e56 = phi_73_;
-        let _e58 = phi_96_;
-        let _e62 = (bitcast<i32>(_e58.member) != 0i);
-        if _e62 {
-            let _e66 = (((_e37 * 2048u) + (_e58.member_1 * 128u)) + _e29);
-            let _e68 = params.member.member_17;
-            if (_e66 < _e68) {
-                let _e71 = keys.member[_e66];
-                let _e73 = params.member.member_10;
-                let _e79 = atomicAdd((&counts[((_e71 >> bitcast<u32>((_e73 & 31u))) & 255u)]), 1u);
-            }
-        }
-        continue;
-        continuing {
-            phi_72_ = _e56;
-            break if !(_e62);
-        }
+    let _e53 = ((_e48 * 2048u) + _e40);
+    let _e55 = params.member.member_10;
+    let _e57 = params.member.member_17;
+    if (_e53 < _e57) {
+        let _e60 = keys.member[_e53];
+        phi_103_ = _e60;
+    } else {
+        phi_103_ = 0u;
+    }
+    let _e62 = phi_103_;
+    let _e64 = params.member.member_17;
+    let _e65 = (_e53 + 128u);
+    if (_e65 < _e64) {
+        let _e68 = keys.member[_e65];
+        phi_121_ = _e68;
+    } else {
+        phi_121_ = 0u;
+    }
+    let _e70 = phi_121_;
+    let _e72 = params.member.member_17;
+    let _e73 = (_e53 + 256u);
+    if (_e73 < _e72) {
+        let _e76 = keys.member[_e73];
+        phi_139_ = _e76;
+    } else {
+        phi_139_ = 0u;
+    }
+    let _e78 = phi_139_;
+    let _e80 = params.member.member_17;
+    let _e81 = (_e53 + 384u);
+    if (_e81 < _e80) {
+        let _e84 = keys.member[_e81];
+        phi_157_ = _e84;
+    } else {
+        phi_157_ = 0u;
+    }
+    let _e86 = phi_157_;
+    let _e88 = params.member.member_17;
+    let _e89 = (_e53 + 512u);
+    if (_e89 < _e88) {
+        let _e92 = keys.member[_e89];
+        phi_175_ = _e92;
+    } else {
+        phi_175_ = 0u;
+    }
+    let _e94 = phi_175_;
+    let _e96 = params.member.member_17;
+    let _e97 = (_e53 + 640u);
+    if (_e97 < _e96) {
+        let _e100 = keys.member[_e97];
+        phi_193_ = _e100;
+    } else {
+        phi_193_ = 0u;
+    }
+    let _e102 = phi_193_;
+    let _e104 = params.member.member_17;
+    let _e105 = (_e53 + 768u);
+    if (_e105 < _e104) {
+        let _e108 = keys.member[_e105];
+        phi_211_ = _e108;
+    } else {
+        phi_211_ = 0u;
+    }
+    let _e110 = phi_211_;
+    let _e112 = params.member.member_17;
+    let _e113 = (_e53 + 896u);
+    if (_e113 < _e112) {
+        let _e116 = keys.member[_e113];
+        phi_229_ = _e116;
+    } else {
+        phi_229_ = 0u;
+    }
+    let _e118 = phi_229_;
+    let _e120 = params.member.member_17;
+    let _e121 = (_e53 + 1024u);
+    if (_e121 < _e120) {
+        let _e124 = keys.member[_e121];
+        phi_247_ = _e124;
+    } else {
+        phi_247_ = 0u;
+    }
+    let _e126 = phi_247_;
+    let _e128 = params.member.member_17;
+    let _e129 = (_e53 + 1152u);
+    if (_e129 < _e128) {
+        let _e132 = keys.member[_e129];
+        phi_265_ = _e132;
+    } else {
+        phi_265_ = 0u;
+    }
+    let _e134 = phi_265_;
+    let _e136 = params.member.member_17;
+    let _e137 = (_e53 + 1280u);
+    if (_e137 < _e136) {
+        let _e140 = keys.member[_e137];
+        phi_283_ = _e140;
+    } else {
+        phi_283_ = 0u;
+    }
+    let _e142 = phi_283_;
+    let _e144 = params.member.member_17;
+    let _e145 = (_e53 + 1408u);
+    if (_e145 < _e144) {
+        let _e148 = keys.member[_e145];
+        phi_301_ = _e148;
+    } else {
+        phi_301_ = 0u;
+    }
+    let _e150 = phi_301_;
+    let _e152 = params.member.member_17;
+    let _e153 = (_e53 + 1536u);
+    if (_e153 < _e152) {
+        let _e156 = keys.member[_e153];
+        phi_319_ = _e156;
+    } else {
+        phi_319_ = 0u;
+    }
+    let _e158 = phi_319_;
+    let _e160 = params.member.member_17;
+    let _e161 = (_e53 + 1664u);
+    if (_e161 < _e160) {
+        let _e164 = keys.member[_e161];
+        phi_337_ = _e164;
+    } else {
+        phi_337_ = 0u;
+    }
+    let _e166 = phi_337_;
+    let _e168 = params.member.member_17;
+    let _e169 = (_e53 + 1792u);
+    if (_e169 < _e168) {
+        let _e172 = keys.member[_e169];
+        phi_355_ = _e172;
+    } else {
+        phi_355_ = 0u;
+    }
+    let _e174 = phi_355_;
+    let _e176 = params.member.member_17;
+    let _e177 = (_e53 + 1920u);
+    if (_e177 < _e176) {
+        let _e180 = keys.member[_e177];
+        phi_373_ = _e180;
+    } else {
+        phi_373_ = 0u;
+    }
+    let _e182 = phi_373_;
+    let _e184 = params.member.member_17;
+    if (_e53 < _e184) {
+        let _e191 = atomicAdd((&counts[((_e62 >> bitcast<u32>((_e55 & 31u))) & 255u)]), 1u);
+    }
+    let _e194 = params.member.member_17;
+    if ((_e53 + 128u) < _e194) {
+        let _e201 = atomicAdd((&counts[((_e70 >> bitcast<u32>((_e55 & 31u))) & 255u)]), 1u);
+    }
+    let _e204 = params.member.member_17;
+    if ((_e53 + 256u) < _e204) {
+        let _e211 = atomicAdd((&counts[((_e78 >> bitcast<u32>((_e55 & 31u))) & 255u)]), 1u);
+    }
+    let _e214 = params.member.member_17;
+    if ((_e53 + 384u) < _e214) {
+        let _e221 = atomicAdd((&counts[((_e86 >> bitcast<u32>((_e55 & 31u))) & 255u)]), 1u);
+    }
+    let _e224 = params.member.member_17;
+    if ((_e53 + 512u) < _e224) {
+        let _e231 = atomicAdd((&counts[((_e94 >> bitcast<u32>((_e55 & 31u))) & 255u)]), 1u);
+    }
+    let _e234 = params.member.member_17;
+    if ((_e53 + 640u) < _e234) {
+        let _e241 = atomicAdd((&counts[((_e102 >> bitcast<u32>((_e55 & 31u))) & 255u)]), 1u);
+    }
+    let _e244 = params.member.member_17;
+    if ((_e53 + 768u) < _e244) {
+        let _e251 = atomicAdd((&counts[((_e110 >> bitcast<u32>((_e55 & 31u))) & 255u)]), 1u);
+    }
+    let _e254 = params.member.member_17;
+    if ((_e53 + 896u) < _e254) {
+        let _e261 = atomicAdd((&counts[((_e118 >> bitcast<u32>((_e55 & 31u))) & 255u)]), 1u);
+    }
+    let _e264 = params.member.member_17;
+    if ((_e53 + 1024u) < _e264) {
+        let _e271 = atomicAdd((&counts[((_e126 >> bitcast<u32>((_e55 & 31u))) & 255u)]), 1u);
+    }
+    let _e274 = params.member.member_17;
+    if ((_e53 + 1152u) < _e274) {
+        let _e281 = atomicAdd((&counts[((_e134 >> bitcast<u32>((_e55 & 31u))) & 255u)]), 1u);
+    }
+    let _e284 = params.member.member_17;
+    if ((_e53 + 1280u) < _e284) {
+        let _e291 = atomicAdd((&counts[((_e142 >> bitcast<u32>((_e55 & 31u))) & 255u)]), 1u);
+    }
+    let _e294 = params.member.member_17;
+    if ((_e53 + 1408u) < _e294) {
+        let _e301 = atomicAdd((&counts[((_e150 >> bitcast<u32>((_e55 & 31u))) & 255u)]), 1u);
+    }
+    let _e304 = params.member.member_17;
+    if ((_e53 + 1536u) < _e304) {
+        let _e311 = atomicAdd((&counts[((_e158 >> bitcast<u32>((_e55 & 31u))) & 255u)]), 1u);
+    }
+    let _e314 = params.member.member_17;
+    if ((_e53 + 1664u) < _e314) {
+        let _e321 = atomicAdd((&counts[((_e166 >> bitcast<u32>((_e55 & 31u))) & 255u)]), 1u);
+    }
+    let _e324 = params.member.member_17;
+    if ((_e53 + 1792u) < _e324) {
+        let _e331 = atomicAdd((&counts[((_e174 >> bitcast<u32>((_e55 & 31u))) & 255u)]), 1u);
+    }
+    let _e334 = params.member.member_17;
+    if ((_e53 + 1920u) < _e334) {
+        let _e341 = atomicAdd((&counts[((_e182 >> bitcast<u32>((_e55 & 31u))) & 255u)]), 1u);
     }
     workgroupBarrier();
-    let _e82 = params.member.member_11;
-    if (_e37 < _e82) {
-        phi_139_ = type_20(0u, 2u);
+    let _e343 = params.member.member_11;
+    if (_e48 < _e343) {
+        phi_574_ = type_20(0u, 2u);
         loop {
-            let _e85 = phi_139_;
-            if (_e85.member < _e85.member_1) {
-                phi_140_ = type_20((_e85.member + 1u), _e85.member_1);
-                phi_163_ = type_20(1u, _e85.member);
+            let _e346 = phi_574_;
+            if (_e346.member < _e346.member_1) {
+                phi_575_ = type_20((_e346.member + 1u), _e346.member_1);
+                phi_598_ = type_20(1u, _e346.member);
             } else {
-                phi_140_ = _e85;
-                phi_163_ = type_20(0u, type_20().member_1);
+                phi_575_ = _e346;
+                phi_598_ = type_20(0u, type_20().member_1);
             }
-            let _e99 = phi_140_;
-            let _e101 = phi_163_;
-            let _e105 = (bitcast<i32>(_e101.member) != 0i);
-            if _e105 {
-                let _e107 = (_e29 + (_e101.member_1 * 128u));
-                let _e109 = params.member.member_11;
-                let _e113 = atomicLoad((&counts[_e107]));
-                table.member[((_e107 * _e109) + _e37)] = _e113;
+            let _e360 = phi_575_;
+            let _e362 = phi_598_;
+            let _e366 = (bitcast<i32>(_e362.member) != 0i);
+            if _e366 {
+                let _e368 = (_e40 + (_e362.member_1 * 128u));
+                let _e370 = params.member.member_11;
+                let _e374 = atomicLoad((&counts[_e368]));
+                table.member[((_e368 * _e370) + _e48)] = _e374;
             }
             continue;
             continuing {
-                phi_139_ = _e99;
-                break if !(_e105);
+                phi_574_ = _e360;
+                break if !(_e366);
             }
         }
     }

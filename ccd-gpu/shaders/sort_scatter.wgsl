@@ -50,303 +50,833 @@ var<storage, read_write> keys_out: type_15;
 var<storage, read_write> values_out: type_15;
 var<workgroup> masks: array<atomic<u32>, 2048>;
 var<workgroup> counts: array<atomic<u32>, 1024>;
-var<workgroup> ranks: array<u32, 1024>;
 
 fn function_() {
-    var phi_88_: type_20;
-    var phi_89_: type_20;
-    var phi_112_: type_20;
-    var phi_134_: type_20;
-    var phi_135_: type_20;
-    var phi_158_: type_20;
-    var phi_212_: u32;
-    var phi_241_: u32;
-    var phi_335_: type_20;
-    var phi_338_: u32;
-    var phi_340_: u32;
-    var phi_342_: u32;
-    var phi_339_: u32;
-    var phi_336_: type_20;
-    var phi_365_: type_20;
-    var phi_381_: u32;
-    var phi_341_: u32;
-    var phi_343_: u32;
+    var phi_117_: u32;
+    var phi_140_: u32;
+    var phi_163_: u32;
+    var phi_186_: u32;
+    var phi_209_: u32;
+    var phi_232_: u32;
+    var phi_255_: u32;
+    var phi_278_: u32;
+    var phi_301_: u32;
+    var phi_324_: u32;
+    var phi_347_: u32;
+    var phi_370_: u32;
+    var phi_393_: u32;
+    var phi_416_: u32;
+    var phi_439_: u32;
+    var phi_462_: u32;
+    var phi_485_: u32;
+    var phi_508_: u32;
+    var phi_531_: u32;
+    var phi_554_: u32;
+    var phi_577_: u32;
+    var phi_600_: u32;
+    var phi_623_: u32;
+    var phi_646_: u32;
+    var phi_669_: u32;
+    var phi_692_: u32;
+    var phi_715_: u32;
+    var phi_738_: u32;
+    var phi_761_: u32;
+    var phi_784_: u32;
+    var phi_807_: u32;
+    var phi_830_: u32;
+    var phi_833_: type_20;
+    var phi_834_: type_20;
+    var phi_857_: type_20;
+    var phi_1651_: type_20;
+    var phi_1654_: u32;
+    var phi_1656_: u32;
+    var phi_1658_: u32;
+    var phi_1655_: u32;
+    var phi_1652_: type_20;
+    var phi_1681_: type_20;
+    var phi_1697_: u32;
+    var phi_1657_: u32;
+    var phi_1659_: u32;
     var local: u32;
-    var phi_388_: type_20;
-    var phi_391_: u32;
-    var phi_389_: type_20;
-    var phi_414_: type_20;
-    var phi_444_: u32;
-    var phi_448_: type_20;
-    var phi_451_: u32;
-    var phi_449_: type_20;
-    var phi_474_: type_20;
-    var phi_452_: u32;
-    var phi_392_: u32;
-    var phi_491_: type_20;
-    var phi_492_: type_20;
-    var phi_515_: type_20;
+    var phi_1704_: type_20;
+    var phi_1707_: u32;
+    var phi_1705_: type_20;
+    var phi_1730_: type_20;
+    var phi_1760_: u32;
+    var phi_1764_: type_20;
+    var phi_1767_: u32;
+    var phi_1765_: type_20;
+    var phi_1790_: type_20;
+    var phi_1768_: u32;
+    var phi_1708_: u32;
 
-    let _e43 = id_1;
-    let _e44 = n_1;
-    let _e45 = lane_1;
-    let _e56 = ((_e43.y * _e44.x) + _e43.x);
-    phi_88_ = type_20(0u, 8u);
+    let _e49 = id_1;
+    let _e50 = n_1;
+    let _e51 = lane_1;
+    let _e62 = ((_e49.y * _e50.x) + _e49.x);
+    let _e64 = ((_e51 / 32u) * 256u);
+    let _e66 = params.member.member_10;
+    let _e68 = params.member.member_17;
+    let _e74 = ((_e62 * 2048u) + (((_e51 / 32u) * 512u) + (_e51 % 32u)));
+    if (_e74 < _e68) {
+        let _e77 = keys.member[_e74];
+        phi_117_ = _e77;
+    } else {
+        phi_117_ = 0u;
+    }
+    let _e79 = phi_117_;
+    let _e86 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 32u) + (_e51 % 32u)));
+    if (_e86 < _e68) {
+        let _e89 = keys.member[_e86];
+        phi_140_ = _e89;
+    } else {
+        phi_140_ = 0u;
+    }
+    let _e91 = phi_140_;
+    let _e97 = ((_e62 * 2048u) + (((_e51 / 32u) * 512u) + (_e51 % 32u)));
+    if (_e97 < _e68) {
+        let _e100 = values.member[_e97];
+        phi_163_ = _e100;
+    } else {
+        phi_163_ = 0u;
+    }
+    let _e102 = phi_163_;
+    let _e109 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 32u) + (_e51 % 32u)));
+    if (_e109 < _e68) {
+        let _e112 = values.member[_e109];
+        phi_186_ = _e112;
+    } else {
+        phi_186_ = 0u;
+    }
+    let _e114 = phi_186_;
+    let _e121 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 64u) + (_e51 % 32u)));
+    if (_e121 < _e68) {
+        let _e124 = keys.member[_e121];
+        phi_209_ = _e124;
+    } else {
+        phi_209_ = 0u;
+    }
+    let _e126 = phi_209_;
+    let _e133 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 96u) + (_e51 % 32u)));
+    if (_e133 < _e68) {
+        let _e136 = keys.member[_e133];
+        phi_232_ = _e136;
+    } else {
+        phi_232_ = 0u;
+    }
+    let _e138 = phi_232_;
+    let _e145 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 64u) + (_e51 % 32u)));
+    if (_e145 < _e68) {
+        let _e148 = values.member[_e145];
+        phi_255_ = _e148;
+    } else {
+        phi_255_ = 0u;
+    }
+    let _e150 = phi_255_;
+    let _e157 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 96u) + (_e51 % 32u)));
+    if (_e157 < _e68) {
+        let _e160 = values.member[_e157];
+        phi_278_ = _e160;
+    } else {
+        phi_278_ = 0u;
+    }
+    let _e162 = phi_278_;
+    let _e169 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 128u) + (_e51 % 32u)));
+    if (_e169 < _e68) {
+        let _e172 = keys.member[_e169];
+        phi_301_ = _e172;
+    } else {
+        phi_301_ = 0u;
+    }
+    let _e174 = phi_301_;
+    let _e181 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 160u) + (_e51 % 32u)));
+    if (_e181 < _e68) {
+        let _e184 = keys.member[_e181];
+        phi_324_ = _e184;
+    } else {
+        phi_324_ = 0u;
+    }
+    let _e186 = phi_324_;
+    let _e193 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 128u) + (_e51 % 32u)));
+    if (_e193 < _e68) {
+        let _e196 = values.member[_e193];
+        phi_347_ = _e196;
+    } else {
+        phi_347_ = 0u;
+    }
+    let _e198 = phi_347_;
+    let _e205 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 160u) + (_e51 % 32u)));
+    if (_e205 < _e68) {
+        let _e208 = values.member[_e205];
+        phi_370_ = _e208;
+    } else {
+        phi_370_ = 0u;
+    }
+    let _e210 = phi_370_;
+    let _e217 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 192u) + (_e51 % 32u)));
+    if (_e217 < _e68) {
+        let _e220 = keys.member[_e217];
+        phi_393_ = _e220;
+    } else {
+        phi_393_ = 0u;
+    }
+    let _e222 = phi_393_;
+    let _e229 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 224u) + (_e51 % 32u)));
+    if (_e229 < _e68) {
+        let _e232 = keys.member[_e229];
+        phi_416_ = _e232;
+    } else {
+        phi_416_ = 0u;
+    }
+    let _e234 = phi_416_;
+    let _e241 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 192u) + (_e51 % 32u)));
+    if (_e241 < _e68) {
+        let _e244 = values.member[_e241];
+        phi_439_ = _e244;
+    } else {
+        phi_439_ = 0u;
+    }
+    let _e246 = phi_439_;
+    let _e253 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 224u) + (_e51 % 32u)));
+    if (_e253 < _e68) {
+        let _e256 = values.member[_e253];
+        phi_462_ = _e256;
+    } else {
+        phi_462_ = 0u;
+    }
+    let _e258 = phi_462_;
+    let _e265 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 256u) + (_e51 % 32u)));
+    if (_e265 < _e68) {
+        let _e268 = keys.member[_e265];
+        phi_485_ = _e268;
+    } else {
+        phi_485_ = 0u;
+    }
+    let _e270 = phi_485_;
+    let _e277 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 288u) + (_e51 % 32u)));
+    if (_e277 < _e68) {
+        let _e280 = keys.member[_e277];
+        phi_508_ = _e280;
+    } else {
+        phi_508_ = 0u;
+    }
+    let _e282 = phi_508_;
+    let _e289 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 256u) + (_e51 % 32u)));
+    if (_e289 < _e68) {
+        let _e292 = values.member[_e289];
+        phi_531_ = _e292;
+    } else {
+        phi_531_ = 0u;
+    }
+    let _e294 = phi_531_;
+    let _e301 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 288u) + (_e51 % 32u)));
+    if (_e301 < _e68) {
+        let _e304 = values.member[_e301];
+        phi_554_ = _e304;
+    } else {
+        phi_554_ = 0u;
+    }
+    let _e306 = phi_554_;
+    let _e313 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 320u) + (_e51 % 32u)));
+    if (_e313 < _e68) {
+        let _e316 = keys.member[_e313];
+        phi_577_ = _e316;
+    } else {
+        phi_577_ = 0u;
+    }
+    let _e318 = phi_577_;
+    let _e325 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 352u) + (_e51 % 32u)));
+    if (_e325 < _e68) {
+        let _e328 = keys.member[_e325];
+        phi_600_ = _e328;
+    } else {
+        phi_600_ = 0u;
+    }
+    let _e330 = phi_600_;
+    let _e337 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 320u) + (_e51 % 32u)));
+    if (_e337 < _e68) {
+        let _e340 = values.member[_e337];
+        phi_623_ = _e340;
+    } else {
+        phi_623_ = 0u;
+    }
+    let _e342 = phi_623_;
+    let _e349 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 352u) + (_e51 % 32u)));
+    if (_e349 < _e68) {
+        let _e352 = values.member[_e349];
+        phi_646_ = _e352;
+    } else {
+        phi_646_ = 0u;
+    }
+    let _e354 = phi_646_;
+    let _e361 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 384u) + (_e51 % 32u)));
+    if (_e361 < _e68) {
+        let _e364 = keys.member[_e361];
+        phi_669_ = _e364;
+    } else {
+        phi_669_ = 0u;
+    }
+    let _e366 = phi_669_;
+    let _e373 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 416u) + (_e51 % 32u)));
+    if (_e373 < _e68) {
+        let _e376 = keys.member[_e373];
+        phi_692_ = _e376;
+    } else {
+        phi_692_ = 0u;
+    }
+    let _e378 = phi_692_;
+    let _e385 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 384u) + (_e51 % 32u)));
+    if (_e385 < _e68) {
+        let _e388 = values.member[_e385];
+        phi_715_ = _e388;
+    } else {
+        phi_715_ = 0u;
+    }
+    let _e390 = phi_715_;
+    let _e397 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 416u) + (_e51 % 32u)));
+    if (_e397 < _e68) {
+        let _e400 = values.member[_e397];
+        phi_738_ = _e400;
+    } else {
+        phi_738_ = 0u;
+    }
+    let _e402 = phi_738_;
+    let _e409 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 448u) + (_e51 % 32u)));
+    if (_e409 < _e68) {
+        let _e412 = keys.member[_e409];
+        phi_761_ = _e412;
+    } else {
+        phi_761_ = 0u;
+    }
+    let _e414 = phi_761_;
+    let _e421 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 480u) + (_e51 % 32u)));
+    if (_e421 < _e68) {
+        let _e424 = keys.member[_e421];
+        phi_784_ = _e424;
+    } else {
+        phi_784_ = 0u;
+    }
+    let _e426 = phi_784_;
+    let _e433 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 448u) + (_e51 % 32u)));
+    if (_e433 < _e68) {
+        let _e436 = values.member[_e433];
+        phi_807_ = _e436;
+    } else {
+        phi_807_ = 0u;
+    }
+    let _e438 = phi_807_;
+    let _e445 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 480u) + (_e51 % 32u)));
+    if (_e445 < _e68) {
+        let _e448 = values.member[_e445];
+        phi_830_ = _e448;
+    } else {
+        phi_830_ = 0u;
+    }
+    let _e450 = phi_830_;
+    phi_833_ = type_20(0u, 8u);
     loop {
-        let _e58 = phi_88_;
-        if (_e58.member < _e58.member_1) {
-            phi_89_ = type_20((_e58.member + 1u), _e58.member_1);
-            phi_112_ = type_20(1u, _e58.member);
+        let _e452 = phi_833_;
+        if (_e452.member < _e452.member_1) {
+            phi_834_ = type_20((_e452.member + 1u), _e452.member_1);
+            phi_857_ = type_20(1u, _e452.member);
         } else {
-            phi_89_ = _e58;
-            phi_112_ = type_20(0u, type_20().member_1);
+            phi_834_ = _e452;
+            phi_857_ = type_20(0u, type_20().member_1);
         }
-        let _e72 = phi_89_;
-        let _e74 = phi_112_;
-        let _e78 = (bitcast<i32>(_e74.member) != 0i);
-        if _e78 {
-            atomicStore((&masks[((_e74.member_1 * 128u) + _e45)]), 0u);
-            atomicStore((&masks[((1024u + (_e74.member_1 * 128u)) + _e45)]), 0u);
-            atomicStore((&counts[((_e74.member_1 * 128u) + _e45)]), 0u);
+        let _e466 = phi_834_;
+        let _e468 = phi_857_;
+        let _e472 = (bitcast<i32>(_e468.member) != 0i);
+        if _e472 {
+            atomicStore((&masks[((_e468.member_1 * 128u) + _e51)]), 0u);
+            atomicStore((&masks[((1024u + (_e468.member_1 * 128u)) + _e51)]), 0u);
+            atomicStore((&counts[((_e468.member_1 * 128u) + _e51)]), 0u);
         }
         continue;
         continuing {
-            phi_88_ = _e72;
-            break if !(_e78);
+            phi_833_ = _e466;
+            break if !(_e472);
         }
     }
     workgroupBarrier();
-    let _e91 = ((_e45 / 32u) * 256u);
-    phi_134_ = type_20(0u, 8u);
-    loop {
-        let _e93 = phi_134_;
-        if (_e93.member < _e93.member_1) {
-            phi_135_ = type_20((_e93.member + 1u), _e93.member_1);
-            phi_158_ = type_20(1u, _e93.member);
-        } else {
-            phi_135_ = _e93;
-            phi_158_ = type_20(0u, type_20().member_1);
-        }
-        let _e107 = phi_135_;
-        let _e109 = phi_158_;
-        let _e113 = (bitcast<i32>(_e109.member) != 0i);
-        if _e113 {
-            let _e121 = ((_e56 * 2048u) + ((((_e45 / 32u) * 512u) + (_e109.member_1 * 64u)) + (_e45 % 32u)));
-            let _e131 = ((_e56 * 2048u) + ((((_e45 / 32u) * 512u) + (((2u * _e109.member_1) + 1u) * 32u)) + (_e45 % 32u)));
-            let _e133 = params.member.member_17;
-            if (_e121 < _e133) {
-                let _e136 = keys.member[_e121];
-                let _e138 = params.member.member_10;
-                let _e143 = (_e91 + ((_e136 >> bitcast<u32>((_e138 & 31u))) & 255u));
-                let _e149 = atomicOr((&masks[_e143]), (1u << bitcast<u32>(((_e45 % 32u) & 31u))));
-                phi_212_ = _e143;
-            } else {
-                phi_212_ = _e91;
-            }
-            let _e151 = phi_212_;
-            let _e153 = params.member.member_17;
-            if (_e131 < _e153) {
-                let _e156 = keys.member[_e131];
-                let _e158 = params.member.member_10;
-                let _e163 = (_e91 + ((_e156 >> bitcast<u32>((_e158 & 31u))) & 255u));
-                let _e170 = atomicOr((&masks[(1024u + _e163)]), (1u << bitcast<u32>(((_e45 % 32u) & 31u))));
-                phi_241_ = _e163;
-            } else {
-                phi_241_ = _e91;
-            }
-            let _e172 = phi_241_;
-            workgroupBarrier();
-            let _e174 = atomicLoad((&masks[_e151]));
-            let _e177 = atomicLoad((&masks[(1024u + _e172)]));
-            let _e184 = countOneBits((_e174 & ((1u << bitcast<u32>(((_e45 % 32u) & 31u))) - 1u)));
-            let _e191 = countOneBits((_e177 & ((1u << bitcast<u32>(((_e45 % 32u) & 31u))) - 1u)));
-            let _e193 = atomicLoad((&counts[_e151]));
-            let _e196 = atomicLoad((&counts[_e172]));
-            let _e198 = atomicLoad((&masks[_e172]));
-            ranks[((_e109.member_1 * 128u) + _e45)] = ((_e193 + _e184) | (((_e196 + countOneBits(_e198)) + _e191) << bitcast<u32>(16i)));
-            workgroupBarrier();
-            let _e209 = params.member.member_17;
-            if (_e121 < _e209) {
-                if (_e184 == 0u) {
-                    let _e214 = atomicAdd((&counts[_e151]), countOneBits(_e174));
-                    atomicStore((&masks[_e151]), 0u);
-                }
-            }
-            let _e217 = params.member.member_17;
-            if (_e131 < _e217) {
-                if (_e191 == 0u) {
-                    let _e222 = atomicAdd((&counts[_e172]), countOneBits(_e177));
-                    atomicStore((&masks[(1024u + _e172)]), 0u);
-                }
-            }
-            workgroupBarrier();
-        }
-        continue;
-        continuing {
-            phi_134_ = _e107;
-            break if !(_e113);
+    let _e490 = (((_e62 * 2048u) + (((_e51 / 32u) * 512u) + (_e51 % 32u))) < _e68);
+    let _e498 = (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 32u) + (_e51 % 32u))) < _e68);
+    let _e503 = (_e64 + ((_e79 >> bitcast<u32>((_e66 & 31u))) & 255u));
+    let _e508 = (_e64 + ((_e91 >> bitcast<u32>((_e66 & 31u))) & 255u));
+    if _e490 {
+        let _e514 = atomicOr((&masks[_e503]), (1u << bitcast<u32>(((_e51 % 32u) & 31u))));
+    }
+    if _e498 {
+        let _e521 = atomicOr((&masks[(1024u + _e508)]), (1u << bitcast<u32>(((_e51 % 32u) & 31u))));
+    }
+    workgroupBarrier();
+    let _e523 = atomicLoad((&masks[_e503]));
+    let _e526 = atomicLoad((&masks[(1024u + _e508)]));
+    let _e533 = countOneBits((_e523 & ((1u << bitcast<u32>(((_e51 % 32u) & 31u))) - 1u)));
+    let _e540 = countOneBits((_e526 & ((1u << bitcast<u32>(((_e51 % 32u) & 31u))) - 1u)));
+    let _e542 = atomicLoad((&counts[_e503]));
+    let _e545 = atomicLoad((&counts[_e508]));
+    let _e547 = atomicLoad((&masks[_e508]));
+    workgroupBarrier();
+    if _e490 {
+        if (_e533 == 0u) {
+            let _e554 = atomicAdd((&counts[_e503]), countOneBits(_e523));
+            atomicStore((&masks[_e503]), 0u);
         }
     }
-    let _e227 = params.member.member_11;
-    let _e228 = (256u * _e227);
-    let _e232 = table.member[(_e228 + (2u * _e45))];
-    let _e237 = table.member[((_e228 + (2u * _e45)) + 1u)];
-    let _e238 = (_e232 + _e237);
-    atomicStore((&masks[_e45]), _e238);
-    phi_335_ = type_20(0u, 7u);
-    phi_338_ = 0u;
-    phi_340_ = 1u;
-    phi_342_ = _e238;
-    phi_339_ = 1024u;
-    loop {
-        let _e241 = phi_335_;
-        let _e243 = phi_338_;
-        let _e245 = phi_340_;
-        let _e247 = phi_342_;
-        let _e249 = phi_339_;
-        local = _e247;
-        if (_e241.member < _e241.member_1) {
-            phi_336_ = type_20((_e241.member + 1u), _e241.member_1);
-            phi_365_ = type_20(1u, _e241.member);
-        } else {
-            phi_336_ = _e241;
-            phi_365_ = type_20(0u, type_20().member_1);
-        }
-        let _e263 = phi_336_;
-        let _e265 = phi_365_;
-        let _e268 = (bitcast<i32>(_e265.member) != 0i);
-        if _e268 {
-            workgroupBarrier();
-            if (_e45 >= _e245) {
-                let _e273 = atomicLoad((&masks[((_e243 + _e45) - _e245)]));
-                phi_381_ = (_e247 + _e273);
-            } else {
-                phi_381_ = _e247;
-            }
-            let _e276 = phi_381_;
-            atomicStore((&masks[(_e249 + _e45)]), _e276);
-            phi_341_ = (_e245 * 2u);
-            phi_343_ = _e276;
-        } else {
-            phi_341_ = u32();
-            phi_343_ = u32();
-        }
-        let _e281 = phi_341_;
-        let _e283 = phi_343_;
-        continue;
-        continuing {
-            phi_335_ = _e263;
-            phi_338_ = _e249;
-            phi_340_ = _e281;
-            phi_342_ = _e283;
-            phi_339_ = _e243;
-            break if !(_e268);
+    if _e498 {
+        if (_e540 == 0u) {
+            let _e559 = atomicAdd((&counts[_e508]), countOneBits(_e526));
+            atomicStore((&masks[(1024u + _e508)]), 0u);
         }
     }
     workgroupBarrier();
-    let _e286 = local;
-    phi_388_ = type_20(0u, 2u);
-    phi_391_ = (_e286 - _e238);
-    loop {
-        let _e289 = phi_388_;
-        let _e291 = phi_391_;
-        if (_e289.member < _e289.member_1) {
-            phi_389_ = type_20((_e289.member + 1u), _e289.member_1);
-            phi_414_ = type_20(1u, _e289.member);
-        } else {
-            phi_389_ = _e289;
-            phi_414_ = type_20(0u, type_20().member_1);
+    let _e569 = (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 64u) + (_e51 % 32u))) < _e68);
+    let _e577 = (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 96u) + (_e51 % 32u))) < _e68);
+    let _e582 = (_e64 + ((_e126 >> bitcast<u32>((_e66 & 31u))) & 255u));
+    let _e587 = (_e64 + ((_e138 >> bitcast<u32>((_e66 & 31u))) & 255u));
+    if _e569 {
+        let _e593 = atomicOr((&masks[_e582]), (1u << bitcast<u32>(((_e51 % 32u) & 31u))));
+    }
+    if _e577 {
+        let _e600 = atomicOr((&masks[(1024u + _e587)]), (1u << bitcast<u32>(((_e51 % 32u) & 31u))));
+    }
+    workgroupBarrier();
+    let _e602 = atomicLoad((&masks[_e582]));
+    let _e605 = atomicLoad((&masks[(1024u + _e587)]));
+    let _e612 = countOneBits((_e602 & ((1u << bitcast<u32>(((_e51 % 32u) & 31u))) - 1u)));
+    let _e619 = countOneBits((_e605 & ((1u << bitcast<u32>(((_e51 % 32u) & 31u))) - 1u)));
+    let _e621 = atomicLoad((&counts[_e582]));
+    let _e624 = atomicLoad((&counts[_e587]));
+    let _e626 = atomicLoad((&masks[_e587]));
+    workgroupBarrier();
+    if _e569 {
+        if (_e612 == 0u) {
+            let _e633 = atomicAdd((&counts[_e582]), countOneBits(_e602));
+            atomicStore((&masks[_e582]), 0u);
         }
-        let _e305 = phi_389_;
-        let _e307 = phi_414_;
-        let _e311 = (bitcast<i32>(_e307.member) != 0i);
-        if _e311 {
-            let _e313 = ((2u * _e45) + _e307.member_1);
-            let _e315 = params.member.member_11;
-            if (_e56 < _e315) {
-                let _e318 = params.member.member_11;
-                let _e322 = table.member[((_e313 * _e318) + _e56)];
-                phi_444_ = _e322;
+    }
+    if _e577 {
+        if (_e619 == 0u) {
+            let _e638 = atomicAdd((&counts[_e587]), countOneBits(_e605));
+            atomicStore((&masks[(1024u + _e587)]), 0u);
+        }
+    }
+    workgroupBarrier();
+    let _e648 = (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 128u) + (_e51 % 32u))) < _e68);
+    let _e656 = (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 160u) + (_e51 % 32u))) < _e68);
+    let _e661 = (_e64 + ((_e174 >> bitcast<u32>((_e66 & 31u))) & 255u));
+    let _e666 = (_e64 + ((_e186 >> bitcast<u32>((_e66 & 31u))) & 255u));
+    if _e648 {
+        let _e672 = atomicOr((&masks[_e661]), (1u << bitcast<u32>(((_e51 % 32u) & 31u))));
+    }
+    if _e656 {
+        let _e679 = atomicOr((&masks[(1024u + _e666)]), (1u << bitcast<u32>(((_e51 % 32u) & 31u))));
+    }
+    workgroupBarrier();
+    let _e681 = atomicLoad((&masks[_e661]));
+    let _e684 = atomicLoad((&masks[(1024u + _e666)]));
+    let _e691 = countOneBits((_e681 & ((1u << bitcast<u32>(((_e51 % 32u) & 31u))) - 1u)));
+    let _e698 = countOneBits((_e684 & ((1u << bitcast<u32>(((_e51 % 32u) & 31u))) - 1u)));
+    let _e700 = atomicLoad((&counts[_e661]));
+    let _e703 = atomicLoad((&counts[_e666]));
+    let _e705 = atomicLoad((&masks[_e666]));
+    workgroupBarrier();
+    if _e648 {
+        if (_e691 == 0u) {
+            let _e712 = atomicAdd((&counts[_e661]), countOneBits(_e681));
+            atomicStore((&masks[_e661]), 0u);
+        }
+    }
+    if _e656 {
+        if (_e698 == 0u) {
+            let _e717 = atomicAdd((&counts[_e666]), countOneBits(_e684));
+            atomicStore((&masks[(1024u + _e666)]), 0u);
+        }
+    }
+    workgroupBarrier();
+    let _e727 = (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 192u) + (_e51 % 32u))) < _e68);
+    let _e735 = (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 224u) + (_e51 % 32u))) < _e68);
+    let _e740 = (_e64 + ((_e222 >> bitcast<u32>((_e66 & 31u))) & 255u));
+    let _e745 = (_e64 + ((_e234 >> bitcast<u32>((_e66 & 31u))) & 255u));
+    if _e727 {
+        let _e751 = atomicOr((&masks[_e740]), (1u << bitcast<u32>(((_e51 % 32u) & 31u))));
+    }
+    if _e735 {
+        let _e758 = atomicOr((&masks[(1024u + _e745)]), (1u << bitcast<u32>(((_e51 % 32u) & 31u))));
+    }
+    workgroupBarrier();
+    let _e760 = atomicLoad((&masks[_e740]));
+    let _e763 = atomicLoad((&masks[(1024u + _e745)]));
+    let _e770 = countOneBits((_e760 & ((1u << bitcast<u32>(((_e51 % 32u) & 31u))) - 1u)));
+    let _e777 = countOneBits((_e763 & ((1u << bitcast<u32>(((_e51 % 32u) & 31u))) - 1u)));
+    let _e779 = atomicLoad((&counts[_e740]));
+    let _e782 = atomicLoad((&counts[_e745]));
+    let _e784 = atomicLoad((&masks[_e745]));
+    workgroupBarrier();
+    if _e727 {
+        if (_e770 == 0u) {
+            let _e791 = atomicAdd((&counts[_e740]), countOneBits(_e760));
+            atomicStore((&masks[_e740]), 0u);
+        }
+    }
+    if _e735 {
+        if (_e777 == 0u) {
+            let _e796 = atomicAdd((&counts[_e745]), countOneBits(_e763));
+            atomicStore((&masks[(1024u + _e745)]), 0u);
+        }
+    }
+    workgroupBarrier();
+    let _e806 = (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 256u) + (_e51 % 32u))) < _e68);
+    let _e814 = (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 288u) + (_e51 % 32u))) < _e68);
+    let _e819 = (_e64 + ((_e270 >> bitcast<u32>((_e66 & 31u))) & 255u));
+    let _e824 = (_e64 + ((_e282 >> bitcast<u32>((_e66 & 31u))) & 255u));
+    if _e806 {
+        let _e830 = atomicOr((&masks[_e819]), (1u << bitcast<u32>(((_e51 % 32u) & 31u))));
+    }
+    if _e814 {
+        let _e837 = atomicOr((&masks[(1024u + _e824)]), (1u << bitcast<u32>(((_e51 % 32u) & 31u))));
+    }
+    workgroupBarrier();
+    let _e839 = atomicLoad((&masks[_e819]));
+    let _e842 = atomicLoad((&masks[(1024u + _e824)]));
+    let _e849 = countOneBits((_e839 & ((1u << bitcast<u32>(((_e51 % 32u) & 31u))) - 1u)));
+    let _e856 = countOneBits((_e842 & ((1u << bitcast<u32>(((_e51 % 32u) & 31u))) - 1u)));
+    let _e858 = atomicLoad((&counts[_e819]));
+    let _e861 = atomicLoad((&counts[_e824]));
+    let _e863 = atomicLoad((&masks[_e824]));
+    workgroupBarrier();
+    if _e806 {
+        if (_e849 == 0u) {
+            let _e870 = atomicAdd((&counts[_e819]), countOneBits(_e839));
+            atomicStore((&masks[_e819]), 0u);
+        }
+    }
+    if _e814 {
+        if (_e856 == 0u) {
+            let _e875 = atomicAdd((&counts[_e824]), countOneBits(_e842));
+            atomicStore((&masks[(1024u + _e824)]), 0u);
+        }
+    }
+    workgroupBarrier();
+    let _e885 = (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 320u) + (_e51 % 32u))) < _e68);
+    let _e893 = (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 352u) + (_e51 % 32u))) < _e68);
+    let _e898 = (_e64 + ((_e318 >> bitcast<u32>((_e66 & 31u))) & 255u));
+    let _e903 = (_e64 + ((_e330 >> bitcast<u32>((_e66 & 31u))) & 255u));
+    if _e885 {
+        let _e909 = atomicOr((&masks[_e898]), (1u << bitcast<u32>(((_e51 % 32u) & 31u))));
+    }
+    if _e893 {
+        let _e916 = atomicOr((&masks[(1024u + _e903)]), (1u << bitcast<u32>(((_e51 % 32u) & 31u))));
+    }
+    workgroupBarrier();
+    let _e918 = atomicLoad((&masks[_e898]));
+    let _e921 = atomicLoad((&masks[(1024u + _e903)]));
+    let _e928 = countOneBits((_e918 & ((1u << bitcast<u32>(((_e51 % 32u) & 31u))) - 1u)));
+    let _e935 = countOneBits((_e921 & ((1u << bitcast<u32>(((_e51 % 32u) & 31u))) - 1u)));
+    let _e937 = atomicLoad((&counts[_e898]));
+    let _e940 = atomicLoad((&counts[_e903]));
+    let _e942 = atomicLoad((&masks[_e903]));
+    workgroupBarrier();
+    if _e885 {
+        if (_e928 == 0u) {
+            let _e949 = atomicAdd((&counts[_e898]), countOneBits(_e918));
+            atomicStore((&masks[_e898]), 0u);
+        }
+    }
+    if _e893 {
+        if (_e935 == 0u) {
+            let _e954 = atomicAdd((&counts[_e903]), countOneBits(_e921));
+            atomicStore((&masks[(1024u + _e903)]), 0u);
+        }
+    }
+    workgroupBarrier();
+    let _e964 = (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 384u) + (_e51 % 32u))) < _e68);
+    let _e972 = (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 416u) + (_e51 % 32u))) < _e68);
+    let _e977 = (_e64 + ((_e366 >> bitcast<u32>((_e66 & 31u))) & 255u));
+    let _e982 = (_e64 + ((_e378 >> bitcast<u32>((_e66 & 31u))) & 255u));
+    if _e964 {
+        let _e988 = atomicOr((&masks[_e977]), (1u << bitcast<u32>(((_e51 % 32u) & 31u))));
+    }
+    if _e972 {
+        let _e995 = atomicOr((&masks[(1024u + _e982)]), (1u << bitcast<u32>(((_e51 % 32u) & 31u))));
+    }
+    workgroupBarrier();
+    let _e997 = atomicLoad((&masks[_e977]));
+    let _e1000 = atomicLoad((&masks[(1024u + _e982)]));
+    let _e1007 = countOneBits((_e997 & ((1u << bitcast<u32>(((_e51 % 32u) & 31u))) - 1u)));
+    let _e1014 = countOneBits((_e1000 & ((1u << bitcast<u32>(((_e51 % 32u) & 31u))) - 1u)));
+    let _e1016 = atomicLoad((&counts[_e977]));
+    let _e1019 = atomicLoad((&counts[_e982]));
+    let _e1021 = atomicLoad((&masks[_e982]));
+    workgroupBarrier();
+    if _e964 {
+        if (_e1007 == 0u) {
+            let _e1028 = atomicAdd((&counts[_e977]), countOneBits(_e997));
+            atomicStore((&masks[_e977]), 0u);
+        }
+    }
+    if _e972 {
+        if (_e1014 == 0u) {
+            let _e1033 = atomicAdd((&counts[_e982]), countOneBits(_e1000));
+            atomicStore((&masks[(1024u + _e982)]), 0u);
+        }
+    }
+    workgroupBarrier();
+    let _e1043 = (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 448u) + (_e51 % 32u))) < _e68);
+    let _e1051 = (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 480u) + (_e51 % 32u))) < _e68);
+    let _e1056 = (_e64 + ((_e414 >> bitcast<u32>((_e66 & 31u))) & 255u));
+    let _e1061 = (_e64 + ((_e426 >> bitcast<u32>((_e66 & 31u))) & 255u));
+    if _e1043 {
+        let _e1067 = atomicOr((&masks[_e1056]), (1u << bitcast<u32>(((_e51 % 32u) & 31u))));
+    }
+    if _e1051 {
+        let _e1074 = atomicOr((&masks[(1024u + _e1061)]), (1u << bitcast<u32>(((_e51 % 32u) & 31u))));
+    }
+    workgroupBarrier();
+    let _e1076 = atomicLoad((&masks[_e1056]));
+    let _e1079 = atomicLoad((&masks[(1024u + _e1061)]));
+    let _e1086 = countOneBits((_e1076 & ((1u << bitcast<u32>(((_e51 % 32u) & 31u))) - 1u)));
+    let _e1093 = countOneBits((_e1079 & ((1u << bitcast<u32>(((_e51 % 32u) & 31u))) - 1u)));
+    let _e1095 = atomicLoad((&counts[_e1056]));
+    let _e1098 = atomicLoad((&counts[_e1061]));
+    let _e1100 = atomicLoad((&masks[_e1061]));
+    workgroupBarrier();
+    if _e1043 {
+        if (_e1086 == 0u) {
+            let _e1107 = atomicAdd((&counts[_e1056]), countOneBits(_e1076));
+            atomicStore((&masks[_e1056]), 0u);
+        }
+    }
+    if _e1051 {
+        if (_e1093 == 0u) {
+            let _e1112 = atomicAdd((&counts[_e1061]), countOneBits(_e1079));
+            atomicStore((&masks[(1024u + _e1061)]), 0u);
+        }
+    }
+    workgroupBarrier();
+    let _e1116 = params.member.member_11;
+    let _e1117 = (256u * _e1116);
+    let _e1121 = table.member[(_e1117 + (2u * _e51))];
+    let _e1126 = table.member[((_e1117 + (2u * _e51)) + 1u)];
+    let _e1127 = (_e1121 + _e1126);
+    atomicStore((&masks[_e51]), _e1127);
+    phi_1651_ = type_20(0u, 7u);
+    phi_1654_ = 0u;
+    phi_1656_ = 1u;
+    phi_1658_ = _e1127;
+    phi_1655_ = 1024u;
+    loop {
+        let _e1130 = phi_1651_;
+        let _e1132 = phi_1654_;
+        let _e1134 = phi_1656_;
+        let _e1136 = phi_1658_;
+        let _e1138 = phi_1655_;
+        local = _e1136;
+        if (_e1130.member < _e1130.member_1) {
+            phi_1652_ = type_20((_e1130.member + 1u), _e1130.member_1);
+            phi_1681_ = type_20(1u, _e1130.member);
+        } else {
+            phi_1652_ = _e1130;
+            phi_1681_ = type_20(0u, type_20().member_1);
+        }
+        let _e1152 = phi_1652_;
+        let _e1154 = phi_1681_;
+        let _e1157 = (bitcast<i32>(_e1154.member) != 0i);
+        if _e1157 {
+            workgroupBarrier();
+            if (_e51 >= _e1134) {
+                let _e1162 = atomicLoad((&masks[((_e1132 + _e51) - _e1134)]));
+                phi_1697_ = (_e1136 + _e1162);
             } else {
-                phi_444_ = 0u;
+                phi_1697_ = _e1136;
             }
-            let _e324 = phi_444_;
-            phi_448_ = type_20(0u, 4u);
-            phi_451_ = (_e291 + _e324);
+            let _e1165 = phi_1697_;
+            atomicStore((&masks[(_e1138 + _e51)]), _e1165);
+            phi_1657_ = (_e1134 * 2u);
+            phi_1659_ = _e1165;
+        } else {
+            phi_1657_ = u32();
+            phi_1659_ = u32();
+        }
+        let _e1170 = phi_1657_;
+        let _e1172 = phi_1659_;
+        continue;
+        continuing {
+            phi_1651_ = _e1152;
+            phi_1654_ = _e1138;
+            phi_1656_ = _e1170;
+            phi_1658_ = _e1172;
+            phi_1655_ = _e1132;
+            break if !(_e1157);
+        }
+    }
+    workgroupBarrier();
+    let _e1175 = local;
+    phi_1704_ = type_20(0u, 2u);
+    phi_1707_ = (_e1175 - _e1127);
+    loop {
+        let _e1178 = phi_1704_;
+        let _e1180 = phi_1707_;
+        if (_e1178.member < _e1178.member_1) {
+            phi_1705_ = type_20((_e1178.member + 1u), _e1178.member_1);
+            phi_1730_ = type_20(1u, _e1178.member);
+        } else {
+            phi_1705_ = _e1178;
+            phi_1730_ = type_20(0u, type_20().member_1);
+        }
+        let _e1194 = phi_1705_;
+        let _e1196 = phi_1730_;
+        let _e1200 = (bitcast<i32>(_e1196.member) != 0i);
+        if _e1200 {
+            let _e1202 = ((2u * _e51) + _e1196.member_1);
+            let _e1204 = params.member.member_11;
+            if (_e62 < _e1204) {
+                let _e1207 = params.member.member_11;
+                let _e1211 = table.member[((_e1202 * _e1207) + _e62)];
+                phi_1760_ = _e1211;
+            } else {
+                phi_1760_ = 0u;
+            }
+            let _e1213 = phi_1760_;
+            phi_1764_ = type_20(0u, 4u);
+            phi_1767_ = (_e1180 + _e1213);
             loop {
-                let _e327 = phi_448_;
-                let _e329 = phi_451_;
-                if (_e327.member < _e327.member_1) {
-                    phi_449_ = type_20((_e327.member + 1u), _e327.member_1);
-                    phi_474_ = type_20(1u, _e327.member);
+                let _e1216 = phi_1764_;
+                let _e1218 = phi_1767_;
+                if (_e1216.member < _e1216.member_1) {
+                    phi_1765_ = type_20((_e1216.member + 1u), _e1216.member_1);
+                    phi_1790_ = type_20(1u, _e1216.member);
                 } else {
-                    phi_449_ = _e327;
-                    phi_474_ = type_20(0u, type_20().member_1);
+                    phi_1765_ = _e1216;
+                    phi_1790_ = type_20(0u, type_20().member_1);
                 }
-                let _e343 = phi_449_;
-                let _e345 = phi_474_;
-                let _e349 = (bitcast<i32>(_e345.member) != 0i);
-                if _e349 {
-                    let _e351 = ((_e345.member_1 * 256u) + _e313);
-                    let _e353 = atomicLoad((&counts[_e351]));
-                    atomicStore((&counts[_e351]), _e329);
-                    phi_452_ = (_e329 + _e353);
+                let _e1232 = phi_1765_;
+                let _e1234 = phi_1790_;
+                let _e1238 = (bitcast<i32>(_e1234.member) != 0i);
+                if _e1238 {
+                    let _e1240 = ((_e1234.member_1 * 256u) + _e1202);
+                    let _e1242 = atomicLoad((&counts[_e1240]));
+                    atomicStore((&counts[_e1240]), _e1218);
+                    phi_1768_ = (_e1218 + _e1242);
                 } else {
-                    phi_452_ = u32();
+                    phi_1768_ = u32();
                 }
-                let _e357 = phi_452_;
+                let _e1246 = phi_1768_;
                 continue;
                 continuing {
-                    phi_448_ = _e343;
-                    phi_451_ = _e357;
-                    break if !(_e349);
+                    phi_1764_ = _e1232;
+                    phi_1767_ = _e1246;
+                    break if !(_e1238);
                 }
             }
-            phi_392_ = (_e291 + _e232);
+            phi_1708_ = (_e1180 + _e1121);
         } else {
-            phi_392_ = u32();
+            phi_1708_ = u32();
         }
-        let _e361 = phi_392_;
+        let _e1250 = phi_1708_;
         continue;
         continuing {
-            phi_388_ = _e305;
-            phi_391_ = _e361;
-            break if !(_e311);
+            phi_1704_ = _e1194;
+            phi_1707_ = _e1250;
+            break if !(_e1200);
         }
     }
     workgroupBarrier();
-    phi_491_ = type_20(0u, 16u);
-    loop {
-        let _e364 = phi_491_;
-        if (_e364.member < _e364.member_1) {
-            phi_492_ = type_20((_e364.member + 1u), _e364.member_1);
-            phi_515_ = type_20(1u, _e364.member);
-        } else {
-            phi_492_ = _e364;
-            phi_515_ = type_20(0u, type_20().member_1);
-        }
-        let _e378 = phi_492_;
-        let _e380 = phi_515_;
-        let _e384 = (bitcast<i32>(_e380.member) != 0i);
-        if _e384 {
-            let _e392 = ((_e56 * 2048u) + ((((_e45 / 32u) * 512u) + (_e380.member_1 * 32u)) + (_e45 % 32u)));
-            let _e394 = params.member.member_17;
-            if (_e392 < _e394) {
-                let _e397 = keys.member[_e392];
-                let _e402 = ranks[(((_e380.member_1 / 2u) * 128u) + _e45)];
-                let _e410 = params.member.member_10;
-                let _e417 = atomicLoad((&counts[(_e91 + ((_e397 >> bitcast<u32>((_e410 & 31u))) & 255u))]));
-                let _e418 = (_e417 + ((_e402 >> bitcast<u32>(((16u * (_e380.member_1 % 2u)) & 31u))) & 65535u));
-                keys_out.member[_e418] = _e397;
-                let _e421 = values.member[_e392];
-                values_out.member[_e418] = _e421;
-            }
-        }
-        continue;
-        continuing {
-            phi_491_ = _e378;
-            break if !(_e384);
-        }
+    if (((_e62 * 2048u) + (((_e51 / 32u) * 512u) + (_e51 % 32u))) < _e68) {
+        let _e1265 = atomicLoad((&counts[(_e64 + ((_e79 >> bitcast<u32>((_e66 & 31u))) & 255u))]));
+        let _e1266 = (_e1265 + (_e542 + _e533));
+        keys_out.member[_e1266] = _e79;
+        values_out.member[_e1266] = _e102;
+    }
+    if (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 32u) + (_e51 % 32u))) < _e68) {
+        let _e1283 = atomicLoad((&counts[(_e64 + ((_e91 >> bitcast<u32>((_e66 & 31u))) & 255u))]));
+        let _e1284 = (_e1283 + ((_e545 + countOneBits(_e547)) + _e540));
+        keys_out.member[_e1284] = _e91;
+        values_out.member[_e1284] = _e114;
+    }
+    if (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 64u) + (_e51 % 32u))) < _e68) {
+        let _e1301 = atomicLoad((&counts[(_e64 + ((_e126 >> bitcast<u32>((_e66 & 31u))) & 255u))]));
+        let _e1302 = (_e1301 + (_e621 + _e612));
+        keys_out.member[_e1302] = _e126;
+        values_out.member[_e1302] = _e150;
+    }
+    if (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 96u) + (_e51 % 32u))) < _e68) {
+        let _e1319 = atomicLoad((&counts[(_e64 + ((_e138 >> bitcast<u32>((_e66 & 31u))) & 255u))]));
+        let _e1320 = (_e1319 + ((_e624 + countOneBits(_e626)) + _e619));
+        keys_out.member[_e1320] = _e138;
+        values_out.member[_e1320] = _e162;
+    }
+    if (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 128u) + (_e51 % 32u))) < _e68) {
+        let _e1337 = atomicLoad((&counts[(_e64 + ((_e174 >> bitcast<u32>((_e66 & 31u))) & 255u))]));
+        let _e1338 = (_e1337 + (_e700 + _e691));
+        keys_out.member[_e1338] = _e174;
+        values_out.member[_e1338] = _e198;
+    }
+    if (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 160u) + (_e51 % 32u))) < _e68) {
+        let _e1355 = atomicLoad((&counts[(_e64 + ((_e186 >> bitcast<u32>((_e66 & 31u))) & 255u))]));
+        let _e1356 = (_e1355 + ((_e703 + countOneBits(_e705)) + _e698));
+        keys_out.member[_e1356] = _e186;
+        values_out.member[_e1356] = _e210;
+    }
+    if (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 192u) + (_e51 % 32u))) < _e68) {
+        let _e1373 = atomicLoad((&counts[(_e64 + ((_e222 >> bitcast<u32>((_e66 & 31u))) & 255u))]));
+        let _e1374 = (_e1373 + (_e779 + _e770));
+        keys_out.member[_e1374] = _e222;
+        values_out.member[_e1374] = _e246;
+    }
+    if (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 224u) + (_e51 % 32u))) < _e68) {
+        let _e1391 = atomicLoad((&counts[(_e64 + ((_e234 >> bitcast<u32>((_e66 & 31u))) & 255u))]));
+        let _e1392 = (_e1391 + ((_e782 + countOneBits(_e784)) + _e777));
+        keys_out.member[_e1392] = _e234;
+        values_out.member[_e1392] = _e258;
+    }
+    if (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 256u) + (_e51 % 32u))) < _e68) {
+        let _e1409 = atomicLoad((&counts[(_e64 + ((_e270 >> bitcast<u32>((_e66 & 31u))) & 255u))]));
+        let _e1410 = (_e1409 + (_e858 + _e849));
+        keys_out.member[_e1410] = _e270;
+        values_out.member[_e1410] = _e294;
+    }
+    if (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 288u) + (_e51 % 32u))) < _e68) {
+        let _e1427 = atomicLoad((&counts[(_e64 + ((_e282 >> bitcast<u32>((_e66 & 31u))) & 255u))]));
+        let _e1428 = (_e1427 + ((_e861 + countOneBits(_e863)) + _e856));
+        keys_out.member[_e1428] = _e282;
+        values_out.member[_e1428] = _e306;
+    }
+    if (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 320u) + (_e51 % 32u))) < _e68) {
+        let _e1445 = atomicLoad((&counts[(_e64 + ((_e318 >> bitcast<u32>((_e66 & 31u))) & 255u))]));
+        let _e1446 = (_e1445 + (_e937 + _e928));
+        keys_out.member[_e1446] = _e318;
+        values_out.member[_e1446] = _e342;
+    }
+    if (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 352u) + (_e51 % 32u))) < _e68) {
+        let _e1463 = atomicLoad((&counts[(_e64 + ((_e330 >> bitcast<u32>((_e66 & 31u))) & 255u))]));
+        let _e1464 = (_e1463 + ((_e940 + countOneBits(_e942)) + _e935));
+        keys_out.member[_e1464] = _e330;
+        values_out.member[_e1464] = _e354;
+    }
+    if (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 384u) + (_e51 % 32u))) < _e68) {
+        let _e1481 = atomicLoad((&counts[(_e64 + ((_e366 >> bitcast<u32>((_e66 & 31u))) & 255u))]));
+        let _e1482 = (_e1481 + (_e1016 + _e1007));
+        keys_out.member[_e1482] = _e366;
+        values_out.member[_e1482] = _e390;
+    }
+    if (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 416u) + (_e51 % 32u))) < _e68) {
+        let _e1499 = atomicLoad((&counts[(_e64 + ((_e378 >> bitcast<u32>((_e66 & 31u))) & 255u))]));
+        let _e1500 = (_e1499 + ((_e1019 + countOneBits(_e1021)) + _e1014));
+        keys_out.member[_e1500] = _e378;
+        values_out.member[_e1500] = _e402;
+    }
+    if (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 448u) + (_e51 % 32u))) < _e68) {
+        let _e1517 = atomicLoad((&counts[(_e64 + ((_e414 >> bitcast<u32>((_e66 & 31u))) & 255u))]));
+        let _e1518 = (_e1517 + (_e1095 + _e1086));
+        keys_out.member[_e1518] = _e414;
+        values_out.member[_e1518] = _e438;
+    }
+    if (((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 480u) + (_e51 % 32u))) < _e68) {
+        let _e1535 = atomicLoad((&counts[(_e64 + ((_e426 >> bitcast<u32>((_e66 & 31u))) & 255u))]));
+        let _e1536 = (_e1535 + ((_e1098 + countOneBits(_e1100)) + _e1093));
+        keys_out.member[_e1536] = _e426;
+        values_out.member[_e1536] = _e450;
     }
     return;
 }

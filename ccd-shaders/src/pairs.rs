@@ -95,7 +95,7 @@ fn test(
     columns: &[Aabb; 128],
     names: &[u32; 128],
     counters: &mut [u32; 8],
-    hits: &mut [u32; 1024],
+    hits: &mut [u32; 2048],
 ) -> u32 {
     let (team, i) = (lane / WIDTH, lane % WIDTH);
     let mut beyond = 0;
@@ -158,7 +158,7 @@ pub fn node_pairs(
     #[spirv(workgroup)] columns: &mut [Aabb; 128],
     #[spirv(workgroup)] names: &mut [u32; 128],
     #[spirv(workgroup)] counters: &mut [u32; 8],
-    #[spirv(workgroup)] hits: &mut [u32; 1024],
+    #[spirv(workgroup)] hits: &mut [u32; 2048],
     #[spirv(workgroup)] firsts: &mut [u32; 8],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &[Aabb],
@@ -215,7 +215,7 @@ macro_rules! leaf_entry {
             #[spirv(workgroup)] columns: &mut [Aabb; 128],
             #[spirv(workgroup)] names: &mut [u32; 128],
             #[spirv(workgroup)] counters: &mut [u32; 8],
-            #[spirv(workgroup)] hits: &mut [u32; 1024],
+            #[spirv(workgroup)] hits: &mut [u32; 2048],
             #[spirv(workgroup)] firsts: &mut [u32; 8],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
             #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &[Aabb],

@@ -22,12 +22,18 @@ pub fn sort_count(
     set(counts, lane, 0);
     set(counts, lane + THREADS, 0);
     barrier();
-    for k in 0..KEYS {
-        let i = tile * TILE + k * THREADS + lane;
-        if i < params.n {
-            add_shared(counts, digit(at(keys, i as usize), params.shift), 1);
-        }
+    let first = tile * TILE + lane;
+    let shift = params.shift;
+    // All loads before the first addition, so that they overlap.
+    macro_rules! count {
+        ($($k:literal)*) => {
+            let loaded = [$(load(keys, params.n, first + $k * THREADS)),*];
+            $(if first + $k * THREADS < params.n {
+                add_shared(counts, digit(loaded[$k], shift), 1);
+            })*
+        };
     }
+    count!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
     barrier();
     if tile < params.n_tiles {
         for half in 0..2 {
@@ -94,7 +100,6 @@ pub fn sort_scatter(
     #[spirv(local_invocation_index)] lane: u32,
     #[spirv(workgroup)] masks: &mut [u32; 2048],
     #[spirv(workgroup)] counts: &mut [u32; 1024],
-    #[spirv(workgroup)] ranks: &mut [u32; 1024],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] table: &[u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] keys: &[u32],
@@ -103,68 +108,87 @@ pub fn sort_scatter(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] values_out: &mut [u32],
 ) {
     let tile = group(id, n);
-    for k in 0..8 {
-        set(masks, k * THREADS + lane, 0);
-        set(masks, 1024 + k * THREADS + lane, 0);
-        set(counts, k * THREADS + lane, 0);
+    let (run, shift, n_keys) = (lane / 32 * DIGITS, params.shift, params.n);
+    // All loads before the first barrier, so that they overlap; unrolled, so that what they give stays in registers.
+    macro_rules! move_all {
+        ($($k:literal $second:literal)*) => {
+            let (mut sorted, mut carried) = ([0u32; KEYS as usize], [0u32; KEYS as usize]);
+            $(
+                sorted[$k] = load(keys, n_keys, tile * TILE + place(lane, $k));
+                sorted[$second] = load(keys, n_keys, tile * TILE + place(lane, $second));
+                carried[$k] = load(values, n_keys, tile * TILE + place(lane, $k));
+                carried[$second] = load(values, n_keys, tile * TILE + place(lane, $second));
+            )*
+            for k in 0..8 {
+                set(masks, k * THREADS + lane, 0);
+                set(masks, 1024 + k * THREADS + lane, 0);
+                set(counts, k * THREADS + lane, 0);
+            }
+            barrier();
+            // Rank of every key among those of the same digit that come before it in its run; two keys a thread between barriers.
+            let mut ranks = [0u32; KEYS as usize];
+            $(
+                let (there, next_there) = (tile * TILE + place(lane, $k) < n_keys, tile * TILE + place(lane, $second) < n_keys);
+                let (first, second) = (run + digit(sorted[$k], shift), run + digit(sorted[$second], shift));
+                if there {
+                    or_shared(masks, first, 1 << (lane % 32));
+                }
+                if next_there {
+                    or_shared(masks, 1024 + second, 1 << (lane % 32));
+                }
+                barrier();
+                let (mask, next_mask) = (get(masks, first), get(masks, 1024 + second));
+                let (earlier, next_earlier) = (before(mask, lane), before(next_mask, lane));
+                ranks[$k] = get(counts, first) + earlier;
+                ranks[$second] = get(counts, second) + get(masks, second).count_ones() + next_earlier;
+                barrier();
+                if there && earlier == 0 {
+                    add_shared(counts, first, mask.count_ones());
+                    set(masks, first, 0);
+                }
+                if next_there && next_earlier == 0 {
+                    add_shared(counts, second, next_mask.count_ones());
+                    set(masks, 1024 + second, 0);
+                }
+                barrier();
+            )*
+            // Where each digit starts: keys of lesser digits, of earlier tiles, of earlier runs. A thread has two digits. The masks are not needed any more.
+            let totals = DIGITS * params.n_tiles;
+            let low = at(table, (totals + 2 * lane) as usize);
+            let both = low + at(table, (totals + 2 * lane + 1) as usize);
+            let mut start = scan(lane, 7, 1024, both, masks) - both;
+            for half in 0..2 {
+                let d = 2 * lane + half;
+                let in_tiles = if tile < params.n_tiles { at(table, (d * params.n_tiles + tile) as usize) } else { 0 };
+                let mut next = start + in_tiles;
+                for r in 0..4 {
+                    let word = r * DIGITS + d;
+                    let count = get(counts, word);
+                    set(counts, word, next);
+                    next += count;
+                }
+                start += low;
+            }
+            barrier();
+            $(
+                if tile * TILE + place(lane, $k) < n_keys {
+                    let to = get(counts, run + digit(sorted[$k], shift)) + ranks[$k];
+                    put(keys_out, to as usize, sorted[$k]);
+                    put(values_out, to as usize, carried[$k]);
+                }
+                if tile * TILE + place(lane, $second) < n_keys {
+                    let to = get(counts, run + digit(sorted[$second], shift)) + ranks[$second];
+                    put(keys_out, to as usize, sorted[$second]);
+                    put(values_out, to as usize, carried[$second]);
+                }
+            )*
+        };
     }
-    barrier();
-    // Rank of every key among those of the same digit that come before it in its run; two keys a thread between barriers.
-    let run = lane / 32 * DIGITS;
-    for k in 0..KEYS / 2 {
-        let (i, j) = (tile * TILE + place(lane, 2 * k), tile * TILE + place(lane, 2 * k + 1));
-        let (mut first, mut second) = (run, run);
-        if i < params.n {
-            first += digit(at(keys, i as usize), params.shift);
-            or_shared(masks, first, 1 << (lane % 32));
-        }
-        if j < params.n {
-            second += digit(at(keys, j as usize), params.shift);
-            or_shared(masks, 1024 + second, 1 << (lane % 32));
-        }
-        barrier();
-        let (mask, next_mask) = (get(masks, first), get(masks, 1024 + second));
-        let (earlier, next_earlier) = (before(mask, lane), before(next_mask, lane));
-        let rank = get(counts, first) + earlier;
-        let next_rank = get(counts, second) + get(masks, second).count_ones() + next_earlier;
-        set(ranks, k * THREADS + lane, rank | next_rank << 16);
-        barrier();
-        if i < params.n && earlier == 0 {
-            add_shared(counts, first, mask.count_ones());
-            set(masks, first, 0);
-        }
-        if j < params.n && next_earlier == 0 {
-            add_shared(counts, second, next_mask.count_ones());
-            set(masks, 1024 + second, 0);
-        }
-        barrier();
-    }
-    // Where each digit starts: keys of lesser digits, of earlier tiles, of earlier runs. A thread has two digits. The masks are not needed any more.
-    let totals = DIGITS * params.n_tiles;
-    let low = at(table, (totals + 2 * lane) as usize);
-    let both = low + at(table, (totals + 2 * lane + 1) as usize);
-    let mut start = scan(lane, 7, 1024, both, masks) - both;
-    for half in 0..2 {
-        let d = 2 * lane + half;
-        let in_tiles = if tile < params.n_tiles { at(table, (d * params.n_tiles + tile) as usize) } else { 0 };
-        let mut next = start + in_tiles;
-        for r in 0..4 {
-            let word = r * DIGITS + d;
-            let count = get(counts, word);
-            set(counts, word, next);
-            next += count;
-        }
-        start += low;
-    }
-    barrier();
-    for k in 0..KEYS {
-        let i = tile * TILE + place(lane, k);
-        if i < params.n {
-            let key = at(keys, i as usize);
-            let rank = get(ranks, k / 2 * THREADS + lane) >> (16 * (k % 2)) & 0xffff;
-            let to = get(counts, run + digit(key, params.shift)) + rank;
-            put(keys_out, to as usize, key);
-            put(values_out, to as usize, at(values, i as usize));
-        }
-    }
+    move_all!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
+}
+
+/// Element `i` of `n`, 0 past the end.
+#[inline(always)]
+fn load(words: &[u32], n: u32, i: u32) -> u32 {
+    if i < n { at(words, i as usize) } else { 0 }
 }

@@ -158,7 +158,7 @@ mod build {
         ("scene_bounds", 1),
         ("sort_count", 2),
         ("sort_scan", 3),
-        ("sort_scatter", 7),
+        ("sort_scatter", 28),
         ("fit_leaves", 1),
         ("fit_level", 1),
         ("node_pairs", 6),

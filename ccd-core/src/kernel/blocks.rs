@@ -17,7 +17,7 @@ pub const THREADS: u32 = TEAMS * WIDTH;
 /// Nodes of a set on a level are padded to a multiple of this, so that a workgroup that fits eight blocks has one set.
 pub const PADDING: u32 = 8 * WIDTH;
 /// Hits that a workgroup gathers before it works on them all together; `TEAMS` pairs of nodes rarely give as many. Those beyond are worked on one by one.
-pub const POOL: u32 = 1024;
+pub const POOL: u32 = 2048;
 
 /// The sets that a kind of pairs is between.
 #[inline(always)]
