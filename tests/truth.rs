@@ -4,12 +4,11 @@
 
 use ccd::io::{Frame, Queries, Query, read_queries};
 use ccd::{
-    BroadPhase, Contact, Digest, EdgeEdge, Kind, Method, Options, Pair, Real, Report, Session, State, TOI_TOLERANCE, Verdict, VertexFace,
+    BroadPhase, Contact, Digest, EdgeEdge, Kind, Method, Options, Pair, Real, Report, Session, State, Verdict, VertexFace,
 };
-use ccd_testkit::brute;
-use ccd_testkit::data::{self, SCENES, Scene, Time};
+use ccd_testkit::data::{self, SCENES, Scene};
+use ccd_testkit::{brute, compare};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
-use std::collections::HashMap;
 use std::path::Path;
 
 fn main() {
@@ -112,15 +111,7 @@ fn check_step(data: &Path, scene: &Scene) {
         let [vf, ee] = brute::candidates(&mesh, &t0.positions, &t1.positions);
         assert_eq!((reports[0].candidates.vf, reports[0].candidates.ee), (vf.len() as u64, ee.len() as u64));
     }
-    let c = &reports[0].candidates;
-    let text = format!("candidates vf {} ee {}\ncontacts {}\n", c.vf, c.ee, contact_digest(&reports[0].contacts));
-    insta::assert_snapshot!(format!("step_{}", scene.name), text);
-}
-
-fn contact_digest(contacts: &[Contact]) -> Digest {
-    let mut digest = Digest::default();
-    contacts.iter().for_each(|c| digest.add(c.kind as u32, Pair { a: c.a, b: c.b }));
-    digest
+    insta::assert_snapshot!(format!("step_{}", scene.name), compare::step_text(&reports[0]));
 }
 
 fn run(t0: &Frame, t1: &Frame, threads: usize) -> Report {
@@ -132,33 +123,9 @@ fn run(t0: &Frame, t1: &Frame, threads: usize) -> Report {
 fn check_contacts_f64(data: &Path, scene: &Scene) {
     let [t0, t1] = scene.load(data);
     let report = run(&t0, &t1, 2);
-    let false_alarms = compare(&report, &scene.contacts(data, "vf"), &scene.contacts(data, "ee"));
+    let false_alarms = compare::contacts(&report, &scene.contacts(data, "vf"), &scene.contacts(data, "ee"));
     println!("{}: {} contacts, {} undecided, {false_alarms} false alarms", scene.name, report.contacts.len(), report.undecided);
     assert!(false_alarms <= 453, "{false_alarms} false alarms");
-}
-
-/// Asserts everything but the number of false alarms, which it returns.
-fn compare(report: &Report, vf: &[data::Truth], ee: &[data::Truth]) -> usize {
-    let found: HashMap<(Kind, u32, u32), &Contact> = report.contacts.iter().map(|c| ((c.kind, c.a, c.b), c)).collect();
-    assert_eq!(found.len(), report.contacts.len(), "a contact comes twice");
-    let mut n_true = 0;
-    for (kind, truth) in [(Kind::VertexFace, vf), (Kind::EdgeEdge, ee)] {
-        for t in truth.iter().filter(|t| t.hit) {
-            let contact = found.get(&(kind, t.a, t.b)).unwrap_or_else(|| panic!("missed {kind:?} {t:?}"));
-            check_time(contact.state == State::Hit, contact.toi, t.toi.unwrap(), &format!("{kind:?} {t:?}"));
-            n_true += 1;
-        }
-        for t in truth.iter().filter(|t| !t.hit) {
-            let state = found.get(&(kind, t.a, t.b)).map(|c| c.state);
-            assert_ne!(state, Some(State::Hit), "a certain contact that is none: {kind:?} {t:?}");
-        }
-    }
-    report.contacts.len() - n_true
-}
-
-fn check_time(certain: bool, toi: f64, exact: f64, what: &str) {
-    assert!(toi <= exact, "{what}: {toi} is later than {exact}");
-    assert!(!certain || toi >= exact - TOI_TOLERANCE, "{what}: {toi} is more than the tolerance before {exact}");
 }
 
 /// The scene whose coordinates are no `f32`, after rounding them, against the exact answers for the rounded ones.
@@ -175,7 +142,7 @@ fn check_rod_twist_f32(data: &Path) {
         pairs
     });
     // Pairs that became contacts only by rounding are not in the files, so what is left over is no count of false alarms.
-    compare(&report, &truth[0], &truth[1]);
+    compare::contacts(&report, &truth[0], &truth[1]);
 }
 
 /// All published queries, in `f64` or rounded to `f32` first.
@@ -188,7 +155,7 @@ fn check_queries(data: &Path, single: bool) {
         for (i, (query, time)) in queries.iter().zip(&times).enumerate() {
             assert!(single || time.hit == answers[i], "{name} {i}: the two sources disagree");
             let verdict = if single { decide_f32(query) } else { decide::<f64>(query) };
-            let (hit, certain) = check_verdict(verdict, time, &format!("{name} query {i}"));
+            let (hit, certain) = compare::verdict(verdict, time, &format!("{name} query {i}"));
             n += 1;
             n_hits += hit as usize;
             n_undecided += (hit && !certain) as usize;
@@ -197,21 +164,6 @@ fn check_queries(data: &Path, single: bool) {
     }
     println!("{n} queries: {n_hits} hits, {n_undecided} of them undecided, {n_false} false alarms");
     assert_eq!(n, 7279);
-}
-
-/// Asserts that a verdict agrees with the exact answer; returns whether it is a hit, and whether a certain one.
-fn check_verdict<R: Real>(verdict: Verdict<R>, time: &Time, what: &str) -> (bool, bool) {
-    let certain = matches!(verdict, Verdict::Hit { .. });
-    match verdict.toi() {
-        None => assert!(!time.hit, "{what}: missed, true time {:?}", time.toi),
-        Some(toi) => {
-            assert!(time.hit || !certain, "{what}: a certain contact that is none");
-            if let Some(exact) = time.toi {
-                check_time(certain, toi.to_f64(), exact, what);
-            }
-        }
-    }
-    (verdict.toi().is_some(), certain)
 }
 
 fn decide<R: Real>(query: &Query) -> Verdict<R> {
@@ -281,11 +233,9 @@ fn check_negative_controls(data: &Path) {
     let fails = |change: &dyn Fn(&mut Report)| {
         let mut report = run(&t0, &t1, 1);
         change(&mut report);
-        let hook = std::panic::take_hook();
-        std::panic::set_hook(Box::new(|_| {}));
-        let failed = std::panic::catch_unwind(|| compare(&report, &vf, &ee)).is_err();
-        std::panic::set_hook(hook);
-        failed
+        compare::fails(std::panic::AssertUnwindSafe(|| {
+            compare::contacts(&report, &vf, &ee);
+        }))
     };
     let certain = |r: &Report| r.contacts.iter().position(|c| c.state == State::Hit).unwrap();
     assert!(!fails(&|_| {}));

@@ -192,7 +192,6 @@ impl Sorter {
         let mut read = readback.read(device, &parts)?.into_iter().map(|b| bytemuck::pod_collect_to_vec(&b));
         let times = bench.times(&stages)?;
         let ms = times.iter().map(|s| s.1).sum();
-        if std::env::var("SORT_DETAIL").is_ok() { println!("{times:?}"); }
         Ok((read.next().unwrap_or_default(), read.next().unwrap_or_default(), ms))
     }
 }

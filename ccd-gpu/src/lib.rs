@@ -2,6 +2,7 @@
 mod broad;
 mod device;
 mod error;
+pub mod harness;
 mod levels;
 mod modules;
 mod list;

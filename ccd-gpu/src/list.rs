@@ -51,6 +51,11 @@ impl List {
         HEADER_BYTES + n.min(self.room) as u64 * self.words as u64 * 4
     }
 
+    /// The same list with another room.
+    pub fn resized(&self, device: &Device, room: u32) -> Result<Self, Error> {
+        Self::new(device, self.what, self.words, room)
+    }
+
     /// If more than there is room for was `wanted`, replaces the list by a larger one. Returns whether it did.
     pub fn grow(&mut self, device: &Device, wanted: u32) -> Result<bool, Error> {
         if wanted <= self.room {

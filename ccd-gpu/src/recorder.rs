@@ -21,6 +21,8 @@ pub struct Bench {
     timer: Option<Timer>,
     /// Time kernels rather than stages, where a stage has several.
     pub details: bool,
+    /// Workgroups of a row of the grid, at most.
+    pub fold: u32,
 }
 
 struct Timer {
@@ -33,7 +35,7 @@ impl Bench {
     pub fn new(device: &Device) -> Result<Self, Error> {
         use wgpu::BufferUsages as U;
         let params = device.buffer("parameters", PARAMS_STRIDE * MAX_DISPATCHES, U::STORAGE | U::COPY_DST)?;
-        Ok(Self { device: device.clone(), params, groups: HashMap::new(), timer: None, details: false })
+        Ok(Self { device: device.clone(), params, groups: HashMap::new(), timer: None, details: false, fold: device.info().limits.max_compute_workgroups_per_dimension.min(65_535) })
     }
 
     /// Starts or stops timing stages; where there are no timestamps, nothing is timed.
@@ -147,8 +149,7 @@ impl Recorder<'_> {
             pass.set_bind_group(0, &*group, &[]);
         }
         // Folded: the kernels take the number of a workgroup from both dimensions.
-        let limit = bench.device.info().limits.max_compute_workgroups_per_dimension.min(65_535);
-        let x = groups.min(limit);
+        let x = groups.min(bench.fold);
         pass.dispatch_workgroups(x, groups.div_ceil(x), 1);
     }
 

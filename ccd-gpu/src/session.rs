@@ -146,6 +146,19 @@ impl Session {
         self.grown
     }
 
+    /// Makes room for so many entries in every list, more or less than there is: less makes the next step grow them, more spares it that.
+    pub fn reserve(&mut self, entries: u32) -> Result<(), Error> {
+        for list in self.buffers.lists_mut() {
+            *list = list.resized(&self.device, entries)?;
+        }
+        for kind in [0, 1] {
+            let room = self.buffers.survivors[kind].room();
+            self.buffers.undecided[kind].grow(&self.device, room)?;
+        }
+        self.bench.forget();
+        Ok(())
+    }
+
     /// Every contact while vertices move on straight lines from `x0` to `x1`, one position per vertex of the mesh.
     pub fn step<T: Real>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error> {
         self.run(x0, x1, Goal::Contacts)?;
@@ -208,6 +221,7 @@ impl Session {
         let start = Instant::now();
         let distance = self.options.min_distance;
         let Buffers { positions, tree, .. } = &mut self.buffers;
+        self.device.check_lost()?;
         if positions.upload(&self.device, x0, x1, distance, &tree.boxes)? {
             self.bench.forget();
         }
@@ -256,6 +270,10 @@ impl Session {
         let mut grown = false;
         for (list, &wanted) in buffers.lists_mut().zip(&wanted) {
             grown |= list.grow(device, wanted)?;
+        }
+        // What is left open is written without looking at the room: there must be as much as for what is decided.
+        for kind in [0, 1] {
+            buffers.undecided[kind].grow(device, buffers.survivors[kind].room())?;
         }
         if grown {
             bench.forget();

@@ -1,0 +1,143 @@
+//! What a caller sees when something is too short, too large, missing, or lost; and that a session goes on afterwards.
+
+use ccd::gpu::{BroadPhase, Device, DeviceOptions, Error, Session};
+use ccd::{Options, Pair};
+use ccd_testkit::generate::{crumpled_sheet, uniform_boxes};
+
+pub const TESTS: &[(&str, fn(&Device))] = &[
+    ("lists_grow", check_growth),
+    ("bad_input", check_input),
+    ("too_large", check_too_large),
+    ("no_adapter", check_no_adapter),
+    ("lost_device", check_lost),
+    ("recorded_by_the_caller", check_recorded),
+    ("empty_mesh", check_empty),
+];
+
+/// Lists far too short: the frame runs again until everything fits, and nothing is missing.
+fn check_growth(device: &Device) {
+    let step = crumpled_sheet(40, 7);
+    let want = ccd::step(&step.mesh, &step.x0, &step.x1, &Options::default()).unwrap();
+    let mut session = Session::new(device, step.mesh.clone(), Options::default()).unwrap();
+    session.reserve(8).unwrap();
+    let got = session.step(&step.x0, &step.x1).unwrap().clone();
+    assert!(session.grown() >= 1, "nothing had to grow");
+    assert_eq!((got.candidates, got.contacts.len()), (want.candidates, want.contacts.len()));
+    let grown = session.grown();
+    session.step(&step.x0, &step.x1).unwrap();
+    assert_eq!(session.grown(), grown, "the second frame grows again");
+    let candidates = session.candidates(&step.x0, &step.x1).unwrap();
+    assert_eq!((candidates.vf.len() as u64, candidates.ee.len() as u64), (want.candidates.vf, want.candidates.ee));
+}
+
+fn check_input(device: &Device) {
+    let step = crumpled_sheet(8, 1);
+    let mut session = Session::new(device, step.mesh.clone(), Options::default()).unwrap();
+    let error = session.step(&step.x0[1..], &step.x1).unwrap_err();
+    assert!(matches!(error, Error::Input(ccd::Error::VertexCount { time: 0, .. })), "{error}");
+    let mut bad = step.x1.clone();
+    bad[5][1] = f64::NAN;
+    let error = session.step(&step.x0, &bad).unwrap_err();
+    assert!(matches!(error, Error::Input(ccd::Error::Coordinate { time: 1, vertex: 5, axis: 1, .. })), "{error}");
+    assert!(!session.step(&step.x0, &step.x1).unwrap().contacts.is_empty(), "the session does not go on");
+    let options = Options { min_distance: -1.0, ..Options::default() };
+    assert!(matches!(Session::new(device, step.mesh, options), Err(Error::Input(ccd::Error::MinDistance { .. }))));
+}
+
+/// More boxes than one binding of the device holds: refused with the sizes, and the next call works.
+fn check_too_large(device: &Device) {
+    let limit = device.info().limits.max_storage_buffer_binding_size;
+    let n = limit / 24 + 1000;
+    if n > 20_000_000 {
+        println!("not run: {n} boxes fit");
+        return;
+    }
+    let mut broad = BroadPhase::new(device).unwrap();
+    let boxes = vec![ccd::Aabb { min: [0.0f32; 3], max: [0.0; 3] }; n as usize];
+    match broad.self_pairs(&boxes) {
+        Err(Error::TooLarge { bytes, limit: named, .. }) => assert!(bytes > named && named <= limit, "{bytes} {named}"),
+        Err(other) => panic!("{other}"),
+        Ok(_) => panic!("{n} boxes were accepted"),
+    }
+    assert_eq!(broad.self_pairs(&uniform_boxes(100_000)[..50_000]).unwrap().len(), ccd_pairs(50_000));
+}
+
+fn ccd_pairs(n: usize) -> usize {
+    let mut cpu = ccd::BroadPhase::new(1, ccd::Method::Blocks).unwrap();
+    let pairs: Vec<Pair> = cpu.self_pairs(&uniform_boxes(100_000)[..n]).unwrap().to_vec();
+    pairs.len()
+}
+
+fn check_no_adapter(_: &Device) {
+    let options = DeviceOptions { adapter: Some("no such adapter".into()), ..DeviceOptions::default() };
+    match Device::open(&options) {
+        Err(Error::Unavailable { why }) => assert!(why.contains("no such adapter") && why.contains("there are"), "{why}"),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// After its device is lost a session says so, and goes on with another.
+fn check_lost(device: &Device) {
+    let options = DeviceOptions { path: Some(device.info().path), narrow: !device.info().wide, ..DeviceOptions::default() };
+    let other = Device::open(&options).unwrap();
+    let step = crumpled_sheet(10, 1);
+    let mut session = Session::new(&other, step.mesh.clone(), Options::default()).unwrap();
+    let want = session.step(&step.x0, &step.x1).unwrap().contacts.clone();
+    other.wgpu().destroy();
+    let _ = other.wgpu().poll(ccd::gpu::wgpu::PollType::Poll);
+    let error = session.step(&step.x0, &step.x1).unwrap_err();
+    assert!(matches!(error, Error::Lost { .. }), "{error}");
+    assert!(matches!(session.step(&step.x0, &step.x1), Err(Error::Lost { .. })), "the second time");
+    session.move_to(device).unwrap();
+    assert_eq!(session.step(&step.x0, &step.x1).unwrap().contacts, want);
+}
+
+/// A frame in an encoder of the caller's, from positions that are on the device already.
+fn check_recorded(device: &Device) {
+    let step = crumpled_sheet(16, 2);
+    let single = |x: &[[f64; 3]]| x.iter().map(|p| p.map(|c| c as f32)).collect::<Vec<[f32; 3]>>();
+    let (x0, x1) = (single(&step.x0), single(&step.x1));
+    let mut session = Session::new(device, step.mesh.clone(), Options::default()).unwrap();
+    let want = session.step(&x0, &x1).unwrap().contacts.len();
+    let n_found = |session: &mut Session| {
+        let mut encoder = device.wgpu().create_command_encoder(&Default::default());
+        let (contacts, undecided) = {
+            let found = session.record(&mut encoder).unwrap();
+            (found.contacts.clone(), found.undecided.map(Clone::clone))
+        };
+        let usage = ccd::gpu::wgpu::BufferUsages::MAP_READ | ccd::gpu::wgpu::BufferUsages::COPY_DST;
+        let read = device.wgpu().create_buffer(&ccd::gpu::wgpu::BufferDescriptor { label: None, size: 24, usage, mapped_at_creation: false });
+        for (i, list) in [&contacts, &undecided[0], &undecided[1]].into_iter().enumerate() {
+            encoder.copy_buffer_to_buffer(list.buffer(), 0, &read, 8 * i as u64, 4);
+        }
+        device.queue().submit([encoder.finish()]);
+        read.slice(..).map_async(ccd::gpu::wgpu::MapMode::Read, |_| {});
+        device.wgpu().poll(ccd::gpu::wgpu::PollType::wait_indefinitely()).unwrap();
+        let words: Vec<u32> = bytemuck::pod_collect_to_vec(&read.slice(..).get_mapped_range().unwrap());
+        [words[0] as usize, words[2] as usize, words[4] as usize]
+    };
+    // What was uploaded last is still there.
+    let [certain, open_vf, open_ee] = n_found(&mut session);
+    if device.info().wide {
+        assert_eq!([certain, open_vf, open_ee], [want, 0, 0]);
+    } else {
+        assert!(certain + open_vf + open_ee >= want, "{certain} + {open_vf} + {open_ee} < {want}");
+    }
+    // Positions written by the caller: nothing moves, nothing touches.
+    let still: Vec<ccd_core::layout::Path> = (0..x0.len())
+        .map(|i| {
+            let p = [(i % 16) as f32, 0.0, (i / 16) as f32, 0.0];
+            ccd_core::layout::Path { t0: p, t1: p }
+        })
+        .collect();
+    device.queue().write_buffer(session.paths(), 0, bytemuck::cast_slice(&still));
+    assert_eq!(n_found(&mut session), [0, 0, 0]);
+}
+
+fn check_empty(device: &Device) {
+    let mesh = ccd::Mesh::new(0, &[]).unwrap();
+    let mut session = Session::new(device, mesh, Options::default()).unwrap();
+    let none: [[f64; 3]; 0] = [];
+    assert!(session.step(&none, &none).unwrap().contacts.is_empty());
+    assert_eq!(session.earliest_toi(&none, &none).unwrap(), None);
+}

@@ -1,0 +1,175 @@
+//! Scalar operations and layouts: what a device makes of each, against native Rust; what SPIR-V and the manifest say, against the table.
+
+use ccd::gpu::{Device, Path, harness};
+use ccd_core::kernel::{Access, Id, TABLE, probe};
+use ccd_core::layout::{Leaf, MAX_LEVELS, Pair, Params, Touch};
+use ccd_testkit::generate::Random;
+
+pub const TESTS: &[(&str, fn(&Device))] =
+    &[("scalars_f32", check_scalars), ("scalars_f64", check_wide), ("layouts", check_layouts)];
+
+/// Numbers at which arithmetic changes its behaviour, as bits, and the thresholds of kernels.
+const POISON: [u32; 28] = [
+    0, 0x8000_0000, 1, 0x8000_0001, 0x007f_ffff, 0x0080_0000, 0x8080_0000, 0x3f80_0000, 0xbf80_0000, 0x3f7f_ffff, 0x3f80_0001, 0x7f7f_ffff, 0xff7f_ffff,
+    0x7f80_0000, 0xff80_0000, 0x7fc0_0000, 0x3400_0000, 0x3380_0000, 0x2b80_0000, 0x3506_37bd, 0x7e5a_2d5a, 0x7e61_b1e6, 0x4b00_0000, 0x4b80_0000,
+    0x4f00_0000, 0x4f80_0000, 0x358637bd, 0x5f80_0000,
+];
+
+fn inputs() -> Vec<[u32; 2]> {
+    let mut random = Random::new(11);
+    let poison = POISON.iter().flat_map(|&a| POISON.iter().map(move |&b| [a, b]));
+    poison.chain((0..20_000).map(|_| [random.bits(), random.bits()]).collect::<Vec<_>>()).collect()
+}
+
+fn number(bits: u32) -> f32 {
+    f32::from_bits(bits)
+}
+
+/// Whether a device may flush the number to zero, and what comes from it.
+fn tiny(x: f32) -> bool {
+    x != 0.0 && x.abs() < f32::MIN_POSITIVE
+}
+
+/// Why `got` is no acceptable answer where `want` is the exact one; `exact`: operations must round as IEEE 754 says.
+fn difference(name: &str, input: [u32; 2], want: u32, got: u32, exact: bool) -> Option<String> {
+    let (a, b) = (number(input[0]), number(input[1]));
+    let integers = ["order_key", "leading_zeros", "trailing_zeros", "count_ones", "wrapping_mul", "shifts"].contains(&name);
+    let fine = if integers || want == got {
+        want == got
+    } else if tiny(a) || tiny(b) || a.is_nan() || b.is_nan() || a.is_infinite() || b.is_infinite() {
+        // Denormals may be flushed before and after; kernels meet neither NaN nor infinity: hosts refuse them.
+        true
+    } else if ["a < b", "a <= b", "a == b", "is_finite_number", "f32 to u32"].contains(&name) {
+        false
+    } else if ["-a", "abs", "min", "max", "next_up", "next_down"].contains(&name) {
+        // Of two zeros either may be the smaller; bits and comparisons are exact.
+        number(want) == 0.0 && number(got) == 0.0 || tiny(number(want))
+    } else {
+        let (want, got) = (number(want), number(got));
+        // Division and what is made from it: 2.5 units; the rest one unit at most, which is what the bounds of filters assume.
+        let units = match name {
+            "a / b" | "sqrt_up" => 8.0,
+            _ if exact => 0.0,
+            _ => 1.0,
+        };
+        let overflow = !want.is_finite() && (!got.is_finite() || got.abs() > 1e38) || !got.is_finite() && want.abs() > 1e38;
+        overflow || tiny(want) || (got as f64 - want as f64).abs() <= units * f32::EPSILON as f64 / 2.0 * want.abs() as f64
+    };
+    (!fine).then(|| format!("{name} of {a:e} ({:#x}) and {b:e} ({:#x}): {want:#x} on the CPU, {got:#x} on the device", input[0], input[1]))
+}
+
+fn compare(inputs: &[[u32; 2]], got: &[[u32; 24]], exact: bool) -> Vec<String> {
+    let mut out = Vec::new();
+    for (input, got) in inputs.iter().zip(got) {
+        let want = probe::scalars(*input);
+        for (k, name) in probe::SCALARS.iter().enumerate() {
+            out.extend(difference(name, *input, want[k], got[k], exact));
+        }
+    }
+    out
+}
+
+fn check_scalars(device: &Device) {
+    let inputs = inputs();
+    let mut buffers = [bytemuck::cast_slice(&inputs).to_vec(), vec![0; inputs.len() * 96]];
+    harness::run(device, Id::ProbeScalars, &Params::default(), &mut buffers, inputs.len().div_ceil(64) as u32, 65_535).unwrap();
+    let got: Vec<[u32; 24]> = bytemuck::pod_collect_to_vec(&buffers[1]);
+    let wrong = compare(&inputs, &got, device.info().path == Path::Passthrough);
+    assert!(wrong.is_empty(), "{} differences, first:\n{}", wrong.len(), wrong[..wrong.len().min(8)].join("\n"));
+    // Bounds rest on this one: never below the root.
+    for (input, got) in inputs.iter().zip(&got) {
+        let (x, root) = (number(input[0]), number(got[11]));
+        assert!(!(x > 1e-37 && x.is_finite()) || root as f64 >= (x as f64).sqrt(), "sqrt_up({x:e}) = {root:e}");
+    }
+}
+
+fn check_wide(device: &Device) {
+    if !device.info().wide {
+        return;
+    }
+    let mut random = Random::new(12);
+    let mut number = || f64::from_bits(1.0f64.to_bits() & !0xf_ffff | random.bits() as u64) * 2f64.powi(random.below(200) as i32 - 100) * (random.unit() - 0.5);
+    let inputs: Vec<[f64; 2]> = (0..20_000).map(|_| [number(), number()]).chain([[0.0, 1.0], [1.0, 3.0], [-0.0, 0.0], [1e308, 1e-308]]).collect();
+    let mut buffers = [bytemuck::cast_slice(&inputs).to_vec(), vec![0; inputs.len() * 96]];
+    harness::run(device, Id::ProbeWide, &Params::default(), &mut buffers, inputs.len().div_ceil(64) as u32, 65_535).unwrap();
+    let got: Vec<[[u32; 2]; 12]> = bytemuck::pod_collect_to_vec(&buffers[1]);
+    for (input, got) in inputs.iter().zip(&got) {
+        let words: [u32; 4] = bytemuck::cast(*input);
+        let want: [[u32; 2]; 12] = bytemuck::cast(probe::wide(words));
+        for (k, name) in probe::WIDE.iter().enumerate() {
+            let (w, g) = (ccd_core::layout::join(want[k]), ccd_core::layout::join(got[k]));
+            let close = (w - g).abs() <= 2.0 * f64::EPSILON * w.abs();
+            assert!(want[k] == got[k] || close || w == 0.0 && g == 0.0, "{name} of {input:?}: {w:e} on the CPU, {g:e} on the device");
+        }
+    }
+}
+
+/// Fills records with numbers of their own and looks whether the device finds each in its field.
+fn check_layouts(device: &Device) {
+    let fill = |n: usize, first: u32| -> Vec<u32> { (0..n as u32).map(|i| first + i).collect() };
+    let params: Params = bytemuck::cast_slice::<u32, Params>(&fill(size_of::<Params>() / 4, 0x100))[0];
+    let record = |size: usize, first| bytemuck::cast_slice::<u32, u8>(&fill(2 * size / 4, first)).to_vec();
+    let mut buffers = [
+        record(32, 0x1000),
+        record(size_of::<Leaf>(), 0x2000),
+        record(size_of::<Touch>(), 0x3000),
+        record(size_of::<Pair>(), 0x4000),
+        vec![0; probe::WORDS * 4],
+    ];
+    harness::run(device, Id::ProbeLayout, &params, &mut buffers, 1, 65_535).unwrap();
+    let got: Vec<u32> = bytemuck::pod_collect_to_vec(&buffers[4]);
+    let want: Vec<u32> = [fill(probe::PARAMS_WORDS, 0x100), fill(8, 0x1008), fill(4, 0x2004), fill(6, 0x3006), fill(2, 0x4002)].concat();
+    assert_eq!(got, want);
+}
+
+/// The comparison of scalars finds a single wrong bit.
+pub fn check_negative_control() {
+    let inputs = inputs();
+    let mut got: Vec<[u32; 24]> = inputs.iter().map(|&i| probe::scalars(i)).collect();
+    assert!(compare(&inputs, &got, true).is_empty());
+    let at = inputs.len() - 1;
+    for k in 0..24 {
+        let right = got[at][k];
+        got[at][k] ^= if k == 3 || k == 11 { 64 } else { 1 };
+        assert!(!compare(&inputs, &got, true).is_empty(), "a wrong {} passes", probe::SCALARS[k]);
+        got[at][k] = right;
+    }
+}
+
+/// Offsets of the members of `Params` and the strides of arrays of records, as every module of the table declares them.
+pub fn check_decorations() {
+    const MEMBER_DECORATE: u32 = 72;
+    const OFFSET: u32 = 35;
+    let want = [0, 12, 16, 32, 36, 40, 44, 48, 56, 60, 64, 68, 72, 76, 80, 84, 88, 92, 96];
+    for kernel in TABLE.iter().filter(|k| k.bindings[0] == Access::Params) {
+        let path = format!("{}/ccd-gpu/shaders/{}.spv", env!("CARGO_MANIFEST_DIR"), kernel.name);
+        let words: Vec<u32> = bytemuck::pod_collect_to_vec(&std::fs::read(&path).expect(&path));
+        let mut offsets = std::collections::BTreeMap::<u32, Vec<u32>>::new();
+        let mut at = 5;
+        while at < words.len() {
+            let n = (words[at] >> 16).max(1) as usize;
+            if words[at] & 0xffff == MEMBER_DECORATE && words[at + 3] == OFFSET {
+                offsets.entry(words[at + 1]).or_default().push(words[at + 4]);
+            }
+            at += n;
+        }
+        assert!(offsets.values().any(|o| o == &want), "{}: no structure with the offsets of Params among {offsets:?}", kernel.name);
+    }
+    assert_eq!(MAX_LEVELS * 16 + 96, size_of::<Params>());
+}
+
+/// The manifest of the shaders and the kernel table say the same.
+pub fn check_manifest() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/ccd-gpu/shaders/manifest.json");
+    let manifest: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(path).expect(path)).expect(path);
+    let kernels = manifest["kernels"].as_array().unwrap();
+    assert_eq!(kernels.len(), TABLE.len());
+    for row in TABLE {
+        let kernel = kernels.iter().find(|k| k["name"] == row.name).unwrap_or_else(|| panic!("{} is not in the manifest", row.name));
+        let access: Vec<&str> = row.bindings.iter().map(|a| if *a == Access::Write { "write" } else { "read" }).collect();
+        assert_eq!(kernel["bindings"], serde_json::json!(access), "{}", row.name);
+        assert_eq!((&kernel["workgroup"], &kernel["wide"]), (&serde_json::json!(row.workgroup), &serde_json::json!(row.wide)), "{}", row.name);
+        assert_eq!(kernel["entry"], row.name);
+        assert!(kernel["shared_bytes"].as_u64().unwrap() <= 16_384 && row.workgroup <= 256 && row.bindings.len() <= 8, "{}", row.name);
+    }
+}

@@ -1,0 +1,255 @@
+//! Whole steps and all published queries on a device, against the CPU and against exact answers.
+
+use ccd::gpu::{Device, Path as ShaderPath, Session, harness};
+use ccd::io::{Queries, Query, read_queries};
+use ccd::{Bodies, Contact, Kind, Options, Pair, Report, State, Verdict};
+use ccd_core::input::Scan;
+use ccd_core::kernel::Id;
+use ccd_core::layout::{LIST_HEADER, Params, Path as Paths, Touch, WidePath, join, split};
+use ccd_testkit::data::{self, SCENES, Scene};
+use ccd_testkit::{compare, generate};
+use std::collections::BTreeSet;
+
+type Test = Box<dyn FnOnce(&Device) + Send>;
+
+pub fn tests() -> Vec<(String, Test)> {
+    let mut out: Vec<(String, Test)> = Vec::new();
+    for scene in &SCENES {
+        out.push((format!("scene_{}", scene.name), Box::new(move |device| check_scene(device, scene))));
+    }
+    out.push(("queries".into(), Box::new(check_queries)));
+    out.push(("bodies".into(), Box::new(check_bodies)));
+    out.push(("min_distance".into(), Box::new(check_min_distance)));
+    out.push(("sequence".into(), Box::new(check_sequence)));
+    out
+}
+
+fn data_dir() -> Option<std::path::PathBuf> {
+    data::data_dir().map_err(|why| println!("not run: {why}")).ok()
+}
+
+/// Certified answers of two backends never contradict each other; times differ by rounding alone.
+fn check_reports(cpu: &Report, gpu: &Report, same_arithmetic: bool) {
+    assert_eq!(gpu.candidates, cpu.candidates, "candidates");
+    if same_arithmetic {
+        assert_eq!(gpu.contacts, cpu.contacts);
+        assert_eq!(gpu.toi, cpu.toi);
+        return;
+    }
+    let key = |c: &Contact| (c.kind, c.a, c.b);
+    let of = |r: &Report, certain: bool| r.contacts.iter().filter(|c| !certain || c.state == State::Hit).map(key).collect::<BTreeSet<_>>();
+    assert!(of(gpu, false).is_superset(&of(cpu, true)), "a certain contact of the CPU is missing on the GPU");
+    assert!(of(cpu, false).is_superset(&of(gpu, true)), "a certain contact of the GPU is none on the CPU");
+    assert!(gpu.contacts.windows(2).all(|w| key(&w[0]) < key(&w[1])), "contacts are not in order");
+    for g in &gpu.contacts {
+        if let Ok(i) = cpu.contacts.binary_search_by_key(&key(g), key) {
+            let c = &cpu.contacts[i];
+            assert!((g.toi - c.toi).abs() <= 2e-6 || g.state == State::Undecided || c.state == State::Undecided, "{g:?} {c:?}");
+        }
+    }
+}
+
+fn check_scene(device: &Device, scene: &Scene) {
+    let Some(dir) = data_dir() else { return };
+    let [t0, t1] = scene.load(&dir);
+    let mesh = t0.mesh().unwrap();
+    let (x0, x1) = (&t0.positions, &t1.positions);
+    let cpu = ccd::step(&mesh, x0, x1, &Options::default()).unwrap();
+    let mut session = Session::new(device, mesh.clone(), Options::default()).unwrap();
+    let gpu = session.step(x0, x1).unwrap().clone();
+    // Where contraction is forbidden and f64 is on the device or on the CPU alone, even rounding is the same.
+    let same = device.info().path == ShaderPath::Passthrough && device.info().wide;
+    check_reports(&cpu, &gpu, same);
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path("../snapshots");
+    settings.set_prepend_module_to_snapshot(false);
+    settings.bind(|| insta::assert_snapshot!(format!("truth__step_{}", scene.name), compare::step_text(&gpu)));
+    if scene.truth.is_some() {
+        let n_false = compare::contacts(&gpu, &scene.contacts(&dir, "vf"), &scene.contacts(&dir, "ee"));
+        println!("{}: {} contacts, {} undecided, {n_false} false alarms; filtered {:?}", scene.name, gpu.contacts.len(), gpu.undecided, gpu.filtered);
+    }
+    check_earliest(&mut session, x0, x1, cpu.toi);
+    // The sets themselves, not only their number.
+    let found = session.candidates(x0, x1).unwrap();
+    let mut cpu_session = ccd::Session::new(mesh, Options::default()).unwrap();
+    let want = cpu_session.candidates(x0, x1).unwrap();
+    for (kind, want, got) in [("vf", want.vf, found.vf), ("ee", want.ee, found.ee)] {
+        check_pairs(&format!("{} {kind}", scene.name), want.to_vec(), got);
+    }
+}
+
+fn check_earliest(session: &mut Session, x0: &[[f64; 3]], x1: &[[f64; 3]], want: Option<f64>) {
+    let got = session.earliest_toi(x0, x1).unwrap();
+    match (want, got) {
+        (Some(want), Some(got)) => {
+            assert!(got <= want && got >= want - 1e-6 - 1e-7 * want, "earliest {got:e}, on the CPU {want:e}");
+        }
+        _ => assert_eq!(got, want, "earliest"),
+    }
+}
+
+/// The same set, no pair twice.
+pub fn check_pairs(what: &str, mut want: Vec<Pair>, mut got: Vec<Pair>) {
+    want.sort_unstable();
+    got.sort_unstable();
+    assert!(got.windows(2).all(|w| w[0] != w[1]), "{what}: a pair comes twice");
+    assert_eq!(got.len(), want.len(), "{what}: number of pairs");
+    assert!(got == want, "{what}: other pairs");
+}
+
+/// All published queries through the kernels that decide, and what they leave open through the CPU.
+fn check_queries(device: &Device) {
+    let Some(dir) = data_dir() else { return };
+    let wide = device.info().wide;
+    let (mut n, mut n_hits, mut n_undecided, mut n_open, mut n_misses) = (0, 0, 0, 0, 0);
+    for (path, name) in data::query_files(&dir) {
+        let Queries { queries, .. } = read_queries(&path).unwrap();
+        let times = data::read_times(&dir.join("toi").join(&name));
+        let is_vf = matches!(queries[0], Query::VertexFace(_));
+        let ends: Vec<([[f64; 3]; 4], [[f64; 3]; 4])> = queries
+            .iter()
+            .map(|q| match q {
+                Query::VertexFace(q) => (q.t0, q.t1),
+                Query::EdgeEdge(q) => (q.t0, q.t1),
+            })
+            .collect();
+        let verdicts = decide(device, is_vf, &ends);
+        for (i, (verdict, time)) in verdicts.iter().zip(&times).enumerate() {
+            let mut verdict = *verdict;
+            if !wide && matches!(verdict, Verdict::Undecided { .. }) {
+                n_open += 1;
+                verdict = match &queries[i] {
+                    Query::VertexFace(q) => ccd::vertex_face(q, 0.0),
+                    Query::EdgeEdge(q) => ccd::edge_edge(q, 0.0),
+                };
+            }
+            let (hit, certain) = compare::verdict(verdict, time, &format!("{name} query {i}"));
+            n += 1;
+            n_hits += hit as usize;
+            n_misses += !hit as usize;
+            n_undecided += (hit && !certain) as usize;
+        }
+    }
+    println!("{n} queries: {n_hits} hits ({n_undecided} undecided), {n_misses} misses; {n_open} left open by f32");
+    assert_eq!(n, 7279);
+}
+
+/// Verdicts of the device for queries of four vertices each: vertex `4 i` and face `i`, or edges `2 i` and `2 i + 1`.
+fn decide(device: &Device, is_vf: bool, ends: &[([[f64; 3]; 4], [[f64; 3]; 4])]) -> Vec<Verdict<f64>> {
+    let n = ends.len();
+    let mut verdicts = vec![Verdict::Miss; n];
+    let mut scan = Scan::NONE;
+    ends.iter().flat_map(|(a, b)| a.iter().chain(b)).for_each(|p| scan.take(*p));
+    let wide: Vec<WidePath> = ends.iter().flat_map(|(a, b)| (0..4).map(|k| WidePath { t0: a[k], t1: b[k] })).collect();
+    let table = scan.table(true);
+    let place = |p: [f64; 3]| {
+        let p = table.place(p);
+        [p[0], p[1], p[2], 0.0]
+    };
+    let paths: Vec<Paths> = wide.iter().map(|w| Paths { t0: place(w.t0), t1: place(w.t1) }).collect();
+    let mut list = vec![n as u32, 0, 0, 0];
+    let elements: Vec<u32> = if is_vf {
+        (0..n as u32).for_each(|i| list.extend([4 * i, i]));
+        (0..n as u32).flat_map(|i| [4 * i + 1, 4 * i + 2, 4 * i + 3]).collect()
+    } else {
+        (0..n as u32).for_each(|i| list.extend([2 * i, 2 * i + 1]));
+        (0..2 * n as u32).flat_map(|i| [2 * i, 2 * i + 1]).collect()
+    };
+    let exact = if table.error == 0.0 { Params::FLAG_EXACT } else { 0 };
+    let room = n as u32;
+    let flags = Params::FLAG_KEEP | exact;
+    let params = Params { kind: !is_vf as u32, flags, path_error: table.error, room_in: room, room_out: room, distance_bits: split(0.0), ..Params::default() };
+    let words = |w: &[u32]| bytemuck::cast_slice::<u32, u8>(w).to_vec();
+    let contacts = vec![0u8; 4 * (LIST_HEADER + 6 * n)];
+    let of_pair = |a: u32| if is_vf { a / 4 } else { a / 2 } as usize;
+    if device.info().wide {
+        let id = if is_vf { Id::DecideVertexFaceWide } else { Id::DecideEdgeEdgeWide };
+        let mut buffers =
+            [bytemuck::cast_slice(&paths).to_vec(), bytemuck::cast_slice(&wide).to_vec(), words(&elements), words(&list), contacts, vec![0xff; 16]];
+        harness::run(device, id, &params, &mut buffers, 3, 65_535).unwrap();
+        for touch in touches(&buffers[4]) {
+            let toi = join(touch.toi);
+            verdicts[of_pair(touch.a)] = if touch.state == 0 { Verdict::Hit { toi } } else { Verdict::Undecided { toi } };
+        }
+    } else {
+        let id = if is_vf { Id::DecideVertexFace } else { Id::DecideEdgeEdge };
+        let open = vec![0u8; 4 * (LIST_HEADER + 2 * n)];
+        let mut buffers = [bytemuck::cast_slice(&paths).to_vec(), words(&elements), words(&list), contacts, open, vec![0xff; 16]];
+        harness::run(device, id, &params, &mut buffers, 3, 65_535).unwrap();
+        touches(&buffers[3]).iter().for_each(|t| verdicts[of_pair(t.a)] = Verdict::Hit { toi: join(t.toi) });
+        let open: Vec<u32> = bytemuck::pod_collect_to_vec(&buffers[4]);
+        for pair in open[LIST_HEADER..LIST_HEADER + 2 * open[0] as usize].chunks_exact(2) {
+            verdicts[of_pair(pair[0])] = Verdict::Undecided { toi: 0.0 };
+        }
+    }
+    verdicts
+}
+
+fn touches(bytes: &[u8]) -> Vec<Touch> {
+    let words: Vec<u32> = bytemuck::pod_collect_to_vec(bytes);
+    bytemuck::pod_collect_to_vec(&words[LIST_HEADER..LIST_HEADER + 6 * words[0] as usize])
+}
+
+/// Bodies, fixed ones among them, on the device as on the CPU.
+fn check_bodies(device: &Device) {
+    let step = generate::triangle_soup(300, 0.2, 5);
+    let body: Vec<u32> = (0..step.mesh.n_vertices() as u32).map(|v| v / 3 % 7).collect();
+    for self_contact in [false, true] {
+        let bodies = Some(Bodies::new(&body, &[true, false, true], self_contact));
+        check_step(device, &step, Options { bodies, ..Options::default() });
+    }
+}
+
+/// Contact at a distance, in f64 and in f32.
+fn check_min_distance(device: &Device) {
+    check_step(device, &generate::crumpled_sheet(24, 3), Options { min_distance: 0.01, ..Options::default() });
+    check_step(device, &generate::triangle_soup(200, 0.1, 9), Options { min_distance: 0.003, ..Options::default() });
+}
+
+fn check_step(device: &Device, step: &generate::Step, options: Options) {
+    let cpu = ccd::step(&step.mesh, &step.x0, &step.x1, &options).unwrap();
+    let mut session = Session::new(device, step.mesh.clone(), options.clone()).unwrap();
+    let gpu = session.step(&step.x0, &step.x1).unwrap();
+    assert!(!cpu.contacts.is_empty(), "a scene without contact shows nothing");
+    check_reports(&cpu, gpu, false);
+    check_earliest(&mut session, &step.x0, &step.x1, cpu.toi);
+    let single = |x: &[[f64; 3]]| x.iter().map(|p| p.map(|c| c as f32)).collect::<Vec<_>>();
+    let (x0, x1) = (single(&step.x0), single(&step.x1));
+    let cpu = ccd::step(&step.mesh, &x0, &x1, &options).unwrap();
+    check_reports(&cpu, session.step(&x0, &x1).unwrap(), false);
+}
+
+/// A session over several frames gives what single steps give: nothing is left over from the frame before.
+fn check_sequence(device: &Device) {
+    let steps: Vec<_> = (0..4).map(|seed| generate::crumpled_sheet(20, seed)).collect();
+    let mut session = Session::new(device, steps[0].mesh.clone(), Options::default()).unwrap();
+    for step in steps.iter().chain(steps.iter().rev()) {
+        let cpu = ccd::step(&step.mesh, &step.x0, &step.x1, &Options::default()).unwrap();
+        check_reports(&cpu, session.step(&step.x0, &step.x1).unwrap(), false);
+    }
+    let still = &steps[0].x0;
+    let cpu = ccd::step(&steps[0].mesh, still, still, &Options::default()).unwrap();
+    check_reports(&cpu, session.step(still, still).unwrap(), false);
+}
+
+/// The comparisons fail when they should.
+pub fn check_negative_controls() {
+    let step = generate::crumpled_sheet(20, 1);
+    let cpu = ccd::step(&step.mesh, &step.x0, &step.x1, &Options::default()).unwrap();
+    let fails = |change: &dyn Fn(&mut Report), same: bool| {
+        let mut gpu = cpu.clone();
+        change(&mut gpu);
+        compare::fails(std::panic::AssertUnwindSafe(|| check_reports(&cpu, &gpu, same)))
+    };
+    let certain = cpu.contacts.iter().position(|c| c.state == State::Hit).unwrap();
+    assert!(!fails(&|_| {}, true) && !fails(&|_| {}, false));
+    assert!(fails(&|r| r.contacts.retain(|c| *c != cpu.contacts[certain]), false), "a missing contact passes");
+    assert!(fails(&|r| r.contacts[certain].toi += 1e-3, false), "a late contact passes");
+    assert!(fails(&|r| r.contacts[certain].toi += 1e-15, true), "another rounding passes as the same");
+    assert!(fails(&|r| r.candidates.ee += 1, false), "another number of candidates passes");
+    let extra = Contact { kind: Kind::VertexFace, state: State::Hit, a: 0, b: 0, toi: 0.5 };
+    assert!(fails(&|r| r.contacts.insert(0, extra), false), "a certain contact that is none passes");
+    let pairs = vec![Pair { a: 1, b: 2 }, Pair { a: 3, b: 4 }];
+    let other = |pairs: Vec<Pair>| compare::fails(|| check_pairs("control", vec![Pair { a: 1, b: 2 }, Pair { a: 3, b: 4 }], pairs));
+    assert!(!other(pairs.clone()) && other(pairs[..1].to_vec()) && other(vec![pairs[0], pairs[0]]) && other(vec![pairs[0], Pair { a: 3, b: 5 }]));
+}

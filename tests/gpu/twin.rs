@@ -1,0 +1,102 @@
+//! Plain twins of the kernels that build and descend block trees: loops over slices, sorts of the standard library.
+
+use ccd::{Aabb, Pair};
+use ccd_core::kernel::blocks::{PADDING, WIDTH};
+use ccd_core::layout::{Leaf, MAX_LEVELS, Params};
+
+/// Boxes of up to three sets and the block trees over them.
+pub struct Twin {
+    pub params: Params,
+    pub boxes: Vec<Aabb>,
+    pub keys: Vec<u32>,
+    pub order: Vec<u32>,
+    pub nodes: Vec<Aabb>,
+    pub leaves: Vec<Leaf>,
+}
+
+/// Smallest box that holds all.
+pub fn union<'a>(boxes: impl Iterator<Item = &'a Aabb>) -> Aabb {
+    boxes.fold(Aabb::EMPTY, |all, b| Aabb {
+        min: std::array::from_fn(|k| if b.min[k] < all.min[k] { b.min[k] } else { all.min[k] }),
+        max: std::array::from_fn(|k| if b.max[k] > all.max[k] { b.max[k] } else { all.max[k] }),
+    })
+}
+
+/// Interleaved bits of the cell of a box's centre, one bit at a time.
+pub fn code(b: &Aabb, scene: &Aabb) -> u32 {
+    let side = (0..3).fold(0.0f32, |m, k| m.max(scene.max[k] * 0.5 - scene.min[k] * 0.5));
+    let scale = if side > 1e-30 { 0.5 * 1024.0 / side } else { 0.0 };
+    let cell = |k: usize| (((b.min[k] * 0.5 + b.max[k] * 0.5) - scene.min[k]) * scale).clamp(0.0, 1023.0) as u32;
+    let cells = [cell(0), cell(1), cell(2)];
+    (0..30).fold(0, |code, i| code | (cells[2 - i as usize % 3] >> (i / 3) & 1) << i)
+}
+
+impl Twin {
+    /// Builds everything. `leaf(set, i)`: vertices of feature `i`.
+    pub fn new(sets: [&[Aabb]; 3], leaf: impl Fn(usize, u32) -> [u32; 3]) -> Self {
+        let count = sets.map(|s| s.len() as u32);
+        let mut slots = [[0u32; 4]; MAX_LEVELS];
+        let (mut next, mut on_level) = (0, count);
+        for row in &mut slots {
+            for set in 0..3 {
+                row[set] = next;
+                next += on_level[set].next_multiple_of(PADDING);
+                on_level[set] = on_level[set].div_ceil(WIDTH);
+            }
+            row[3] = next;
+        }
+        let start = [0, count[0], count[0] + count[1], count[0] + count[1] + count[2]];
+        let params = Params { count, start, slots, step: 1, limit: u32::MAX, flags: Params::FLAG_TOPOLOGY, ..Params::default() };
+        let boxes = sets.concat();
+        let scene = union(boxes.iter());
+        let set_of = |i: u32| (i >= start[1]) as u32 + (i >= start[2]) as u32;
+        let keys: Vec<u32> = (0..boxes.len()).map(|i| set_of(i as u32) << 30 | code(&boxes[i], &scene)).collect();
+        let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
+        order.sort_by_key(|&i| keys[i as usize]);
+        let mut nodes = vec![Aabb::EMPTY; next as usize];
+        let mut leaves = vec![Leaf { vertices: [0; 3], id: Leaf::NONE }; slots[0][3] as usize];
+        for set in 0..3 {
+            for k in 0..count[set] {
+                let i = order[(start[set] + k) as usize];
+                let slot = (slots[0][set] + k) as usize;
+                nodes[slot] = boxes[i as usize];
+                leaves[slot] = Leaf { vertices: leaf(set, i - start[set]), id: i - start[set] };
+            }
+        }
+        for level in 1..MAX_LEVELS {
+            for set in 0..3 {
+                let (below, here) = (slots[level - 1][set] as usize, slots[level][set] as usize);
+                let n = (slots[level - 1][set + 1] as usize - below) / WIDTH as usize;
+                let end = slots[level][set + 1] as usize - here;
+                for i in 0..n.min(end) {
+                    let children = &nodes[below + i * WIDTH as usize..below + (i + 1) * WIDTH as usize];
+                    nodes[here + i] = union(children.iter());
+                }
+            }
+        }
+        Self { params, boxes, keys, order, nodes, leaves }
+    }
+
+    /// Nodes of a set on a level.
+    pub fn n_nodes(&self, level: u32, set: usize) -> u32 {
+        (0..level).fold(self.params.count[set], |n, _| n.div_ceil(WIDTH))
+    }
+
+    pub fn node(&self, level: u32, set: usize, i: u32) -> &Aabb {
+        &self.nodes[(self.params.slots[level as usize][set] + i) as usize]
+    }
+
+    /// All pairs of nodes of a level that overlap, by testing each against each; within one set with themselves.
+    pub fn node_pairs(&self, level: u32, kind: u32) -> Vec<Pair> {
+        let [a, b] = ccd_core::kernel::blocks::sets(kind);
+        let mut out = Vec::new();
+        for i in 0..self.n_nodes(level, a) {
+            for j in if kind == 0 { 0 } else { i }..self.n_nodes(level, b) {
+                if self.node(level, a, i).overlaps(self.node(level, b, j)) {
+                    out.push(Pair { a: i, b: j });
+                }
+            }
+        }
+        out
+    }
+}
