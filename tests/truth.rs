@@ -3,9 +3,7 @@
 //! The data is not part of the repository (see `ccd_testkit::data`); without it every test here is reported as ignored, with the reason.
 
 use ccd::io::{Frame, Queries, Query, read_queries};
-use ccd::{
-    BroadPhase, Contact, Digest, EdgeEdge, Kind, Method, Options, Pair, Real, Report, Session, State, Verdict, VertexFace,
-};
+use ccd::{BroadPhase, Contact, Digest, EdgeEdge, Kind, Method, Options, Pair, Real, Report, Session, State, Verdict, VertexFace};
 use ccd_testkit::data::{self, SCENES, Scene};
 use ccd_testkit::{brute, compare};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};

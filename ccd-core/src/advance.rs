@@ -54,6 +54,10 @@ pub fn advance<R: Real>(m: &Motion<R>, patch: Patch, from: R, until: R, min_dist
                 return Advance::Stuck(t);
             }
             if g1 < g0 {
+                // Devices divide by greater numbers as they like.
+                if !(g0 - g1 <= R::splat(0.25) / R::MIN_NORMAL) {
+                    return Advance::Stuck(t);
+                }
                 let reach = (g0 - needed) / (g0 - g1) * (R::splat(1.0) - R::UNIT * R::splat(16.0));
                 next = next.min(reach);
             }

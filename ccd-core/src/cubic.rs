@@ -30,6 +30,8 @@ impl<R: Real> Interval<R> {
 pub struct Cubic<R> {
     c: [R; 4],
     band: R,
+    /// What makes the largest coefficient 1.
+    scale: R,
 }
 
 /// Steps of the guarded iteration; each at least halves the bracket when it is a bisection, and 44 halvings reach
@@ -38,16 +40,24 @@ const MAX_STEPS: usize = 64;
 /// Width, in time, to which an end of an interval is refined: 2^-42, far below the 1e-6 that a caller is promised.
 const WIDTH: f32 = 2.273_736_8e-13;
 
+/// Coefficients are taken from this many times the smallest normal number up to the inverse of that: 2^26.
+const MARGIN: f32 = 67_108_864.0;
+
 impl<R: Real> Cubic<R> {
     /// `error` bounds how far the exact polynomial is from `c` anywhere on `[0, 1]`.
     ///
     /// The band adds the rounding of evaluation, at most `12 u max|c|`, and what a critical point that is only nearly right can hide: the derivative
     /// there is below `19 u` times the sum of its coefficients, itself at most `12 max|c|` (from the quadratic formula without cancellation, whose residual is
-    /// at most `11 u` of that sum, and the rounding of the point), so the cubic turns back by less than `228 u max|c|`.
+    /// at most `13 u` of that sum, and the rounding of the point), so the cubic turns back by less than `228 u max|c|`.
     #[inline]
     pub fn new(c: [R; 4], error: R) -> Self {
         let largest = c[0].abs().max(c[1].abs()).max(c[2].abs().max(c[3].abs()));
-        Self { c, band: error + largest * (R::UNIT * R::splat(256.0)) }
+        let least = R::MIN_NORMAL * R::splat(MARGIN);
+        let one = R::splat(1.0);
+        // Elsewhere products and quotients overflow, underflow, or are not what a device promises: then nothing is known of the cubic.
+        let fine = largest >= least && largest <= one / least;
+        let rounding = if fine { R::UNIT * R::splat(256.0) } else { R::splat(2.0) };
+        Self { c, band: error + largest * rounding, scale: if fine { one / largest } else { R::splat(0.0) } }
     }
 
     /// Value at `t` in `[0, 1]`.
@@ -69,7 +79,9 @@ impl<R: Real> Cubic<R> {
     /// The critical points inside `(0, 1)`, ascending, as the ends of monotone pieces: `[0, .., 1]` and the number of pieces.
     pub fn pieces(&self) -> ([R; 4], usize) {
         let (zero, one) = (R::splat(0.0), R::splat(1.0));
-        let [q0, q1, q2] = self.derivative();
+        // Scaled, so that squares neither overflow nor vanish.
+        let q = self.derivative();
+        let (q0, q1, q2) = (q[0] * self.scale, q[1] * self.scale, q[2] * self.scale);
         let mut ends = [zero, one, one, one];
         let mut n = 1;
         let discriminant = q1 * q1 - q0 * q2;

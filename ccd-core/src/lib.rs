@@ -34,10 +34,10 @@ pub mod morton;
 pub mod motion;
 pub mod query;
 pub mod real;
-pub mod separate;
-pub mod slice;
 #[cfg(feature = "alloc")]
 pub mod report;
+pub mod separate;
+pub mod slice;
 #[cfg(feature = "alloc")]
 pub mod topology;
 pub mod vec3;

@@ -141,3 +141,44 @@ fn at_distance<R: Real>(m: &Motion<R>, patch: Patch, min_distance: R) -> Verdict
     }
     Verdict::Undecided { toi }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Random queries at many scales: what is certainly a contact at scale 1 is none that may be missed at another.
+    fn check_scales<R: Real>(exponents: &[i32]) {
+        let mut x = 7u32;
+        let mut coordinate = || {
+            x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+            (x >> 16) as f64 / 65_536.0 - 0.5
+        };
+        let mut n_hits = 0;
+        for _ in 0..20_000 {
+            let mut four = || core::array::from_fn::<[f64; 3], 4, _>(|_| core::array::from_fn(|_| coordinate()));
+            let (t0, t1) = (four(), four());
+            let at = |scale: f64, x: &[[f64; 3]; 4]| x.map(|p| p.map(|c| R::from_f64(c * scale)));
+            let verdicts = |scale| {
+                let (t0, t1) = (at(scale, &t0), at(scale, &t1));
+                let zero = R::splat(0.0);
+                [vertex_face(&VertexFace { t0, t1 }, zero), edge_edge(&EdgeEdge { t0, t1 }, zero)]
+            };
+            let base = [vertex_face(&VertexFace { t0, t1 }, 0.0), edge_edge(&EdgeEdge { t0, t1 }, 0.0)];
+            for k in 0..2 {
+                if matches!(base[k], Verdict::Hit { .. }) {
+                    n_hits += 1;
+                    for &e in exponents {
+                        assert!(verdicts(2f64.powi(e))[k] != Verdict::Miss, "missed at scale 2^{e}: {t0:?} {t1:?}");
+                    }
+                }
+            }
+        }
+        assert!(n_hits > 1000, "{n_hits} hits show nothing");
+    }
+
+    #[test]
+    fn scale_makes_no_miss() {
+        check_scales::<f64>(&[0, 166, -166, 200, -200, 265, -265, 329, -329]);
+        check_scales::<f32>(&[0, 16, -16, 20, -20, 24, -24, 30, -30, 40, -40, 45]);
+    }
+}

@@ -29,9 +29,8 @@ impl MortonOrder {
     ) -> MortonGrid {
         self.chunks.resize(boxes.len().div_ceil(CHUNK), Aabb::EMPTY);
         threads.fill(&mut self.chunks, |i| {
-            (0..CHUNK / bounds::CHUNK).fold(Aabb::EMPTY, |all, k| {
-                all.union(&bounds::scene_bounds(i * CHUNK + k * bounds::CHUNK, 1, boxes, boxes.len()))
-            })
+            (0..CHUNK / bounds::CHUNK)
+                .fold(Aabb::EMPTY, |all, k| all.union(&bounds::scene_bounds(i * CHUNK + k * bounds::CHUNK, 1, boxes, boxes.len())))
         });
         let scene = self.chunks.iter().fold(Aabb::EMPTY, |all, b| all.union(b));
         let grid = MortonGrid::new(&scene, BITS);

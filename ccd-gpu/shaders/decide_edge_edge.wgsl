@@ -139,589 +139,610 @@ fn function_() {
     var local_13: array<array<f32, 3>, 4>;
     var local_14: array<f32, 3>;
     var local_15: type_45;
-    var phi_201_: u32;
-    var phi_217_: u32;
-    var phi_238_: u32;
-    var phi_239_: u32;
-    var phi_242_: type_28;
-    var phi_243_: type_28;
-    var phi_266_: type_28;
-    var phi_716_: f32;
-    var phi_723_: f32;
-    var phi_728_: f32;
-    var phi_735_: f32;
-    var phi_740_: f32;
-    var phi_753_: f32;
-    var phi_760_: f32;
-    var phi_765_: f32;
-    var phi_772_: f32;
-    var phi_777_: f32;
-    var phi_782_: f32;
-    var phi_799_: f32;
-    var phi_806_: f32;
-    var phi_811_: f32;
-    var phi_818_: f32;
-    var phi_823_: f32;
-    var phi_837_: f32;
-    var phi_844_: f32;
-    var phi_849_: f32;
-    var phi_856_: f32;
-    var phi_861_: f32;
-    var phi_866_: f32;
-    var phi_883_: f32;
-    var phi_890_: f32;
-    var phi_895_: f32;
-    var phi_902_: f32;
-    var phi_907_: f32;
-    var phi_921_: f32;
-    var phi_928_: f32;
-    var phi_933_: f32;
-    var phi_940_: f32;
-    var phi_945_: f32;
-    var phi_950_: f32;
-    var phi_981_: f32;
-    var phi_987_: f32;
-    var phi_994_: f32;
-    var phi_1001_: f32;
-    var phi_1007_: f32;
-    var phi_1014_: f32;
-    var phi_1020_: f32;
-    var phi_1026_: f32;
-    var phi_1032_: f32;
-    var phi_1039_: f32;
-    var phi_1046_: f32;
-    var phi_1070_: f32;
-    var phi_1075_: f32;
-    var phi_1080_: f32;
-    var phi_1085_: f32;
-    var phi_1090_: f32;
-    var phi_1095_: f32;
-    var phi_1105_: f32;
-    var phi_3534_: f32;
-    var phi_3540_: f32;
-    var phi_3545_: f32;
-    var phi_3551_: f32;
-    var phi_3557_: f32;
-    var phi_3562_: f32;
-    var phi_3567_: f32;
-    var phi_3607_: type_26;
-    var phi_3610_: f32;
-    var phi_3631_: bool;
-    var phi_3637_: type_27;
-    var phi_3608_: type_26;
-    var phi_3651_: type_27;
-    var phi_3611_: f32;
+    var phi_203_: u32;
+    var phi_219_: u32;
+    var phi_240_: u32;
+    var phi_241_: u32;
+    var phi_244_: type_28;
+    var phi_245_: type_28;
+    var phi_268_: type_28;
+    var phi_718_: f32;
+    var phi_725_: f32;
+    var phi_730_: f32;
+    var phi_737_: f32;
+    var phi_742_: f32;
+    var phi_755_: f32;
+    var phi_762_: f32;
+    var phi_767_: f32;
+    var phi_774_: f32;
+    var phi_779_: f32;
+    var phi_784_: f32;
+    var phi_801_: f32;
+    var phi_808_: f32;
+    var phi_813_: f32;
+    var phi_820_: f32;
+    var phi_825_: f32;
+    var phi_839_: f32;
+    var phi_846_: f32;
+    var phi_851_: f32;
+    var phi_858_: f32;
+    var phi_863_: f32;
+    var phi_868_: f32;
+    var phi_885_: f32;
+    var phi_892_: f32;
+    var phi_897_: f32;
+    var phi_904_: f32;
+    var phi_909_: f32;
+    var phi_923_: f32;
+    var phi_930_: f32;
+    var phi_935_: f32;
+    var phi_942_: f32;
+    var phi_947_: f32;
+    var phi_952_: f32;
+    var phi_983_: f32;
+    var phi_989_: f32;
+    var phi_996_: f32;
+    var phi_1003_: f32;
+    var phi_1009_: f32;
+    var phi_1016_: f32;
+    var phi_1022_: f32;
+    var phi_1028_: f32;
+    var phi_1034_: f32;
+    var phi_1041_: f32;
+    var phi_1048_: f32;
+    var phi_1072_: f32;
+    var phi_1077_: f32;
+    var phi_1082_: f32;
+    var phi_1087_: f32;
+    var phi_1092_: f32;
+    var phi_1097_: f32;
+    var phi_1107_: f32;
+    var phi_3580_: f32;
+    var phi_3586_: f32;
+    var phi_3591_: f32;
+    var phi_3597_: f32;
+    var phi_3603_: f32;
+    var phi_3608_: f32;
+    var phi_3613_: f32;
+    var phi_3621_: bool;
+    var phi_3626_: f32;
+    var phi_3633_: f32;
+    var phi_3673_: type_26;
+    var phi_3676_: f32;
+    var phi_3697_: bool;
+    var phi_3703_: type_27;
+    var phi_3674_: type_26;
+    var phi_3717_: type_27;
+    var phi_3677_: f32;
     var local_16: f32;
-    var phi_3600_: f32;
-    var phi_3664_: f32;
-    var phi_3670_: f32;
-    var phi_3695_: type_28;
-    var phi_3698_: u32;
-    var phi_3696_: type_28;
-    var phi_3721_: type_28;
-    var phi_3765_: u32;
-    var phi_3766_: u32;
-    var phi_3699_: u32;
-    var phi_3767_: u32;
+    var phi_3666_: f32;
+    var phi_3730_: f32;
+    var phi_3736_: f32;
+    var phi_3761_: type_28;
+    var phi_3764_: u32;
+    var phi_3762_: type_28;
     var phi_3787_: type_28;
-    var phi_3788_: type_28;
-    var phi_3811_: type_28;
-    var phi_3863_: f32;
-    var phi_3870_: f32;
-    var phi_3881_: bool;
-    var phi_3882_: bool;
-    var phi_3883_: bool;
-    var phi_3884_: bool;
-    var phi_3888_: bool;
-    var phi_3899_: type_56;
-    var phi_3900_: type_56;
-    var phi_3901_: bool;
-    var phi_3902_: type_56;
-    var phi_3903_: bool;
-    var phi_3914_: f32;
-    var phi_3924_: type_28;
-    var phi_3927_: f32;
+    var phi_3831_: u32;
+    var phi_3832_: u32;
+    var phi_3765_: u32;
+    var phi_3833_: u32;
+    var phi_3853_: type_28;
+    var phi_3854_: type_28;
+    var phi_3877_: type_28;
     var phi_3929_: f32;
-    var phi_3931_: f32;
-    var phi_3925_: type_28;
-    var phi_3954_: type_28;
-    var phi_3979_: f32;
+    var phi_3936_: f32;
+    var phi_3947_: bool;
+    var phi_3948_: bool;
+    var phi_3949_: bool;
+    var phi_3950_: bool;
+    var phi_3954_: bool;
+    var phi_3965_: type_56;
+    var phi_3966_: type_56;
+    var phi_3967_: bool;
+    var phi_3968_: type_56;
+    var phi_3969_: bool;
     var phi_3980_: f32;
-    var phi_4006_: f32;
-    var phi_4022_: f32;
-    var phi_4029_: bool;
-    var phi_4030_: bool;
-    var phi_4031_: bool;
-    var phi_4037_: f32;
-    var phi_4038_: f32;
-    var phi_4039_: bool;
-    var phi_3928_: f32;
-    var phi_3930_: f32;
-    var phi_3932_: f32;
-    var phi_4040_: f32;
-    var phi_4041_: bool;
-    var phi_4042_: bool;
-    var local_17: bool;
+    var phi_3990_: type_28;
+    var phi_3993_: f32;
+    var phi_3995_: f32;
+    var phi_3997_: f32;
+    var phi_3991_: type_28;
+    var phi_4020_: type_28;
+    var phi_4045_: f32;
     var phi_4046_: f32;
-    var phi_4047_: f32;
-    var phi_4054_: type_28;
-    var phi_4057_: f32;
-    var phi_4055_: type_28;
-    var phi_4080_: type_28;
-    var phi_4121_: f32;
-    var phi_4131_: f32;
-    var phi_4139_: bool;
-    var phi_4141_: bool;
-    var phi_4146_: f32;
-    var phi_4147_: bool;
-    var phi_4148_: f32;
-    var phi_4149_: bool;
-    var phi_4150_: bool;
-    var phi_4151_: bool;
-    var phi_4152_: f32;
-    var phi_4058_: f32;
-    var phi_4153_: bool;
-    var phi_4154_: bool;
-    var phi_4155_: bool;
-    var phi_4156_: bool;
+    var phi_4072_: f32;
+    var phi_4088_: f32;
+    var phi_4095_: bool;
+    var phi_4096_: bool;
+    var phi_4097_: bool;
+    var phi_4103_: f32;
+    var phi_4104_: f32;
+    var phi_4105_: bool;
+    var phi_3994_: f32;
+    var phi_3996_: f32;
+    var phi_3998_: f32;
+    var phi_4106_: f32;
+    var phi_4107_: bool;
+    var phi_4108_: bool;
+    var local_17: bool;
+    var phi_4112_: f32;
+    var phi_4113_: f32;
+    var phi_4120_: type_28;
+    var phi_4123_: f32;
+    var phi_4121_: type_28;
+    var phi_4146_: type_28;
+    var phi_4187_: f32;
+    var phi_4197_: f32;
+    var phi_4205_: bool;
+    var phi_4207_: bool;
+    var phi_4212_: f32;
+    var phi_4213_: bool;
+    var phi_4214_: f32;
+    var phi_4215_: bool;
+    var phi_4216_: bool;
+    var phi_4217_: bool;
+    var phi_4218_: f32;
+    var phi_4124_: f32;
+    var phi_4219_: bool;
+    var phi_4220_: bool;
+    var phi_4221_: bool;
+    var phi_4222_: bool;
     var local_18: bool;
-    var phi_4160_: bool;
-    var phi_4161_: bool;
-    var phi_4165_: bool;
-    var phi_4169_: f32;
-    var phi_4170_: f32;
-    var phi_4172_: type_56;
-    var phi_4201_: f32;
-    var phi_4208_: f32;
-    var phi_4213_: f32;
-    var phi_4220_: f32;
-    var phi_4225_: f32;
-    var phi_4238_: f32;
-    var phi_4245_: f32;
-    var phi_4250_: f32;
-    var phi_4257_: f32;
-    var phi_4262_: f32;
+    var phi_4226_: bool;
+    var phi_4227_: bool;
+    var phi_4231_: bool;
+    var phi_4235_: f32;
+    var phi_4236_: f32;
+    var phi_4238_: type_56;
     var phi_4267_: f32;
-    var phi_4326_: f32;
-    var phi_4332_: f32;
-    var phi_4337_: f32;
-    var phi_4343_: f32;
-    var phi_4348_: f32;
-    var phi_4360_: f32;
-    var phi_4366_: f32;
-    var phi_4371_: f32;
-    var phi_4377_: f32;
-    var phi_4382_: f32;
-    var phi_4408_: f32;
-    var phi_4415_: f32;
-    var phi_4420_: f32;
-    var phi_4427_: f32;
+    var phi_4274_: f32;
+    var phi_4279_: f32;
+    var phi_4286_: f32;
+    var phi_4291_: f32;
+    var phi_4304_: f32;
+    var phi_4311_: f32;
+    var phi_4316_: f32;
+    var phi_4323_: f32;
+    var phi_4328_: f32;
+    var phi_4333_: f32;
+    var phi_4392_: f32;
+    var phi_4398_: f32;
+    var phi_4403_: f32;
+    var phi_4409_: f32;
+    var phi_4414_: f32;
+    var phi_4426_: f32;
     var phi_4432_: f32;
-    var phi_4445_: f32;
-    var phi_4452_: f32;
-    var phi_4457_: f32;
-    var phi_4464_: f32;
-    var phi_4469_: f32;
+    var phi_4437_: f32;
+    var phi_4443_: f32;
+    var phi_4448_: f32;
     var phi_4474_: f32;
-    var phi_4533_: f32;
-    var phi_4539_: f32;
-    var phi_4544_: f32;
-    var phi_4550_: f32;
-    var phi_4555_: f32;
-    var phi_4567_: f32;
-    var phi_4573_: f32;
-    var phi_4578_: f32;
-    var phi_4584_: f32;
-    var phi_4589_: f32;
-    var phi_4615_: f32;
-    var phi_4622_: f32;
-    var phi_4627_: f32;
-    var phi_4634_: f32;
+    var phi_4481_: f32;
+    var phi_4486_: f32;
+    var phi_4493_: f32;
+    var phi_4498_: f32;
+    var phi_4511_: f32;
+    var phi_4518_: f32;
+    var phi_4523_: f32;
+    var phi_4530_: f32;
+    var phi_4535_: f32;
+    var phi_4540_: f32;
+    var phi_4599_: f32;
+    var phi_4605_: f32;
+    var phi_4610_: f32;
+    var phi_4616_: f32;
+    var phi_4621_: f32;
+    var phi_4633_: f32;
     var phi_4639_: f32;
-    var phi_4652_: f32;
-    var phi_4659_: f32;
-    var phi_4664_: f32;
-    var phi_4671_: f32;
-    var phi_4676_: f32;
+    var phi_4644_: f32;
+    var phi_4650_: f32;
+    var phi_4655_: f32;
     var phi_4681_: f32;
-    var phi_4740_: f32;
-    var phi_4746_: f32;
-    var phi_4751_: f32;
-    var phi_4757_: f32;
-    var phi_4762_: f32;
-    var phi_4774_: f32;
-    var phi_4780_: f32;
-    var phi_4785_: f32;
-    var phi_4791_: f32;
-    var phi_4796_: f32;
-    var phi_4845_: f32;
+    var phi_4688_: f32;
+    var phi_4693_: f32;
+    var phi_4700_: f32;
+    var phi_4705_: f32;
+    var phi_4718_: f32;
+    var phi_4725_: f32;
+    var phi_4730_: f32;
+    var phi_4737_: f32;
+    var phi_4742_: f32;
+    var phi_4747_: f32;
+    var phi_4806_: f32;
+    var phi_4812_: f32;
+    var phi_4817_: f32;
+    var phi_4823_: f32;
+    var phi_4828_: f32;
+    var phi_4840_: f32;
+    var phi_4846_: f32;
     var phi_4851_: f32;
-    var phi_4879_: f32;
-    var phi_4885_: f32;
-    var phi_4890_: u32;
-    var phi_4891_: u32;
-    var phi_4861_: f32;
-    var phi_4867_: f32;
-    var phi_4872_: u32;
-    var phi_4873_: u32;
-    var phi_4892_: u32;
-    var phi_4893_: u32;
-    var phi_4960_: f32;
-    var phi_4969_: f32;
-    var phi_5100_: f32;
-    var phi_5106_: f32;
-    var phi_5113_: f32;
-    var phi_5156_: type_28;
-    var phi_5159_: bool;
-    var phi_5157_: type_28;
-    var phi_5182_: type_28;
-    var phi_5209_: bool;
-    var phi_5210_: bool;
-    var phi_5160_: bool;
-    var phi_5211_: bool;
-    var phi_5212_: bool;
-    var local_19: bool;
-    var phi_5216_: bool;
-    var local_20: bool;
-    var phi_5223_: u32;
-    var phi_5224_: u32;
+    var phi_4857_: f32;
+    var phi_4862_: f32;
+    var phi_4911_: f32;
+    var phi_4917_: f32;
+    var phi_4945_: f32;
+    var phi_4951_: f32;
+    var phi_4956_: u32;
+    var phi_4957_: u32;
+    var phi_4927_: f32;
+    var phi_4933_: f32;
+    var phi_4938_: u32;
+    var phi_4939_: u32;
+    var phi_4958_: u32;
+    var phi_4959_: u32;
+    var phi_5026_: f32;
+    var phi_5035_: f32;
+    var phi_5166_: f32;
+    var phi_5172_: f32;
+    var phi_5179_: f32;
+    var phi_5222_: type_28;
     var phi_5225_: bool;
-    var phi_5226_: u32;
-    var phi_5227_: u32;
-    var phi_5228_: bool;
-    var phi_5232_: u32;
-    var phi_5252_: bool;
-    var phi_5253_: bool;
-    var phi_5254_: bool;
-    var phi_5450_: f32;
-    var phi_5457_: f32;
-    var phi_5462_: f32;
-    var phi_5469_: f32;
-    var phi_5474_: f32;
-    var phi_5487_: f32;
-    var phi_5494_: f32;
-    var phi_5499_: f32;
-    var phi_5506_: f32;
-    var phi_5511_: f32;
+    var phi_5223_: type_28;
+    var phi_5248_: type_28;
+    var phi_5275_: bool;
+    var phi_5276_: bool;
+    var phi_5226_: bool;
+    var phi_5277_: bool;
+    var phi_5278_: bool;
+    var local_19: bool;
+    var phi_5282_: bool;
+    var local_20: bool;
+    var phi_5289_: u32;
+    var phi_5290_: u32;
+    var phi_5291_: bool;
+    var phi_5292_: u32;
+    var phi_5293_: u32;
+    var phi_5294_: bool;
+    var phi_5298_: u32;
+    var phi_5318_: bool;
+    var phi_5319_: bool;
+    var phi_5320_: bool;
     var phi_5516_: f32;
-    var phi_5533_: f32;
+    var phi_5523_: f32;
+    var phi_5528_: f32;
+    var phi_5535_: f32;
     var phi_5540_: f32;
-    var phi_5545_: f32;
-    var phi_5552_: f32;
-    var phi_5557_: f32;
-    var phi_5571_: f32;
-    var phi_5578_: f32;
-    var phi_5583_: f32;
-    var phi_5590_: f32;
-    var phi_5595_: f32;
-    var phi_5600_: f32;
-    var phi_5617_: f32;
-    var phi_5624_: f32;
-    var phi_5629_: f32;
-    var phi_5636_: f32;
-    var phi_5641_: f32;
-    var phi_5655_: f32;
-    var phi_5662_: f32;
-    var phi_5667_: f32;
-    var phi_5674_: f32;
-    var phi_5679_: f32;
-    var phi_5684_: f32;
-    var phi_5700_: type_28;
-    var phi_5703_: f32;
-    var phi_5701_: type_28;
-    var phi_5726_: type_28;
-    var phi_5880_: bool;
-    var phi_5881_: bool;
-    var phi_5882_: bool;
-    var phi_5883_: bool;
-    var phi_5884_: bool;
-    var phi_5885_: bool;
-    var phi_5889_: bool;
-    var phi_5929_: array<f32, 3>;
-    var phi_5930_: bool;
-    var phi_5931_: array<f32, 3>;
-    var phi_5932_: bool;
-    var phi_5962_: f32;
-    var phi_5963_: f32;
-    var phi_5990_: f32;
-    var phi_5991_: f32;
-    var phi_6018_: f32;
-    var phi_6019_: f32;
-    var phi_6049_: f32;
-    var phi_6050_: f32;
-    var phi_6193_: type_28;
-    var phi_6196_: array<f32, 3>;
-    var phi_6194_: type_28;
-    var phi_6219_: type_28;
-    var phi_6286_: array<f32, 3>;
-    var phi_6197_: array<f32, 3>;
-    var phi_6287_: array<f32, 3>;
-    var phi_6294_: f32;
-    var phi_6301_: f32;
-    var phi_6309_: f32;
-    var phi_6353_: type_26;
-    var phi_6356_: f32;
-    var phi_6377_: bool;
-    var phi_6383_: type_27;
-    var phi_6354_: type_26;
-    var phi_6397_: type_27;
-    var phi_6357_: f32;
-    var local_21: f32;
-    var phi_6346_: f32;
-    var phi_6410_: f32;
-    var phi_6419_: type_28;
+    var phi_5553_: f32;
+    var phi_5560_: f32;
+    var phi_5565_: f32;
+    var phi_5572_: f32;
+    var phi_5577_: f32;
+    var phi_5582_: f32;
+    var phi_5599_: f32;
+    var phi_5606_: f32;
+    var phi_5611_: f32;
+    var phi_5618_: f32;
+    var phi_5623_: f32;
+    var phi_5637_: f32;
+    var phi_5644_: f32;
+    var phi_5649_: f32;
+    var phi_5656_: f32;
+    var phi_5661_: f32;
+    var phi_5666_: f32;
+    var phi_5683_: f32;
+    var phi_5690_: f32;
+    var phi_5695_: f32;
+    var phi_5702_: f32;
+    var phi_5707_: f32;
+    var phi_5721_: f32;
+    var phi_5728_: f32;
+    var phi_5733_: f32;
+    var phi_5740_: f32;
+    var phi_5745_: f32;
+    var phi_5750_: f32;
+    var phi_5766_: type_28;
+    var phi_5769_: f32;
+    var phi_5767_: type_28;
+    var phi_5792_: type_28;
+    var phi_5946_: bool;
+    var phi_5947_: bool;
+    var phi_5948_: bool;
+    var phi_5949_: bool;
+    var phi_5950_: bool;
+    var phi_5951_: bool;
+    var phi_5955_: bool;
+    var phi_5995_: array<f32, 3>;
+    var phi_5996_: bool;
+    var phi_5997_: array<f32, 3>;
+    var phi_5998_: bool;
+    var phi_6028_: f32;
+    var phi_6029_: f32;
+    var phi_6056_: f32;
+    var phi_6057_: f32;
+    var phi_6084_: f32;
+    var phi_6085_: f32;
+    var phi_6115_: f32;
+    var phi_6116_: f32;
+    var phi_6259_: type_28;
+    var phi_6262_: array<f32, 3>;
+    var phi_6260_: type_28;
+    var phi_6285_: type_28;
+    var phi_6352_: array<f32, 3>;
+    var phi_6263_: array<f32, 3>;
+    var phi_6353_: array<f32, 3>;
+    var phi_6360_: f32;
+    var phi_6367_: f32;
+    var phi_6375_: f32;
+    var phi_6419_: type_26;
     var phi_6422_: f32;
-    var phi_6420_: type_28;
-    var phi_6445_: type_28;
-    var phi_6496_: f32;
-    var phi_6502_: f32;
-    var phi_6515_: bool;
-    var phi_6516_: bool;
-    var phi_6541_: f32;
-    var phi_6542_: f32;
-    var phi_6543_: f32;
-    var phi_6544_: f32;
-    var phi_6545_: bool;
+    var phi_6443_: bool;
+    var phi_6449_: type_27;
+    var phi_6420_: type_26;
+    var phi_6463_: type_27;
     var phi_6423_: f32;
-    var phi_6546_: bool;
-    var phi_6547_: bool;
-    var local_22: bool;
-    var local_23: f32;
-    var local_24: f32;
-    var local_25: f32;
-    var phi_6564_: bool;
-    var phi_6565_: bool;
-    var phi_6566_: bool;
-    var phi_6567_: bool;
-    var phi_6568_: bool;
-    var phi_6569_: bool;
-    var phi_6570_: bool;
-    var phi_6571_: bool;
-    var phi_6572_: bool;
-    var phi_6573_: bool;
-    var phi_6574_: bool;
-    var phi_6575_: bool;
-    var phi_6576_: f32;
-    var phi_6577_: f32;
-    var phi_6578_: bool;
-    var phi_6579_: bool;
-    var phi_6580_: bool;
+    var local_21: f32;
+    var phi_6412_: f32;
+    var phi_6476_: f32;
+    var phi_6485_: type_28;
+    var phi_6488_: f32;
+    var phi_6486_: type_28;
+    var phi_6511_: type_28;
+    var phi_6562_: f32;
+    var phi_6568_: f32;
     var phi_6581_: bool;
     var phi_6582_: bool;
-    var phi_6583_: bool;
-    var phi_6584_: f32;
-    var phi_6585_: f32;
-    var phi_6586_: bool;
-    var phi_6587_: bool;
-    var phi_6588_: bool;
-    var phi_6589_: bool;
-    var phi_6590_: bool;
-    var phi_6591_: bool;
-    var phi_6592_: bool;
-    var phi_6593_: f32;
-    var phi_5704_: f32;
-    var phi_6594_: bool;
-    var phi_6595_: bool;
-    var phi_6596_: bool;
-    var phi_6597_: bool;
-    var phi_6598_: bool;
-    var phi_6599_: bool;
-    var phi_6600_: bool;
-    var phi_6601_: bool;
-    var local_26: bool;
-    var phi_6606_: type_55;
-    var phi_6607_: bool;
-    var phi_6608_: bool;
-    var phi_6609_: bool;
-    var phi_6610_: bool;
-    var phi_6611_: bool;
-    var phi_6612_: bool;
-    var phi_6616_: f32;
-    var phi_6617_: bool;
-    var phi_6618_: bool;
-    var phi_6619_: bool;
+    var phi_6613_: f32;
+    var phi_6614_: f32;
+    var phi_6615_: f32;
+    var phi_6616_: bool;
     var phi_6620_: bool;
-    var phi_6621_: bool;
+    var phi_6621_: f32;
     var phi_6622_: bool;
-    var phi_6627_: type_55;
+    var phi_6623_: bool;
+    var phi_6624_: bool;
+    var phi_6625_: f32;
+    var phi_6626_: bool;
+    var phi_6627_: bool;
     var phi_6628_: bool;
+    var phi_6489_: f32;
     var phi_6629_: bool;
     var phi_6630_: bool;
     var phi_6631_: bool;
     var phi_6632_: bool;
-    var local_27: f32;
-    var phi_6637_: type_55;
-    var phi_6638_: bool;
-    var phi_6639_: bool;
-    var phi_6640_: bool;
-    var phi_6641_: bool;
-    var local_28: f32;
-    var phi_6646_: type_55;
-    var phi_6647_: bool;
-    var phi_6648_: bool;
+    var local_22: bool;
+    var local_23: f32;
+    var local_24: f32;
+    var local_25: f32;
     var phi_6649_: bool;
+    var phi_6650_: bool;
+    var phi_6651_: bool;
+    var phi_6652_: bool;
     var phi_6653_: bool;
     var phi_6654_: bool;
+    var phi_6655_: bool;
+    var phi_6656_: bool;
+    var phi_6657_: bool;
     var phi_6658_: bool;
     var phi_6659_: bool;
-    var phi_6663_: bool;
+    var phi_6660_: bool;
+    var phi_6661_: bool;
+    var phi_6662_: f32;
+    var phi_6663_: f32;
     var phi_6664_: bool;
-    var local_29: f32;
-    var phi_6669_: type_55;
+    var phi_6665_: bool;
+    var phi_6666_: bool;
+    var phi_6667_: bool;
+    var phi_6668_: bool;
+    var phi_6669_: bool;
     var phi_6670_: bool;
-    var phi_6674_: type_55;
-    var phi_6681_: bool;
-    var phi_6682_: f32;
+    var phi_6671_: f32;
+    var phi_6672_: f32;
+    var phi_6673_: bool;
+    var phi_6674_: bool;
+    var phi_6675_: bool;
+    var phi_6676_: bool;
+    var phi_6677_: bool;
+    var phi_6678_: bool;
+    var phi_6679_: bool;
+    var phi_6680_: bool;
+    var phi_6681_: f32;
+    var phi_5770_: f32;
+    var phi_6682_: bool;
     var phi_6683_: bool;
     var phi_6684_: bool;
     var phi_6685_: bool;
-    var phi_6686_: f32;
+    var phi_6686_: bool;
     var phi_6687_: bool;
     var phi_6688_: bool;
     var phi_6689_: bool;
-    var phi_6690_: f32;
-    var phi_6691_: bool;
-    var phi_6692_: bool;
-    var phi_6693_: bool;
-    var phi_6694_: bool;
+    var phi_6690_: bool;
+    var local_26: bool;
+    var phi_6695_: type_55;
+    var phi_6696_: bool;
+    var phi_6697_: bool;
     var phi_6698_: bool;
     var phi_6699_: bool;
     var phi_6700_: bool;
-    var phi_6701_: f32;
-    var phi_6702_: type_56;
-    var phi_6703_: bool;
-    var phi_6704_: bool;
-    var phi_6705_: bool;
-    var phi_6706_: bool;
-    var local_30: bool;
-    var phi_6711_: type_55;
+    var phi_6701_: bool;
+    var phi_6702_: bool;
+    var phi_6706_: f32;
+    var phi_6707_: bool;
+    var phi_6708_: bool;
+    var phi_6709_: bool;
+    var phi_6710_: bool;
+    var phi_6711_: bool;
     var phi_6712_: bool;
     var phi_6713_: bool;
-    var local_31: f32;
     var phi_6718_: type_55;
     var phi_6719_: bool;
-    var local_32: type_56;
-    var phi_6725_: type_55;
-    var phi_6726_: bool;
-    var phi_6730_: type_55;
-    var phi_1306_: f32;
-    var phi_1313_: f32;
-    var phi_1318_: f32;
-    var phi_1325_: f32;
-    var phi_1330_: f32;
-    var phi_1343_: f32;
-    var phi_1350_: f32;
-    var phi_1355_: f32;
-    var phi_1362_: f32;
-    var phi_1367_: f32;
-    var phi_1372_: f32;
-    var phi_1389_: f32;
-    var phi_1396_: f32;
-    var phi_1401_: f32;
-    var phi_1408_: f32;
-    var phi_1413_: f32;
-    var phi_1427_: f32;
-    var phi_1434_: f32;
-    var phi_1439_: f32;
-    var phi_1446_: f32;
-    var phi_1451_: f32;
-    var phi_1456_: f32;
-    var phi_1473_: f32;
-    var phi_1480_: f32;
-    var phi_1485_: f32;
-    var phi_1492_: f32;
-    var phi_1497_: f32;
-    var phi_1511_: f32;
-    var phi_1518_: f32;
-    var phi_1523_: f32;
-    var phi_1530_: f32;
-    var phi_1535_: f32;
-    var phi_1540_: f32;
-    var phi_1556_: type_28;
-    var phi_1559_: f32;
-    var phi_1557_: type_28;
-    var phi_1582_: type_28;
-    var phi_1736_: bool;
-    var phi_1737_: bool;
+    var phi_6720_: bool;
+    var phi_6721_: bool;
+    var phi_6722_: bool;
+    var phi_6723_: bool;
+    var phi_6724_: bool;
+    var local_27: f32;
+    var phi_6729_: type_55;
+    var phi_6730_: bool;
+    var phi_6731_: bool;
+    var phi_6732_: bool;
+    var phi_6733_: bool;
+    var phi_6734_: bool;
+    var local_28: f32;
+    var phi_6739_: type_55;
+    var phi_6740_: bool;
+    var phi_6741_: bool;
+    var phi_6742_: bool;
+    var phi_6743_: bool;
+    var local_29: f32;
+    var phi_6748_: type_55;
+    var phi_6749_: bool;
+    var phi_6750_: bool;
+    var phi_6751_: bool;
+    var phi_6752_: bool;
+    var phi_6756_: type_55;
+    var phi_6757_: bool;
+    var phi_6758_: bool;
+    var phi_6759_: bool;
+    var phi_6763_: bool;
+    var phi_6764_: bool;
+    var phi_6768_: bool;
+    var phi_6769_: bool;
+    var phi_6773_: bool;
+    var phi_6774_: bool;
+    var local_30: f32;
+    var phi_6779_: type_55;
+    var phi_6780_: bool;
+    var phi_6784_: type_55;
+    var phi_6791_: bool;
+    var phi_6792_: f32;
+    var phi_6793_: bool;
+    var phi_6794_: bool;
+    var phi_6795_: bool;
+    var phi_6796_: f32;
+    var phi_6797_: bool;
+    var phi_6798_: bool;
+    var phi_6799_: bool;
+    var phi_6800_: f32;
+    var phi_6801_: bool;
+    var phi_6802_: bool;
+    var phi_6803_: bool;
+    var phi_6804_: bool;
+    var phi_6808_: bool;
+    var phi_6809_: bool;
+    var phi_6810_: bool;
+    var phi_6811_: f32;
+    var phi_6812_: type_56;
+    var phi_6813_: bool;
+    var phi_6814_: bool;
+    var phi_6815_: bool;
+    var phi_6816_: bool;
+    var local_31: bool;
+    var phi_6821_: type_55;
+    var phi_6822_: bool;
+    var phi_6823_: bool;
+    var local_32: f32;
+    var phi_6828_: type_55;
+    var phi_6829_: bool;
+    var local_33: type_56;
+    var phi_6835_: type_55;
+    var phi_6836_: bool;
+    var phi_6840_: type_55;
+    var phi_1308_: f32;
+    var phi_1315_: f32;
+    var phi_1320_: f32;
+    var phi_1327_: f32;
+    var phi_1332_: f32;
+    var phi_1345_: f32;
+    var phi_1352_: f32;
+    var phi_1357_: f32;
+    var phi_1364_: f32;
+    var phi_1369_: f32;
+    var phi_1374_: f32;
+    var phi_1391_: f32;
+    var phi_1398_: f32;
+    var phi_1403_: f32;
+    var phi_1410_: f32;
+    var phi_1415_: f32;
+    var phi_1429_: f32;
+    var phi_1436_: f32;
+    var phi_1441_: f32;
+    var phi_1448_: f32;
+    var phi_1453_: f32;
+    var phi_1458_: f32;
+    var phi_1475_: f32;
+    var phi_1482_: f32;
+    var phi_1487_: f32;
+    var phi_1494_: f32;
+    var phi_1499_: f32;
+    var phi_1513_: f32;
+    var phi_1520_: f32;
+    var phi_1525_: f32;
+    var phi_1532_: f32;
+    var phi_1537_: f32;
+    var phi_1542_: f32;
+    var phi_1558_: type_28;
+    var phi_1561_: f32;
+    var phi_1559_: type_28;
+    var phi_1584_: type_28;
     var phi_1738_: bool;
     var phi_1739_: bool;
     var phi_1740_: bool;
     var phi_1741_: bool;
-    var phi_1745_: bool;
-    var phi_1785_: array<f32, 3>;
-    var phi_1786_: bool;
+    var phi_1742_: bool;
+    var phi_1743_: bool;
+    var phi_1747_: bool;
     var phi_1787_: array<f32, 3>;
     var phi_1788_: bool;
-    var phi_1818_: f32;
-    var phi_1819_: f32;
-    var phi_1846_: f32;
-    var phi_1847_: f32;
-    var phi_1874_: f32;
-    var phi_1875_: f32;
-    var phi_1905_: f32;
-    var phi_1906_: f32;
-    var phi_2049_: type_28;
-    var phi_2052_: array<f32, 3>;
-    var phi_2050_: type_28;
-    var phi_2075_: type_28;
-    var phi_2142_: array<f32, 3>;
-    var phi_2053_: array<f32, 3>;
-    var phi_2143_: array<f32, 3>;
-    var phi_2150_: f32;
-    var phi_2157_: f32;
-    var phi_2165_: f32;
-    var phi_2209_: type_26;
-    var phi_2212_: f32;
-    var phi_2233_: bool;
-    var phi_2239_: type_27;
-    var phi_2210_: type_26;
-    var phi_2253_: type_27;
-    var phi_2213_: f32;
-    var local_33: f32;
-    var phi_2202_: f32;
-    var phi_2266_: f32;
-    var phi_2275_: type_28;
-    var phi_2278_: f32;
-    var phi_2276_: type_28;
-    var phi_2301_: type_28;
-    var phi_2352_: f32;
-    var phi_2358_: f32;
-    var phi_2371_: bool;
-    var phi_2372_: bool;
-    var phi_2397_: f32;
-    var phi_2398_: f32;
-    var phi_2399_: f32;
-    var phi_2400_: f32;
-    var phi_2401_: bool;
-    var phi_2279_: f32;
-    var phi_2402_: bool;
-    var phi_2403_: bool;
-    var local_34: bool;
-    var local_35: f32;
-    var local_36: f32;
-    var local_37: f32;
+    var phi_1789_: array<f32, 3>;
+    var phi_1790_: bool;
+    var phi_1820_: f32;
+    var phi_1821_: f32;
+    var phi_1848_: f32;
+    var phi_1849_: f32;
+    var phi_1876_: f32;
+    var phi_1877_: f32;
+    var phi_1907_: f32;
+    var phi_1908_: f32;
+    var phi_2051_: type_28;
+    var phi_2054_: array<f32, 3>;
+    var phi_2052_: type_28;
+    var phi_2077_: type_28;
+    var phi_2144_: array<f32, 3>;
+    var phi_2055_: array<f32, 3>;
+    var phi_2145_: array<f32, 3>;
+    var phi_2152_: f32;
+    var phi_2159_: f32;
+    var phi_2167_: f32;
+    var phi_2211_: type_26;
+    var phi_2214_: f32;
+    var phi_2235_: bool;
+    var phi_2241_: type_27;
+    var phi_2212_: type_26;
+    var phi_2255_: type_27;
+    var phi_2215_: f32;
+    var local_34: f32;
+    var phi_2204_: f32;
+    var phi_2268_: f32;
+    var phi_2277_: type_28;
+    var phi_2280_: f32;
+    var phi_2278_: type_28;
+    var phi_2303_: type_28;
+    var phi_2354_: f32;
+    var phi_2360_: f32;
+    var phi_2373_: bool;
+    var phi_2374_: bool;
+    var phi_2405_: f32;
+    var phi_2406_: f32;
+    var phi_2407_: f32;
+    var phi_2408_: bool;
+    var phi_2412_: bool;
+    var phi_2413_: f32;
+    var phi_2414_: bool;
+    var phi_2415_: bool;
+    var phi_2416_: bool;
+    var phi_2417_: f32;
+    var phi_2418_: bool;
+    var phi_2419_: bool;
     var phi_2420_: bool;
+    var phi_2281_: f32;
     var phi_2421_: bool;
     var phi_2422_: bool;
     var phi_2423_: bool;
     var phi_2424_: bool;
-    var phi_2425_: bool;
-    var phi_2426_: bool;
-    var phi_2427_: bool;
-    var phi_2428_: bool;
-    var phi_2429_: bool;
-    var phi_2430_: bool;
-    var phi_2431_: bool;
-    var phi_2432_: f32;
-    var phi_2433_: f32;
-    var phi_2434_: bool;
-    var phi_2435_: bool;
-    var phi_2436_: bool;
-    var phi_2437_: bool;
-    var phi_2438_: bool;
-    var phi_2439_: bool;
-    var phi_2440_: f32;
-    var phi_2441_: f32;
+    var local_35: bool;
+    var local_36: f32;
+    var local_37: f32;
+    var local_38: f32;
+    var phi_2441_: bool;
     var phi_2442_: bool;
     var phi_2443_: bool;
     var phi_2444_: bool;
@@ -729,4658 +750,4931 @@ fn function_() {
     var phi_2446_: bool;
     var phi_2447_: bool;
     var phi_2448_: bool;
-    var phi_2449_: f32;
-    var phi_1560_: f32;
+    var phi_2449_: bool;
     var phi_2450_: bool;
     var phi_2451_: bool;
     var phi_2452_: bool;
     var phi_2453_: bool;
-    var phi_2454_: bool;
-    var phi_2455_: bool;
+    var phi_2454_: f32;
+    var phi_2455_: f32;
     var phi_2456_: bool;
     var phi_2457_: bool;
-    var local_38: bool;
-    var phi_2462_: type_55;
-    var phi_2463_: bool;
-    var phi_2464_: bool;
+    var phi_2458_: bool;
+    var phi_2459_: bool;
+    var phi_2460_: bool;
+    var phi_2461_: bool;
+    var phi_2462_: bool;
+    var phi_2463_: f32;
+    var phi_2464_: f32;
     var phi_2465_: bool;
     var phi_2466_: bool;
     var phi_2467_: bool;
     var phi_2468_: bool;
-    var phi_2472_: f32;
-    var phi_2473_: bool;
+    var phi_2469_: bool;
+    var phi_2470_: bool;
+    var phi_2471_: bool;
+    var phi_2472_: bool;
+    var phi_2473_: f32;
+    var phi_1562_: f32;
     var phi_2474_: bool;
     var phi_2475_: bool;
     var phi_2476_: bool;
     var phi_2477_: bool;
     var phi_2478_: bool;
-    var phi_2483_: type_55;
-    var phi_2484_: bool;
-    var phi_2485_: bool;
-    var phi_2486_: bool;
-    var phi_2487_: bool;
+    var phi_2479_: bool;
+    var phi_2480_: bool;
+    var phi_2481_: bool;
+    var phi_2482_: bool;
+    var local_39: bool;
+    var phi_2487_: type_55;
     var phi_2488_: bool;
-    var local_39: f32;
-    var phi_2493_: type_55;
+    var phi_2489_: bool;
+    var phi_2490_: bool;
+    var phi_2491_: bool;
+    var phi_2492_: bool;
+    var phi_2493_: bool;
     var phi_2494_: bool;
-    var phi_2495_: bool;
-    var phi_2496_: bool;
-    var phi_2497_: bool;
-    var local_40: f32;
-    var phi_2502_: type_55;
+    var phi_2498_: f32;
+    var phi_2499_: bool;
+    var phi_2500_: bool;
+    var phi_2501_: bool;
+    var phi_2502_: bool;
     var phi_2503_: bool;
     var phi_2504_: bool;
     var phi_2505_: bool;
-    var phi_2509_: bool;
-    var phi_2510_: bool;
+    var phi_2510_: type_55;
+    var phi_2511_: bool;
+    var phi_2512_: bool;
+    var phi_2513_: bool;
     var phi_2514_: bool;
     var phi_2515_: bool;
-    var phi_2519_: bool;
-    var phi_2520_: bool;
-    var local_41: f32;
-    var phi_2525_: type_55;
+    var phi_2516_: bool;
+    var local_40: f32;
+    var phi_2521_: type_55;
+    var phi_2522_: bool;
+    var phi_2523_: bool;
+    var phi_2524_: bool;
+    var phi_2525_: bool;
     var phi_2526_: bool;
-    var phi_2530_: type_55;
-    var phi_2544_: type_28;
-    var phi_2545_: type_28;
-    var phi_2568_: type_28;
-    var phi_2588_: f32;
-    var phi_2736_: bool;
-    var phi_2737_: bool;
-    var phi_2738_: bool;
-    var phi_2739_: bool;
-    var phi_2740_: bool;
-    var phi_2741_: bool;
-    var phi_2745_: bool;
-    var phi_2785_: array<f32, 3>;
-    var phi_2786_: bool;
-    var phi_2787_: array<f32, 3>;
-    var phi_2788_: bool;
-    var phi_2818_: f32;
-    var phi_2819_: f32;
-    var phi_2846_: f32;
-    var phi_2847_: f32;
-    var phi_2874_: f32;
-    var phi_2875_: f32;
-    var phi_2905_: f32;
-    var phi_2906_: f32;
-    var phi_3049_: type_28;
-    var phi_3052_: array<f32, 3>;
-    var phi_3050_: type_28;
-    var phi_3075_: type_28;
-    var phi_3142_: array<f32, 3>;
-    var phi_3053_: array<f32, 3>;
-    var phi_3143_: array<f32, 3>;
-    var phi_3175_: type_26;
-    var phi_3178_: f32;
-    var phi_3199_: bool;
-    var phi_3205_: type_27;
-    var phi_3176_: type_26;
-    var phi_3219_: type_27;
-    var phi_3179_: f32;
+    var local_41: f32;
+    var phi_2531_: type_55;
+    var phi_2532_: bool;
+    var phi_2533_: bool;
+    var phi_2534_: bool;
+    var phi_2535_: bool;
     var local_42: f32;
-    var phi_3168_: f32;
-    var phi_3232_: f32;
-    var phi_3248_: f32;
-    var phi_3255_: f32;
-    var phi_3260_: f32;
-    var phi_3267_: f32;
-    var phi_3272_: f32;
-    var phi_3285_: f32;
-    var phi_3292_: f32;
-    var phi_3297_: f32;
-    var phi_3304_: f32;
-    var phi_3309_: f32;
-    var phi_3314_: f32;
+    var phi_2540_: type_55;
+    var phi_2541_: bool;
+    var phi_2542_: bool;
+    var phi_2543_: bool;
+    var phi_2544_: bool;
+    var phi_2548_: type_55;
+    var phi_2549_: bool;
+    var phi_2550_: bool;
+    var phi_2551_: bool;
+    var phi_2555_: bool;
+    var phi_2556_: bool;
+    var phi_2560_: bool;
+    var phi_2561_: bool;
+    var phi_2565_: bool;
+    var phi_2566_: bool;
+    var local_43: f32;
+    var phi_2571_: type_55;
+    var phi_2572_: bool;
+    var phi_2576_: type_55;
+    var phi_2590_: type_28;
+    var phi_2591_: type_28;
+    var phi_2614_: type_28;
+    var phi_2634_: f32;
+    var phi_2782_: bool;
+    var phi_2783_: bool;
+    var phi_2784_: bool;
+    var phi_2785_: bool;
+    var phi_2786_: bool;
+    var phi_2787_: bool;
+    var phi_2791_: bool;
+    var phi_2831_: array<f32, 3>;
+    var phi_2832_: bool;
+    var phi_2833_: array<f32, 3>;
+    var phi_2834_: bool;
+    var phi_2864_: f32;
+    var phi_2865_: f32;
+    var phi_2892_: f32;
+    var phi_2893_: f32;
+    var phi_2920_: f32;
+    var phi_2921_: f32;
+    var phi_2951_: f32;
+    var phi_2952_: f32;
+    var phi_3095_: type_28;
+    var phi_3098_: array<f32, 3>;
+    var phi_3096_: type_28;
+    var phi_3121_: type_28;
+    var phi_3188_: array<f32, 3>;
+    var phi_3099_: array<f32, 3>;
+    var phi_3189_: array<f32, 3>;
+    var phi_3221_: type_26;
+    var phi_3224_: f32;
+    var phi_3245_: bool;
+    var phi_3251_: type_27;
+    var phi_3222_: type_26;
+    var phi_3265_: type_27;
+    var phi_3225_: f32;
+    var local_44: f32;
+    var phi_3214_: f32;
+    var phi_3278_: f32;
+    var phi_3294_: f32;
+    var phi_3301_: f32;
+    var phi_3306_: f32;
+    var phi_3313_: f32;
+    var phi_3318_: f32;
     var phi_3331_: f32;
     var phi_3338_: f32;
     var phi_3343_: f32;
     var phi_3350_: f32;
     var phi_3355_: f32;
-    var phi_3369_: f32;
-    var phi_3376_: f32;
-    var phi_3381_: f32;
-    var phi_3388_: f32;
-    var phi_3393_: f32;
-    var phi_3398_: f32;
+    var phi_3360_: f32;
+    var phi_3377_: f32;
+    var phi_3384_: f32;
+    var phi_3389_: f32;
+    var phi_3396_: f32;
+    var phi_3401_: f32;
     var phi_3415_: f32;
     var phi_3422_: f32;
     var phi_3427_: f32;
     var phi_3434_: f32;
     var phi_3439_: f32;
-    var phi_3453_: f32;
-    var phi_3460_: f32;
-    var phi_3465_: f32;
-    var phi_3472_: f32;
-    var phi_3477_: f32;
-    var phi_3482_: f32;
-    var phi_3502_: bool;
-    var phi_3503_: bool;
-    var phi_3504_: bool;
-    var local_43: bool;
-    var phi_3509_: type_55;
-    var phi_3510_: bool;
-    var phi_3515_: type_55;
-    var phi_3516_: bool;
-    var phi_3518_: type_55;
-    var phi_3519_: type_55;
-    var phi_3520_: bool;
-    var phi_3524_: type_55;
-    var phi_6734_: type_55;
-    var phi_6735_: type_55;
-    var phi_6788_: array<u32, 2>;
-    var phi_6789_: array<u32, 2>;
-    var phi_6790_: bool;
-    var phi_6794_: array<u32, 2>;
-    var phi_6762_: array<u32, 2>;
-    var phi_6763_: array<u32, 2>;
-    var phi_6764_: bool;
-    var phi_6768_: array<u32, 2>;
-    var phi_6796_: type_58;
-    var phi_6803_: bool;
-    var phi_6827_: u32;
-    var phi_6831_: type_48;
-    var phi_6832_: bool;
-    var phi_6833_: bool;
-    var phi_6851_: u32;
-    var phi_6913_: u32;
-    var local_44: u32;
-    var local_45: f32;
-    var local_46: f32;
-    var local_47: bool;
-    var local_48: bool;
-    var local_49: f32;
-    var local_50: array<f32, 3>;
+    var phi_3444_: f32;
+    var phi_3461_: f32;
+    var phi_3468_: f32;
+    var phi_3473_: f32;
+    var phi_3480_: f32;
+    var phi_3485_: f32;
+    var phi_3499_: f32;
+    var phi_3506_: f32;
+    var phi_3511_: f32;
+    var phi_3518_: f32;
+    var phi_3523_: f32;
+    var phi_3528_: f32;
+    var phi_3548_: bool;
+    var phi_3549_: bool;
+    var phi_3550_: bool;
+    var local_45: bool;
+    var phi_3555_: type_55;
+    var phi_3556_: bool;
+    var phi_3561_: type_55;
+    var phi_3562_: bool;
+    var phi_3564_: type_55;
+    var phi_3565_: type_55;
+    var phi_3566_: bool;
+    var phi_3570_: type_55;
+    var phi_6844_: type_55;
+    var phi_6845_: type_55;
+    var phi_6898_: array<u32, 2>;
+    var phi_6899_: array<u32, 2>;
+    var phi_6900_: bool;
+    var phi_6904_: array<u32, 2>;
+    var phi_6872_: array<u32, 2>;
+    var phi_6873_: array<u32, 2>;
+    var phi_6874_: bool;
+    var phi_6878_: array<u32, 2>;
+    var phi_6906_: type_58;
+    var phi_6913_: bool;
+    var phi_6937_: u32;
+    var phi_6941_: type_48;
+    var phi_6942_: bool;
+    var phi_6943_: bool;
+    var phi_6961_: u32;
+    var phi_7023_: u32;
+    var local_46: u32;
+    var local_47: f32;
+    var local_48: f32;
+    var local_49: bool;
+    var local_50: bool;
     var local_51: f32;
-    var local_52: f32;
+    var local_52: array<f32, 3>;
     var local_53: bool;
     var local_54: bool;
-    var local_55: bool;
-    var local_56: bool;
+    var local_55: f32;
+    var local_56: f32;
     var local_57: bool;
     var local_58: bool;
-    var local_59: f32;
-    var local_60: f32;
+    var local_59: bool;
+    var local_60: bool;
     var local_61: bool;
     var local_62: bool;
     var local_63: bool;
-    var local_64: array<f32, 3>;
+    var local_64: f32;
     var local_65: f32;
-    var local_66: f32;
+    var local_66: bool;
     var local_67: bool;
     var local_68: bool;
-    var local_69: bool;
+    var local_69: array<f32, 3>;
     var local_70: bool;
     var local_71: bool;
-    var local_72: bool;
+    var local_72: f32;
     var local_73: f32;
-    var local_74: f32;
+    var local_74: bool;
     var local_75: bool;
-    var local_76: array<f32, 3>;
+    var local_76: bool;
+    var local_77: bool;
+    var local_78: bool;
+    var local_79: bool;
+    var local_80: bool;
+    var local_81: f32;
+    var local_82: f32;
+    var local_83: bool;
+    var local_84: array<f32, 3>;
 
-    let _e104 = id_1;
-    let _e105 = n_1;
-    let _e106 = lane_1;
-    let _e118 = ((_e104.y * _e105.x) + _e104.x);
-    let _e121 = (_e105.x * _e105.y);
-    let _e123 = params.member.member_15;
-    let _e125 = input.member[0u];
-    if (_e123 < _e125) {
-        phi_201_ = _e123;
+    let _e106 = id_1;
+    let _e107 = n_1;
+    let _e108 = lane_1;
+    let _e120 = ((_e106.y * _e107.x) + _e106.x);
+    let _e123 = (_e107.x * _e107.y);
+    let _e125 = params.member.member_15;
+    let _e127 = input.member[0u];
+    if (_e125 < _e127) {
+        phi_203_ = _e125;
     } else {
-        phi_201_ = _e125;
+        phi_203_ = _e127;
     }
-    let _e128 = phi_201_;
-    let _e129 = (_e128 / 64u);
-    if ((_e128 % 64u) > 0u) {
-        phi_217_ = (_e129 + 1u);
+    let _e130 = phi_203_;
+    let _e131 = (_e130 / 64u);
+    if ((_e130 % 64u) > 0u) {
+        phi_219_ = (_e131 + 1u);
     } else {
-        phi_217_ = _e129;
+        phi_219_ = _e131;
     }
-    let _e134 = phi_217_;
-    if (_e134 > _e118) {
-        let _e136 = (_e134 - _e118);
-        if (_e121 == 0u) {
+    let _e136 = phi_219_;
+    if (_e136 > _e120) {
+        let _e138 = (_e136 - _e120);
+        if (_e123 == 0u) {
             return;
         }
-        let _e138 = (_e136 / _e121);
-        if (_e121 == 0u) {
+        let _e140 = (_e138 / _e123);
+        if (_e123 == 0u) {
             return;
         }
-        if ((_e136 % _e121) > 0u) {
-            phi_238_ = (_e138 + 1u);
+        if ((_e138 % _e123) > 0u) {
+            phi_240_ = (_e140 + 1u);
         } else {
-            phi_238_ = _e138;
+            phi_240_ = _e140;
         }
-        let _e144 = phi_238_;
-        phi_239_ = _e144;
+        let _e146 = phi_240_;
+        phi_241_ = _e146;
     } else {
-        phi_239_ = 0u;
+        phi_241_ = 0u;
     }
-    let _e146 = phi_239_;
-    phi_242_ = type_28(0u, _e146);
+    let _e148 = phi_241_;
+    phi_244_ = type_28(0u, _e148);
     loop {
-        let _e149 = phi_242_;
-        if (_e149.member < _e149.member_1) {
-            phi_243_ = type_28((_e149.member + 1u), _e149.member_1);
-            phi_266_ = type_28(1u, _e149.member);
+        let _e151 = phi_244_;
+        if (_e151.member < _e151.member_1) {
+            phi_245_ = type_28((_e151.member + 1u), _e151.member_1);
+            phi_268_ = type_28(1u, _e151.member);
         } else {
-            phi_243_ = _e149;
-            phi_266_ = type_28(0u, type_28().member_1);
+            phi_245_ = _e151;
+            phi_268_ = type_28(0u, type_28().member_1);
         }
-        let _e163 = phi_243_;
-        let _e165 = phi_266_;
-        let _e169 = (bitcast<i32>(_e165.member) != 0i);
-        if _e169 {
-            let _e173 = (((_e118 + (_e165.member_1 * _e121)) * 64u) + _e106);
-            let _e175 = params.member.member_8;
-            if (_e173 < _e128) {
-                let _e178 = (2u * _e173);
-                let _e181 = input.member[(4u + _e178)];
-                let _e184 = input.member[(_e178 + 5u)];
-                let _e186 = elements.member[_e181];
-                let _e188 = elements.member[_e184];
-                let _e194 = paths.member[_e186[0]];
-                let _e196 = paths.member[_e186[1]];
-                let _e202 = paths.member[_e188[0]];
-                let _e204 = paths.member[_e188[1]];
-                let _e234 = params.member.member_4;
-                local_15 = type_45(array<array<f32, 3>, 2>(array<f32, 3>((_e202.member[0] - _e194.member[0]), (_e202.member[1] - _e194.member[1]), (_e202.member[2] - _e194.member[2])), array<f32, 3>((_e202.member_1[0] - _e194.member_1[0]), (_e202.member_1[1] - _e194.member_1[1]), (_e202.member_1[2] - _e194.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e196.member[0] - _e194.member[0]), (_e196.member[1] - _e194.member[1]), (_e196.member[2] - _e194.member[2])), array<f32, 3>((_e196.member_1[0] - _e194.member_1[0]), (_e196.member_1[1] - _e194.member_1[1]), (_e196.member_1[2] - _e194.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e202.member[0] - _e204.member[0]), (_e202.member[1] - _e204.member[1]), (_e202.member[2] - _e204.member[2])), array<f32, 3>((_e202.member_1[0] - _e204.member_1[0]), (_e202.member_1[1] - _e204.member_1[1]), (_e202.member_1[2] - _e204.member_1[2]))), (_e234 + _e234));
-                let _e265 = params.member.member_5;
-                let _e268 = local_15.member_1[0u];
-                let _e274 = local_15.member_2[0u];
-                let _e280 = ((_e268[1] * _e274[2]) - (_e268[2] * _e274[1]));
-                let _e283 = ((_e268[2] * _e274[0]) - (_e268[0] * _e274[2]));
-                let _e286 = ((_e268[0] * _e274[1]) - (_e268[1] * _e274[0]));
-                let _e289 = local_15.member_1[1u];
-                let _e295 = local_15.member_2[1u];
-                let _e301 = ((_e289[1] * _e295[2]) - (_e289[2] * _e295[1]));
-                let _e304 = ((_e289[2] * _e295[0]) - (_e289[0] * _e295[2]));
-                let _e307 = ((_e289[0] * _e295[1]) - (_e289[1] * _e295[0]));
-                let _e310 = local_15.member_1[0u];
-                let _e316 = local_15.member_2[1u];
-                let _e331 = local_15.member_1[1u];
-                let _e337 = local_15.member_2[0u];
-                let _e350 = (((_e310[1] * _e316[2]) - (_e310[2] * _e316[1])) + ((_e331[1] * _e337[2]) - (_e331[2] * _e337[1])));
-                let _e351 = (((_e310[2] * _e316[0]) - (_e310[0] * _e316[2])) + ((_e331[2] * _e337[0]) - (_e331[0] * _e337[2])));
-                let _e352 = (((_e310[0] * _e316[1]) - (_e310[1] * _e316[0])) + ((_e331[0] * _e337[1]) - (_e331[1] * _e337[0])));
-                let _e355 = local_15.member[0u];
-                let _e363 = (((_e355[0] * _e280) + (_e355[1] * _e283)) + (_e355[2] * _e286));
-                let _e366 = local_15.member[1u];
-                let _e377 = local_15.member[0u];
-                let _e386 = ((((_e366[0] * _e280) + (_e366[1] * _e283)) + (_e366[2] * _e286)) + (((_e377[0] * _e350) + (_e377[1] * _e351)) + (_e377[2] * _e352)));
-                let _e389 = local_15.member[0u];
-                let _e400 = local_15.member[1u];
-                let _e409 = ((((_e389[0] * _e301) + (_e389[1] * _e304)) + (_e389[2] * _e307)) + (((_e400[0] * _e350) + (_e400[1] * _e351)) + (_e400[2] * _e352)));
-                let _e412 = local_15.member[1u];
-                let _e420 = (((_e412[0] * _e301) + (_e412[1] * _e304)) + (_e412[2] * _e307));
-                let _e423 = local_15.member[0u];
-                if (_e423[0] < 0f) {
-                    phi_716_ = -(_e423[0]);
+        let _e165 = phi_245_;
+        let _e167 = phi_268_;
+        let _e171 = (bitcast<i32>(_e167.member) != 0i);
+        if _e171 {
+            let _e175 = (((_e120 + (_e167.member_1 * _e123)) * 64u) + _e108);
+            let _e177 = params.member.member_8;
+            if (_e175 < _e130) {
+                let _e180 = (2u * _e175);
+                let _e183 = input.member[(4u + _e180)];
+                let _e186 = input.member[(_e180 + 5u)];
+                let _e188 = elements.member[_e183];
+                let _e190 = elements.member[_e186];
+                let _e196 = paths.member[_e188[0]];
+                let _e198 = paths.member[_e188[1]];
+                let _e204 = paths.member[_e190[0]];
+                let _e206 = paths.member[_e190[1]];
+                let _e236 = params.member.member_4;
+                local_15 = type_45(array<array<f32, 3>, 2>(array<f32, 3>((_e204.member[0] - _e196.member[0]), (_e204.member[1] - _e196.member[1]), (_e204.member[2] - _e196.member[2])), array<f32, 3>((_e204.member_1[0] - _e196.member_1[0]), (_e204.member_1[1] - _e196.member_1[1]), (_e204.member_1[2] - _e196.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e198.member[0] - _e196.member[0]), (_e198.member[1] - _e196.member[1]), (_e198.member[2] - _e196.member[2])), array<f32, 3>((_e198.member_1[0] - _e196.member_1[0]), (_e198.member_1[1] - _e196.member_1[1]), (_e198.member_1[2] - _e196.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e204.member[0] - _e206.member[0]), (_e204.member[1] - _e206.member[1]), (_e204.member[2] - _e206.member[2])), array<f32, 3>((_e204.member_1[0] - _e206.member_1[0]), (_e204.member_1[1] - _e206.member_1[1]), (_e204.member_1[2] - _e206.member_1[2]))), (_e236 + _e236));
+                let _e267 = params.member.member_5;
+                let _e270 = local_15.member_1[0u];
+                let _e276 = local_15.member_2[0u];
+                let _e282 = ((_e270[1] * _e276[2]) - (_e270[2] * _e276[1]));
+                let _e285 = ((_e270[2] * _e276[0]) - (_e270[0] * _e276[2]));
+                let _e288 = ((_e270[0] * _e276[1]) - (_e270[1] * _e276[0]));
+                let _e291 = local_15.member_1[1u];
+                let _e297 = local_15.member_2[1u];
+                let _e303 = ((_e291[1] * _e297[2]) - (_e291[2] * _e297[1]));
+                let _e306 = ((_e291[2] * _e297[0]) - (_e291[0] * _e297[2]));
+                let _e309 = ((_e291[0] * _e297[1]) - (_e291[1] * _e297[0]));
+                let _e312 = local_15.member_1[0u];
+                let _e318 = local_15.member_2[1u];
+                let _e333 = local_15.member_1[1u];
+                let _e339 = local_15.member_2[0u];
+                let _e352 = (((_e312[1] * _e318[2]) - (_e312[2] * _e318[1])) + ((_e333[1] * _e339[2]) - (_e333[2] * _e339[1])));
+                let _e353 = (((_e312[2] * _e318[0]) - (_e312[0] * _e318[2])) + ((_e333[2] * _e339[0]) - (_e333[0] * _e339[2])));
+                let _e354 = (((_e312[0] * _e318[1]) - (_e312[1] * _e318[0])) + ((_e333[0] * _e339[1]) - (_e333[1] * _e339[0])));
+                let _e357 = local_15.member[0u];
+                let _e365 = (((_e357[0] * _e282) + (_e357[1] * _e285)) + (_e357[2] * _e288));
+                let _e368 = local_15.member[1u];
+                let _e379 = local_15.member[0u];
+                let _e388 = ((((_e368[0] * _e282) + (_e368[1] * _e285)) + (_e368[2] * _e288)) + (((_e379[0] * _e352) + (_e379[1] * _e353)) + (_e379[2] * _e354)));
+                let _e391 = local_15.member[0u];
+                let _e402 = local_15.member[1u];
+                let _e411 = ((((_e391[0] * _e303) + (_e391[1] * _e306)) + (_e391[2] * _e309)) + (((_e402[0] * _e352) + (_e402[1] * _e353)) + (_e402[2] * _e354)));
+                let _e414 = local_15.member[1u];
+                let _e422 = (((_e414[0] * _e303) + (_e414[1] * _e306)) + (_e414[2] * _e309));
+                let _e425 = local_15.member[0u];
+                if (_e425[0] < 0f) {
+                    phi_718_ = -(_e425[0]);
                 } else {
-                    phi_716_ = _e423[0];
+                    phi_718_ = _e425[0];
                 }
-                let _e430 = phi_716_;
-                if (_e423[1] < 0f) {
-                    phi_723_ = -(_e423[1]);
+                let _e432 = phi_718_;
+                if (_e425[1] < 0f) {
+                    phi_725_ = -(_e425[1]);
                 } else {
-                    phi_723_ = _e423[1];
+                    phi_725_ = _e425[1];
                 }
-                let _e434 = phi_723_;
-                if (_e430 > _e434) {
-                    phi_728_ = _e430;
+                let _e436 = phi_725_;
+                if (_e432 > _e436) {
+                    phi_730_ = _e432;
                 } else {
-                    phi_728_ = _e434;
+                    phi_730_ = _e436;
                 }
-                let _e437 = phi_728_;
-                if (_e423[2] < 0f) {
-                    phi_735_ = -(_e423[2]);
+                let _e439 = phi_730_;
+                if (_e425[2] < 0f) {
+                    phi_737_ = -(_e425[2]);
                 } else {
-                    phi_735_ = _e423[2];
+                    phi_737_ = _e425[2];
                 }
-                let _e441 = phi_735_;
-                if (_e437 > _e441) {
-                    phi_740_ = _e437;
+                let _e443 = phi_737_;
+                if (_e439 > _e443) {
+                    phi_742_ = _e439;
                 } else {
-                    phi_740_ = _e441;
+                    phi_742_ = _e443;
                 }
-                let _e444 = phi_740_;
-                let _e447 = local_15.member[1u];
-                if (_e447[0] < 0f) {
-                    phi_753_ = -(_e447[0]);
+                let _e446 = phi_742_;
+                let _e449 = local_15.member[1u];
+                if (_e449[0] < 0f) {
+                    phi_755_ = -(_e449[0]);
                 } else {
-                    phi_753_ = _e447[0];
+                    phi_755_ = _e449[0];
                 }
-                let _e454 = phi_753_;
-                if (_e447[1] < 0f) {
-                    phi_760_ = -(_e447[1]);
+                let _e456 = phi_755_;
+                if (_e449[1] < 0f) {
+                    phi_762_ = -(_e449[1]);
                 } else {
-                    phi_760_ = _e447[1];
+                    phi_762_ = _e449[1];
                 }
-                let _e458 = phi_760_;
-                if (_e454 > _e458) {
-                    phi_765_ = _e454;
+                let _e460 = phi_762_;
+                if (_e456 > _e460) {
+                    phi_767_ = _e456;
                 } else {
-                    phi_765_ = _e458;
+                    phi_767_ = _e460;
                 }
-                let _e461 = phi_765_;
-                if (_e447[2] < 0f) {
-                    phi_772_ = -(_e447[2]);
+                let _e463 = phi_767_;
+                if (_e449[2] < 0f) {
+                    phi_774_ = -(_e449[2]);
                 } else {
-                    phi_772_ = _e447[2];
+                    phi_774_ = _e449[2];
                 }
-                let _e465 = phi_772_;
-                if (_e461 > _e465) {
-                    phi_777_ = _e461;
+                let _e467 = phi_774_;
+                if (_e463 > _e467) {
+                    phi_779_ = _e463;
                 } else {
-                    phi_777_ = _e465;
+                    phi_779_ = _e467;
                 }
-                let _e468 = phi_777_;
-                if (_e444 > _e468) {
-                    phi_782_ = _e444;
+                let _e470 = phi_779_;
+                if (_e446 > _e470) {
+                    phi_784_ = _e446;
                 } else {
-                    phi_782_ = _e468;
+                    phi_784_ = _e470;
                 }
-                let _e471 = phi_782_;
-                let _e473 = local_15.member_3;
-                let _e474 = (_e471 + _e473);
-                let _e477 = local_15.member_1[0u];
-                if (_e477[0] < 0f) {
-                    phi_799_ = -(_e477[0]);
+                let _e473 = phi_784_;
+                let _e475 = local_15.member_3;
+                let _e476 = (_e473 + _e475);
+                let _e479 = local_15.member_1[0u];
+                if (_e479[0] < 0f) {
+                    phi_801_ = -(_e479[0]);
                 } else {
-                    phi_799_ = _e477[0];
+                    phi_801_ = _e479[0];
                 }
-                let _e484 = phi_799_;
-                if (_e477[1] < 0f) {
-                    phi_806_ = -(_e477[1]);
+                let _e486 = phi_801_;
+                if (_e479[1] < 0f) {
+                    phi_808_ = -(_e479[1]);
                 } else {
-                    phi_806_ = _e477[1];
+                    phi_808_ = _e479[1];
                 }
-                let _e488 = phi_806_;
-                if (_e484 > _e488) {
-                    phi_811_ = _e484;
+                let _e490 = phi_808_;
+                if (_e486 > _e490) {
+                    phi_813_ = _e486;
                 } else {
-                    phi_811_ = _e488;
+                    phi_813_ = _e490;
                 }
-                let _e491 = phi_811_;
-                if (_e477[2] < 0f) {
-                    phi_818_ = -(_e477[2]);
+                let _e493 = phi_813_;
+                if (_e479[2] < 0f) {
+                    phi_820_ = -(_e479[2]);
                 } else {
-                    phi_818_ = _e477[2];
+                    phi_820_ = _e479[2];
                 }
-                let _e495 = phi_818_;
-                if (_e491 > _e495) {
-                    phi_823_ = _e491;
+                let _e497 = phi_820_;
+                if (_e493 > _e497) {
+                    phi_825_ = _e493;
                 } else {
-                    phi_823_ = _e495;
+                    phi_825_ = _e497;
                 }
-                let _e498 = phi_823_;
-                let _e501 = local_15.member_1[1u];
-                if (_e501[0] < 0f) {
-                    phi_837_ = -(_e501[0]);
+                let _e500 = phi_825_;
+                let _e503 = local_15.member_1[1u];
+                if (_e503[0] < 0f) {
+                    phi_839_ = -(_e503[0]);
                 } else {
-                    phi_837_ = _e501[0];
+                    phi_839_ = _e503[0];
                 }
-                let _e508 = phi_837_;
-                if (_e501[1] < 0f) {
-                    phi_844_ = -(_e501[1]);
+                let _e510 = phi_839_;
+                if (_e503[1] < 0f) {
+                    phi_846_ = -(_e503[1]);
                 } else {
-                    phi_844_ = _e501[1];
+                    phi_846_ = _e503[1];
                 }
-                let _e512 = phi_844_;
-                if (_e508 > _e512) {
-                    phi_849_ = _e508;
+                let _e514 = phi_846_;
+                if (_e510 > _e514) {
+                    phi_851_ = _e510;
                 } else {
-                    phi_849_ = _e512;
+                    phi_851_ = _e514;
                 }
-                let _e515 = phi_849_;
-                if (_e501[2] < 0f) {
-                    phi_856_ = -(_e501[2]);
+                let _e517 = phi_851_;
+                if (_e503[2] < 0f) {
+                    phi_858_ = -(_e503[2]);
                 } else {
-                    phi_856_ = _e501[2];
+                    phi_858_ = _e503[2];
                 }
-                let _e519 = phi_856_;
-                if (_e515 > _e519) {
-                    phi_861_ = _e515;
+                let _e521 = phi_858_;
+                if (_e517 > _e521) {
+                    phi_863_ = _e517;
                 } else {
-                    phi_861_ = _e519;
+                    phi_863_ = _e521;
                 }
-                let _e522 = phi_861_;
-                if (_e498 > _e522) {
-                    phi_866_ = _e498;
+                let _e524 = phi_863_;
+                if (_e500 > _e524) {
+                    phi_868_ = _e500;
                 } else {
-                    phi_866_ = _e522;
+                    phi_868_ = _e524;
                 }
-                let _e525 = phi_866_;
-                let _e527 = local_15.member_3;
-                let _e528 = (_e525 + _e527);
-                let _e531 = local_15.member_2[0u];
-                if (_e531[0] < 0f) {
-                    phi_883_ = -(_e531[0]);
+                let _e527 = phi_868_;
+                let _e529 = local_15.member_3;
+                let _e530 = (_e527 + _e529);
+                let _e533 = local_15.member_2[0u];
+                if (_e533[0] < 0f) {
+                    phi_885_ = -(_e533[0]);
                 } else {
-                    phi_883_ = _e531[0];
+                    phi_885_ = _e533[0];
                 }
-                let _e538 = phi_883_;
-                if (_e531[1] < 0f) {
-                    phi_890_ = -(_e531[1]);
+                let _e540 = phi_885_;
+                if (_e533[1] < 0f) {
+                    phi_892_ = -(_e533[1]);
                 } else {
-                    phi_890_ = _e531[1];
+                    phi_892_ = _e533[1];
                 }
-                let _e542 = phi_890_;
-                if (_e538 > _e542) {
-                    phi_895_ = _e538;
+                let _e544 = phi_892_;
+                if (_e540 > _e544) {
+                    phi_897_ = _e540;
                 } else {
-                    phi_895_ = _e542;
+                    phi_897_ = _e544;
                 }
-                let _e545 = phi_895_;
-                if (_e531[2] < 0f) {
-                    phi_902_ = -(_e531[2]);
+                let _e547 = phi_897_;
+                if (_e533[2] < 0f) {
+                    phi_904_ = -(_e533[2]);
                 } else {
-                    phi_902_ = _e531[2];
+                    phi_904_ = _e533[2];
                 }
-                let _e549 = phi_902_;
-                if (_e545 > _e549) {
-                    phi_907_ = _e545;
+                let _e551 = phi_904_;
+                if (_e547 > _e551) {
+                    phi_909_ = _e547;
                 } else {
-                    phi_907_ = _e549;
+                    phi_909_ = _e551;
                 }
-                let _e552 = phi_907_;
-                let _e555 = local_15.member_2[1u];
-                if (_e555[0] < 0f) {
-                    phi_921_ = -(_e555[0]);
+                let _e554 = phi_909_;
+                let _e557 = local_15.member_2[1u];
+                if (_e557[0] < 0f) {
+                    phi_923_ = -(_e557[0]);
                 } else {
-                    phi_921_ = _e555[0];
+                    phi_923_ = _e557[0];
                 }
-                let _e562 = phi_921_;
-                if (_e555[1] < 0f) {
-                    phi_928_ = -(_e555[1]);
+                let _e564 = phi_923_;
+                if (_e557[1] < 0f) {
+                    phi_930_ = -(_e557[1]);
                 } else {
-                    phi_928_ = _e555[1];
+                    phi_930_ = _e557[1];
                 }
-                let _e566 = phi_928_;
-                if (_e562 > _e566) {
-                    phi_933_ = _e562;
+                let _e568 = phi_930_;
+                if (_e564 > _e568) {
+                    phi_935_ = _e564;
                 } else {
-                    phi_933_ = _e566;
+                    phi_935_ = _e568;
                 }
-                let _e569 = phi_933_;
-                if (_e555[2] < 0f) {
-                    phi_940_ = -(_e555[2]);
+                let _e571 = phi_935_;
+                if (_e557[2] < 0f) {
+                    phi_942_ = -(_e557[2]);
                 } else {
-                    phi_940_ = _e555[2];
+                    phi_942_ = _e557[2];
                 }
-                let _e573 = phi_940_;
-                if (_e569 > _e573) {
-                    phi_945_ = _e569;
+                let _e575 = phi_942_;
+                if (_e571 > _e575) {
+                    phi_947_ = _e571;
                 } else {
-                    phi_945_ = _e573;
+                    phi_947_ = _e575;
                 }
-                let _e576 = phi_945_;
-                if (_e552 > _e576) {
-                    phi_950_ = _e552;
+                let _e578 = phi_947_;
+                if (_e554 > _e578) {
+                    phi_952_ = _e554;
                 } else {
-                    phi_950_ = _e576;
+                    phi_952_ = _e578;
                 }
-                let _e579 = phi_950_;
-                let _e581 = local_15.member_3;
-                let _e582 = (_e579 + _e581);
-                let _e584 = ((_e528 * 8f) * _e582);
-                let _e591 = local_15.member_3;
-                if (_e280 < 0f) {
-                    phi_981_ = -(_e280);
+                let _e581 = phi_952_;
+                let _e583 = local_15.member_3;
+                let _e584 = (_e581 + _e583);
+                let _e586 = ((_e530 * 8f) * _e584);
+                let _e593 = local_15.member_3;
+                if (_e282 < 0f) {
+                    phi_983_ = -(_e282);
                 } else {
-                    phi_981_ = _e280;
+                    phi_983_ = _e282;
                 }
-                let _e608 = phi_981_;
-                if (_e283 < 0f) {
-                    phi_987_ = -(_e283);
+                let _e610 = phi_983_;
+                if (_e285 < 0f) {
+                    phi_989_ = -(_e285);
                 } else {
-                    phi_987_ = _e283;
+                    phi_989_ = _e285;
                 }
-                let _e612 = phi_987_;
-                if (_e286 < 0f) {
-                    phi_994_ = -(_e286);
+                let _e614 = phi_989_;
+                if (_e288 < 0f) {
+                    phi_996_ = -(_e288);
                 } else {
-                    phi_994_ = _e286;
+                    phi_996_ = _e288;
                 }
-                let _e617 = phi_994_;
-                let _e618 = ((_e608 + _e612) + _e617);
-                if (_e301 < 0f) {
-                    phi_1001_ = -(_e301);
+                let _e619 = phi_996_;
+                let _e620 = ((_e610 + _e614) + _e619);
+                if (_e303 < 0f) {
+                    phi_1003_ = -(_e303);
                 } else {
-                    phi_1001_ = _e301;
+                    phi_1003_ = _e303;
                 }
-                let _e622 = phi_1001_;
-                if (_e304 < 0f) {
-                    phi_1007_ = -(_e304);
+                let _e624 = phi_1003_;
+                if (_e306 < 0f) {
+                    phi_1009_ = -(_e306);
                 } else {
-                    phi_1007_ = _e304;
+                    phi_1009_ = _e306;
                 }
-                let _e626 = phi_1007_;
-                if (_e307 < 0f) {
-                    phi_1014_ = -(_e307);
+                let _e628 = phi_1009_;
+                if (_e309 < 0f) {
+                    phi_1016_ = -(_e309);
                 } else {
-                    phi_1014_ = _e307;
+                    phi_1016_ = _e309;
                 }
-                let _e631 = phi_1014_;
-                let _e632 = ((_e622 + _e626) + _e631);
-                if (_e618 > _e632) {
-                    phi_1020_ = _e618;
+                let _e633 = phi_1016_;
+                let _e634 = ((_e624 + _e628) + _e633);
+                if (_e620 > _e634) {
+                    phi_1022_ = _e620;
                 } else {
-                    phi_1020_ = _e632;
+                    phi_1022_ = _e634;
                 }
-                let _e635 = phi_1020_;
-                if (_e350 < 0f) {
-                    phi_1026_ = -(_e350);
-                } else {
-                    phi_1026_ = _e350;
-                }
-                let _e639 = phi_1026_;
-                if (_e351 < 0f) {
-                    phi_1032_ = -(_e351);
-                } else {
-                    phi_1032_ = _e351;
-                }
-                let _e643 = phi_1032_;
+                let _e637 = phi_1022_;
                 if (_e352 < 0f) {
-                    phi_1039_ = -(_e352);
+                    phi_1028_ = -(_e352);
                 } else {
-                    phi_1039_ = _e352;
+                    phi_1028_ = _e352;
                 }
-                let _e648 = phi_1039_;
-                let _e650 = (((_e639 + _e643) + _e648) * 0.5f);
-                if (_e635 > _e650) {
-                    phi_1046_ = _e635;
+                let _e641 = phi_1028_;
+                if (_e353 < 0f) {
+                    phi_1034_ = -(_e353);
                 } else {
-                    phi_1046_ = _e650;
+                    phi_1034_ = _e353;
                 }
-                let _e653 = phi_1046_;
-                let _e658 = local_15.member_3;
-                let _e670 = (((((_e474 * 8f) * _e584) * (0.000000059604645f * (490f / 64f))) + ((_e591 * 19f) * ((_e474 * (_e528 + _e582)) + (_e528 * _e582)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e474) * ((1f + _e528) * (1f + _e582)))));
-                let _e671 = (_e363 * 3f);
-                let _e672 = (_e420 * 3f);
-                if (_e671 < _e672) {
-                    phi_1070_ = _e671;
+                let _e645 = phi_1034_;
+                if (_e354 < 0f) {
+                    phi_1041_ = -(_e354);
                 } else {
-                    phi_1070_ = _e672;
+                    phi_1041_ = _e354;
                 }
-                let _e675 = phi_1070_;
-                if (_e386 < _e409) {
-                    phi_1075_ = _e386;
+                let _e650 = phi_1041_;
+                let _e652 = (((_e641 + _e645) + _e650) * 0.5f);
+                if (_e637 > _e652) {
+                    phi_1048_ = _e637;
                 } else {
-                    phi_1075_ = _e409;
+                    phi_1048_ = _e652;
                 }
-                let _e678 = phi_1075_;
-                if (_e675 < _e678) {
-                    phi_1080_ = _e675;
+                let _e655 = phi_1048_;
+                let _e660 = local_15.member_3;
+                let _e672 = (((((_e476 * 8f) * _e586) * (0.000000059604645f * (490f / 64f))) + ((_e593 * 19f) * ((_e476 * (_e530 + _e584)) + (_e530 * _e584)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e476) * ((1f + _e530) * (1f + _e584)))));
+                let _e673 = (_e365 * 3f);
+                let _e674 = (_e422 * 3f);
+                if (_e673 < _e674) {
+                    phi_1072_ = _e673;
                 } else {
-                    phi_1080_ = _e678;
+                    phi_1072_ = _e674;
                 }
-                let _e681 = phi_1080_;
-                if (_e671 > _e672) {
-                    phi_1085_ = _e671;
+                let _e677 = phi_1072_;
+                if (_e388 < _e411) {
+                    phi_1077_ = _e388;
                 } else {
-                    phi_1085_ = _e672;
+                    phi_1077_ = _e411;
                 }
-                let _e684 = phi_1085_;
-                if (_e386 > _e409) {
-                    phi_1090_ = _e386;
+                let _e680 = phi_1077_;
+                if (_e677 < _e680) {
+                    phi_1082_ = _e677;
                 } else {
-                    phi_1090_ = _e409;
+                    phi_1082_ = _e680;
                 }
-                let _e687 = phi_1090_;
-                if (_e684 > _e687) {
-                    phi_1095_ = _e684;
+                let _e683 = phi_1082_;
+                if (_e673 > _e674) {
+                    phi_1087_ = _e673;
                 } else {
-                    phi_1095_ = _e687;
+                    phi_1087_ = _e674;
                 }
-                let _e690 = phi_1095_;
-                let _e695 = -(_e690);
-                if (_e681 > _e695) {
-                    phi_1105_ = _e681;
+                let _e686 = phi_1087_;
+                if (_e388 > _e411) {
+                    phi_1092_ = _e388;
                 } else {
-                    phi_1105_ = _e695;
+                    phi_1092_ = _e411;
                 }
-                let _e698 = phi_1105_;
-                if ((_e698 - (_e670 + ((_e265 * (((_e653 + (_e584 * (0.000000059604645f * 4f))) + ((_e658 * 6f) * (_e528 + _e582))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e528) * (1f + _e582))))) * (3f * 1.0001f)))) > 0f) {
-                    phi_6735_ = type_55(0u, type_55().member_1);
+                let _e689 = phi_1092_;
+                if (_e686 > _e689) {
+                    phi_1097_ = _e686;
                 } else {
-                    if (_e265 > 0f) {
-                        let _e2958 = local_15.member[0u];
-                        let _e2964 = local_15.member_1[0u];
-                        let _e2970 = local_15.member_2[0u];
-                        let _e2974 = (_e2958[0] - _e2964[0]);
-                        let _e2975 = (_e2958[1] - _e2964[1]);
-                        let _e2976 = (_e2958[2] - _e2964[2]);
-                        local_12 = array<array<f32, 3>, 4>(_e2958, array<f32, 3>(_e2974, _e2975, _e2976), array<f32, 3>((_e2958[0] - _e2970[0]), (_e2958[1] - _e2970[1]), (_e2958[2] - _e2970[2])), array<f32, 3>((_e2974 - _e2970[0]), (_e2975 - _e2970[1]), (_e2976 - _e2970[2])));
-                        let _e2989 = local_15.member[1u];
-                        let _e2995 = local_15.member_1[1u];
-                        let _e3001 = local_15.member_2[1u];
-                        let _e3005 = (_e2989[0] - _e2995[0]);
-                        let _e3006 = (_e2989[1] - _e2995[1]);
-                        let _e3007 = (_e2989[2] - _e2995[2]);
-                        local_13 = array<array<f32, 3>, 4>(_e2989, array<f32, 3>(_e3005, _e3006, _e3007), array<f32, 3>((_e2989[0] - _e3001[0]), (_e2989[1] - _e3001[1]), (_e2989[2] - _e3001[2])), array<f32, 3>((_e3005 - _e3001[0]), (_e3006 - _e3001[1]), (_e3007 - _e3001[2])));
-                        let _e3020 = local_15.member[0u];
-                        if (_e3020[0] < 0f) {
-                            phi_1306_ = -(_e3020[0]);
-                        } else {
-                            phi_1306_ = _e3020[0];
-                        }
-                        let _e3027 = phi_1306_;
-                        if (_e3020[1] < 0f) {
-                            phi_1313_ = -(_e3020[1]);
-                        } else {
-                            phi_1313_ = _e3020[1];
-                        }
-                        let _e3031 = phi_1313_;
-                        if (_e3027 > _e3031) {
-                            phi_1318_ = _e3027;
-                        } else {
-                            phi_1318_ = _e3031;
-                        }
-                        let _e3034 = phi_1318_;
-                        if (_e3020[2] < 0f) {
-                            phi_1325_ = -(_e3020[2]);
-                        } else {
-                            phi_1325_ = _e3020[2];
-                        }
-                        let _e3038 = phi_1325_;
-                        if (_e3034 > _e3038) {
-                            phi_1330_ = _e3034;
-                        } else {
-                            phi_1330_ = _e3038;
-                        }
-                        let _e3041 = phi_1330_;
-                        let _e3044 = local_15.member[1u];
-                        if (_e3044[0] < 0f) {
-                            phi_1343_ = -(_e3044[0]);
-                        } else {
-                            phi_1343_ = _e3044[0];
-                        }
-                        let _e3051 = phi_1343_;
-                        if (_e3044[1] < 0f) {
-                            phi_1350_ = -(_e3044[1]);
-                        } else {
-                            phi_1350_ = _e3044[1];
-                        }
-                        let _e3055 = phi_1350_;
-                        if (_e3051 > _e3055) {
-                            phi_1355_ = _e3051;
-                        } else {
-                            phi_1355_ = _e3055;
-                        }
-                        let _e3058 = phi_1355_;
-                        if (_e3044[2] < 0f) {
-                            phi_1362_ = -(_e3044[2]);
-                        } else {
-                            phi_1362_ = _e3044[2];
-                        }
-                        let _e3062 = phi_1362_;
-                        if (_e3058 > _e3062) {
-                            phi_1367_ = _e3058;
-                        } else {
-                            phi_1367_ = _e3062;
-                        }
-                        let _e3065 = phi_1367_;
-                        if (_e3041 > _e3065) {
-                            phi_1372_ = _e3041;
-                        } else {
-                            phi_1372_ = _e3065;
-                        }
-                        let _e3068 = phi_1372_;
-                        let _e3070 = local_15.member_3;
-                        let _e3074 = local_15.member_1[0u];
-                        if (_e3074[0] < 0f) {
-                            phi_1389_ = -(_e3074[0]);
-                        } else {
-                            phi_1389_ = _e3074[0];
-                        }
-                        let _e3081 = phi_1389_;
-                        if (_e3074[1] < 0f) {
-                            phi_1396_ = -(_e3074[1]);
-                        } else {
-                            phi_1396_ = _e3074[1];
-                        }
-                        let _e3085 = phi_1396_;
-                        if (_e3081 > _e3085) {
-                            phi_1401_ = _e3081;
-                        } else {
-                            phi_1401_ = _e3085;
-                        }
-                        let _e3088 = phi_1401_;
-                        if (_e3074[2] < 0f) {
-                            phi_1408_ = -(_e3074[2]);
-                        } else {
-                            phi_1408_ = _e3074[2];
-                        }
-                        let _e3092 = phi_1408_;
-                        if (_e3088 > _e3092) {
-                            phi_1413_ = _e3088;
-                        } else {
-                            phi_1413_ = _e3092;
-                        }
-                        let _e3095 = phi_1413_;
-                        let _e3098 = local_15.member_1[1u];
+                    phi_1097_ = _e689;
+                }
+                let _e692 = phi_1097_;
+                let _e697 = -(_e692);
+                if (_e683 > _e697) {
+                    phi_1107_ = _e683;
+                } else {
+                    phi_1107_ = _e697;
+                }
+                let _e700 = phi_1107_;
+                if ((_e700 - (_e672 + ((_e267 * (((_e655 + (_e586 * (0.000000059604645f * 4f))) + ((_e660 * 6f) * (_e530 + _e584))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e530) * (1f + _e584))))) * (3f * 1.0001f)))) > 0f) {
+                    phi_6845_ = type_55(0u, type_55().member_1);
+                } else {
+                    if (_e267 > 0f) {
+                        let _e3036 = local_15.member[0u];
+                        let _e3042 = local_15.member_1[0u];
+                        let _e3048 = local_15.member_2[0u];
+                        let _e3052 = (_e3036[0] - _e3042[0]);
+                        let _e3053 = (_e3036[1] - _e3042[1]);
+                        let _e3054 = (_e3036[2] - _e3042[2]);
+                        local_12 = array<array<f32, 3>, 4>(_e3036, array<f32, 3>(_e3052, _e3053, _e3054), array<f32, 3>((_e3036[0] - _e3048[0]), (_e3036[1] - _e3048[1]), (_e3036[2] - _e3048[2])), array<f32, 3>((_e3052 - _e3048[0]), (_e3053 - _e3048[1]), (_e3054 - _e3048[2])));
+                        let _e3067 = local_15.member[1u];
+                        let _e3073 = local_15.member_1[1u];
+                        let _e3079 = local_15.member_2[1u];
+                        let _e3083 = (_e3067[0] - _e3073[0]);
+                        let _e3084 = (_e3067[1] - _e3073[1]);
+                        let _e3085 = (_e3067[2] - _e3073[2]);
+                        local_13 = array<array<f32, 3>, 4>(_e3067, array<f32, 3>(_e3083, _e3084, _e3085), array<f32, 3>((_e3067[0] - _e3079[0]), (_e3067[1] - _e3079[1]), (_e3067[2] - _e3079[2])), array<f32, 3>((_e3083 - _e3079[0]), (_e3084 - _e3079[1]), (_e3085 - _e3079[2])));
+                        let _e3098 = local_15.member[0u];
                         if (_e3098[0] < 0f) {
-                            phi_1427_ = -(_e3098[0]);
+                            phi_1308_ = -(_e3098[0]);
                         } else {
-                            phi_1427_ = _e3098[0];
+                            phi_1308_ = _e3098[0];
                         }
-                        let _e3105 = phi_1427_;
+                        let _e3105 = phi_1308_;
                         if (_e3098[1] < 0f) {
-                            phi_1434_ = -(_e3098[1]);
+                            phi_1315_ = -(_e3098[1]);
                         } else {
-                            phi_1434_ = _e3098[1];
+                            phi_1315_ = _e3098[1];
                         }
-                        let _e3109 = phi_1434_;
+                        let _e3109 = phi_1315_;
                         if (_e3105 > _e3109) {
-                            phi_1439_ = _e3105;
+                            phi_1320_ = _e3105;
                         } else {
-                            phi_1439_ = _e3109;
+                            phi_1320_ = _e3109;
                         }
-                        let _e3112 = phi_1439_;
+                        let _e3112 = phi_1320_;
                         if (_e3098[2] < 0f) {
-                            phi_1446_ = -(_e3098[2]);
+                            phi_1327_ = -(_e3098[2]);
                         } else {
-                            phi_1446_ = _e3098[2];
+                            phi_1327_ = _e3098[2];
                         }
-                        let _e3116 = phi_1446_;
+                        let _e3116 = phi_1327_;
                         if (_e3112 > _e3116) {
-                            phi_1451_ = _e3112;
+                            phi_1332_ = _e3112;
                         } else {
-                            phi_1451_ = _e3116;
+                            phi_1332_ = _e3116;
                         }
-                        let _e3119 = phi_1451_;
-                        if (_e3095 > _e3119) {
-                            phi_1456_ = _e3095;
+                        let _e3119 = phi_1332_;
+                        let _e3122 = local_15.member[1u];
+                        if (_e3122[0] < 0f) {
+                            phi_1345_ = -(_e3122[0]);
                         } else {
-                            phi_1456_ = _e3119;
+                            phi_1345_ = _e3122[0];
                         }
-                        let _e3122 = phi_1456_;
-                        let _e3124 = local_15.member_3;
-                        let _e3128 = local_15.member_2[0u];
-                        if (_e3128[0] < 0f) {
-                            phi_1473_ = -(_e3128[0]);
+                        let _e3129 = phi_1345_;
+                        if (_e3122[1] < 0f) {
+                            phi_1352_ = -(_e3122[1]);
                         } else {
-                            phi_1473_ = _e3128[0];
+                            phi_1352_ = _e3122[1];
                         }
-                        let _e3135 = phi_1473_;
-                        if (_e3128[1] < 0f) {
-                            phi_1480_ = -(_e3128[1]);
+                        let _e3133 = phi_1352_;
+                        if (_e3129 > _e3133) {
+                            phi_1357_ = _e3129;
                         } else {
-                            phi_1480_ = _e3128[1];
+                            phi_1357_ = _e3133;
                         }
-                        let _e3139 = phi_1480_;
-                        if (_e3135 > _e3139) {
-                            phi_1485_ = _e3135;
+                        let _e3136 = phi_1357_;
+                        if (_e3122[2] < 0f) {
+                            phi_1364_ = -(_e3122[2]);
                         } else {
-                            phi_1485_ = _e3139;
+                            phi_1364_ = _e3122[2];
                         }
-                        let _e3142 = phi_1485_;
-                        if (_e3128[2] < 0f) {
-                            phi_1492_ = -(_e3128[2]);
+                        let _e3140 = phi_1364_;
+                        if (_e3136 > _e3140) {
+                            phi_1369_ = _e3136;
                         } else {
-                            phi_1492_ = _e3128[2];
+                            phi_1369_ = _e3140;
                         }
-                        let _e3146 = phi_1492_;
-                        if (_e3142 > _e3146) {
-                            phi_1497_ = _e3142;
+                        let _e3143 = phi_1369_;
+                        if (_e3119 > _e3143) {
+                            phi_1374_ = _e3119;
                         } else {
-                            phi_1497_ = _e3146;
+                            phi_1374_ = _e3143;
                         }
-                        let _e3149 = phi_1497_;
-                        let _e3152 = local_15.member_2[1u];
+                        let _e3146 = phi_1374_;
+                        let _e3148 = local_15.member_3;
+                        let _e3152 = local_15.member_1[0u];
                         if (_e3152[0] < 0f) {
-                            phi_1511_ = -(_e3152[0]);
+                            phi_1391_ = -(_e3152[0]);
                         } else {
-                            phi_1511_ = _e3152[0];
+                            phi_1391_ = _e3152[0];
                         }
-                        let _e3159 = phi_1511_;
+                        let _e3159 = phi_1391_;
                         if (_e3152[1] < 0f) {
-                            phi_1518_ = -(_e3152[1]);
+                            phi_1398_ = -(_e3152[1]);
                         } else {
-                            phi_1518_ = _e3152[1];
+                            phi_1398_ = _e3152[1];
                         }
-                        let _e3163 = phi_1518_;
+                        let _e3163 = phi_1398_;
                         if (_e3159 > _e3163) {
-                            phi_1523_ = _e3159;
+                            phi_1403_ = _e3159;
                         } else {
-                            phi_1523_ = _e3163;
+                            phi_1403_ = _e3163;
                         }
-                        let _e3166 = phi_1523_;
+                        let _e3166 = phi_1403_;
                         if (_e3152[2] < 0f) {
-                            phi_1530_ = -(_e3152[2]);
+                            phi_1410_ = -(_e3152[2]);
                         } else {
-                            phi_1530_ = _e3152[2];
+                            phi_1410_ = _e3152[2];
                         }
-                        let _e3170 = phi_1530_;
+                        let _e3170 = phi_1410_;
                         if (_e3166 > _e3170) {
-                            phi_1535_ = _e3166;
+                            phi_1415_ = _e3166;
                         } else {
-                            phi_1535_ = _e3170;
+                            phi_1415_ = _e3170;
                         }
-                        let _e3173 = phi_1535_;
-                        if (_e3149 > _e3173) {
-                            phi_1540_ = _e3149;
+                        let _e3173 = phi_1415_;
+                        let _e3176 = local_15.member_1[1u];
+                        if (_e3176[0] < 0f) {
+                            phi_1429_ = -(_e3176[0]);
                         } else {
-                            phi_1540_ = _e3173;
+                            phi_1429_ = _e3176[0];
                         }
-                        let _e3176 = phi_1540_;
-                        let _e3178 = local_15.member_3;
-                        let _e3185 = local_15.member_3;
-                        phi_1556_ = type_28(0u, 48u);
-                        phi_1559_ = 0f;
+                        let _e3183 = phi_1429_;
+                        if (_e3176[1] < 0f) {
+                            phi_1436_ = -(_e3176[1]);
+                        } else {
+                            phi_1436_ = _e3176[1];
+                        }
+                        let _e3187 = phi_1436_;
+                        if (_e3183 > _e3187) {
+                            phi_1441_ = _e3183;
+                        } else {
+                            phi_1441_ = _e3187;
+                        }
+                        let _e3190 = phi_1441_;
+                        if (_e3176[2] < 0f) {
+                            phi_1448_ = -(_e3176[2]);
+                        } else {
+                            phi_1448_ = _e3176[2];
+                        }
+                        let _e3194 = phi_1448_;
+                        if (_e3190 > _e3194) {
+                            phi_1453_ = _e3190;
+                        } else {
+                            phi_1453_ = _e3194;
+                        }
+                        let _e3197 = phi_1453_;
+                        if (_e3173 > _e3197) {
+                            phi_1458_ = _e3173;
+                        } else {
+                            phi_1458_ = _e3197;
+                        }
+                        let _e3200 = phi_1458_;
+                        let _e3202 = local_15.member_3;
+                        let _e3206 = local_15.member_2[0u];
+                        if (_e3206[0] < 0f) {
+                            phi_1475_ = -(_e3206[0]);
+                        } else {
+                            phi_1475_ = _e3206[0];
+                        }
+                        let _e3213 = phi_1475_;
+                        if (_e3206[1] < 0f) {
+                            phi_1482_ = -(_e3206[1]);
+                        } else {
+                            phi_1482_ = _e3206[1];
+                        }
+                        let _e3217 = phi_1482_;
+                        if (_e3213 > _e3217) {
+                            phi_1487_ = _e3213;
+                        } else {
+                            phi_1487_ = _e3217;
+                        }
+                        let _e3220 = phi_1487_;
+                        if (_e3206[2] < 0f) {
+                            phi_1494_ = -(_e3206[2]);
+                        } else {
+                            phi_1494_ = _e3206[2];
+                        }
+                        let _e3224 = phi_1494_;
+                        if (_e3220 > _e3224) {
+                            phi_1499_ = _e3220;
+                        } else {
+                            phi_1499_ = _e3224;
+                        }
+                        let _e3227 = phi_1499_;
+                        let _e3230 = local_15.member_2[1u];
+                        if (_e3230[0] < 0f) {
+                            phi_1513_ = -(_e3230[0]);
+                        } else {
+                            phi_1513_ = _e3230[0];
+                        }
+                        let _e3237 = phi_1513_;
+                        if (_e3230[1] < 0f) {
+                            phi_1520_ = -(_e3230[1]);
+                        } else {
+                            phi_1520_ = _e3230[1];
+                        }
+                        let _e3241 = phi_1520_;
+                        if (_e3237 > _e3241) {
+                            phi_1525_ = _e3237;
+                        } else {
+                            phi_1525_ = _e3241;
+                        }
+                        let _e3244 = phi_1525_;
+                        if (_e3230[2] < 0f) {
+                            phi_1532_ = -(_e3230[2]);
+                        } else {
+                            phi_1532_ = _e3230[2];
+                        }
+                        let _e3248 = phi_1532_;
+                        if (_e3244 > _e3248) {
+                            phi_1537_ = _e3244;
+                        } else {
+                            phi_1537_ = _e3248;
+                        }
+                        let _e3251 = phi_1537_;
+                        if (_e3227 > _e3251) {
+                            phi_1542_ = _e3227;
+                        } else {
+                            phi_1542_ = _e3251;
+                        }
+                        let _e3254 = phi_1542_;
+                        let _e3256 = local_15.member_3;
+                        let _e3263 = local_15.member_3;
+                        phi_1558_ = type_28(0u, 48u);
+                        phi_1561_ = 0f;
                         loop {
-                            let _e3191 = phi_1556_;
-                            let _e3193 = phi_1559_;
-                            local_74 = _e3193;
-                            local_39 = _e3193;
-                            local_40 = _e3193;
-                            local_41 = _e3193;
-                            if (_e3191.member < _e3191.member_1) {
-                                phi_1557_ = type_28((_e3191.member + 1u), _e3191.member_1);
-                                phi_1582_ = type_28(1u, _e3191.member);
+                            let _e3269 = phi_1558_;
+                            let _e3271 = phi_1561_;
+                            local_82 = _e3271;
+                            local_40 = _e3271;
+                            local_41 = _e3271;
+                            local_42 = _e3271;
+                            local_43 = _e3271;
+                            if (_e3269.member < _e3269.member_1) {
+                                phi_1559_ = type_28((_e3269.member + 1u), _e3269.member_1);
+                                phi_1584_ = type_28(1u, _e3269.member);
                             } else {
-                                phi_1557_ = _e3191;
-                                phi_1582_ = type_28(0u, type_28().member_1);
+                                phi_1559_ = _e3269;
+                                phi_1584_ = type_28(0u, type_28().member_1);
                             }
-                            let _e3207 = phi_1557_;
-                            let _e3209 = phi_1582_;
-                            if (bitcast<i32>(_e3209.member) != 0i) {
-                                let _e3215 = local_15.member[0u];
-                                let _e3221 = local_15.member[1u];
-                                let _e3231 = (_e3215[0] + ((_e3221[0] - _e3215[0]) * _e3193));
-                                let _e3232 = (_e3215[1] + ((_e3221[1] - _e3215[1]) * _e3193));
-                                let _e3233 = (_e3215[2] + ((_e3221[2] - _e3215[2]) * _e3193));
-                                let _e3236 = local_15.member_1[0u];
-                                let _e3242 = local_15.member_1[1u];
-                                let _e3252 = (_e3236[0] + ((_e3242[0] - _e3236[0]) * _e3193));
-                                let _e3253 = (_e3236[1] + ((_e3242[1] - _e3236[1]) * _e3193));
-                                let _e3254 = (_e3236[2] + ((_e3242[2] - _e3236[2]) * _e3193));
-                                let _e3257 = local_15.member_2[0u];
-                                let _e3263 = local_15.member_2[1u];
-                                let _e3273 = (_e3257[0] + ((_e3263[0] - _e3257[0]) * _e3193));
-                                let _e3274 = (_e3257[1] + ((_e3263[1] - _e3257[1]) * _e3193));
-                                let _e3275 = (_e3257[2] + ((_e3263[2] - _e3257[2]) * _e3193));
-                                let _e3280 = (((_e3252 * _e3252) + (_e3253 * _e3253)) + (_e3254 * _e3254));
-                                let _e3285 = (((_e3252 * _e3273) + (_e3253 * _e3274)) + (_e3254 * _e3275));
-                                let _e3290 = (((_e3273 * _e3273) + (_e3274 * _e3274)) + (_e3275 * _e3275));
-                                let _e3295 = (((_e3231 * _e3252) + (_e3232 * _e3253)) + (_e3233 * _e3254));
-                                let _e3300 = (((_e3231 * _e3273) + (_e3232 * _e3274)) + (_e3233 * _e3275));
-                                let _e3303 = ((_e3280 * _e3290) - (_e3285 * _e3285));
-                                let _e3307 = (((_e3295 * _e3290) - (_e3300 * _e3285)) / _e3303);
-                                let _e3311 = (((_e3300 * _e3280) - (_e3295 * _e3285)) / _e3303);
-                                if (_e3307 >= 0f) {
-                                    if (_e3311 >= 0f) {
-                                        if (_e3307 <= 1f) {
-                                            phi_1736_ = (_e3311 <= 1f);
-                                            phi_1737_ = false;
+                            let _e3285 = phi_1559_;
+                            let _e3287 = phi_1584_;
+                            if (bitcast<i32>(_e3287.member) != 0i) {
+                                let _e3293 = local_15.member[0u];
+                                let _e3299 = local_15.member[1u];
+                                let _e3309 = (_e3293[0] + ((_e3299[0] - _e3293[0]) * _e3271));
+                                let _e3310 = (_e3293[1] + ((_e3299[1] - _e3293[1]) * _e3271));
+                                let _e3311 = (_e3293[2] + ((_e3299[2] - _e3293[2]) * _e3271));
+                                let _e3314 = local_15.member_1[0u];
+                                let _e3320 = local_15.member_1[1u];
+                                let _e3330 = (_e3314[0] + ((_e3320[0] - _e3314[0]) * _e3271));
+                                let _e3331 = (_e3314[1] + ((_e3320[1] - _e3314[1]) * _e3271));
+                                let _e3332 = (_e3314[2] + ((_e3320[2] - _e3314[2]) * _e3271));
+                                let _e3335 = local_15.member_2[0u];
+                                let _e3341 = local_15.member_2[1u];
+                                let _e3351 = (_e3335[0] + ((_e3341[0] - _e3335[0]) * _e3271));
+                                let _e3352 = (_e3335[1] + ((_e3341[1] - _e3335[1]) * _e3271));
+                                let _e3353 = (_e3335[2] + ((_e3341[2] - _e3335[2]) * _e3271));
+                                let _e3358 = (((_e3330 * _e3330) + (_e3331 * _e3331)) + (_e3332 * _e3332));
+                                let _e3363 = (((_e3330 * _e3351) + (_e3331 * _e3352)) + (_e3332 * _e3353));
+                                let _e3368 = (((_e3351 * _e3351) + (_e3352 * _e3352)) + (_e3353 * _e3353));
+                                let _e3373 = (((_e3309 * _e3330) + (_e3310 * _e3331)) + (_e3311 * _e3332));
+                                let _e3378 = (((_e3309 * _e3351) + (_e3310 * _e3352)) + (_e3311 * _e3353));
+                                let _e3381 = ((_e3358 * _e3368) - (_e3363 * _e3363));
+                                let _e3385 = (((_e3373 * _e3368) - (_e3378 * _e3363)) / _e3381);
+                                let _e3389 = (((_e3378 * _e3358) - (_e3373 * _e3363)) / _e3381);
+                                if (_e3385 >= 0f) {
+                                    if (_e3389 >= 0f) {
+                                        if (_e3385 <= 1f) {
+                                            phi_1738_ = (_e3389 <= 1f);
+                                            phi_1739_ = false;
                                         } else {
-                                            phi_1736_ = bool();
-                                            phi_1737_ = true;
+                                            phi_1738_ = bool();
+                                            phi_1739_ = true;
                                         }
-                                        let _e3317 = phi_1736_;
-                                        let _e3319 = phi_1737_;
-                                        phi_1738_ = _e3317;
-                                        phi_1739_ = _e3319;
+                                        let _e3395 = phi_1738_;
+                                        let _e3397 = phi_1739_;
+                                        phi_1740_ = _e3395;
+                                        phi_1741_ = _e3397;
                                     } else {
-                                        phi_1738_ = bool();
-                                        phi_1739_ = true;
+                                        phi_1740_ = bool();
+                                        phi_1741_ = true;
                                     }
-                                    let _e3321 = phi_1738_;
-                                    let _e3323 = phi_1739_;
-                                    phi_1740_ = _e3321;
-                                    phi_1741_ = _e3323;
+                                    let _e3399 = phi_1740_;
+                                    let _e3401 = phi_1741_;
+                                    phi_1742_ = _e3399;
+                                    phi_1743_ = _e3401;
                                 } else {
-                                    phi_1740_ = bool();
-                                    phi_1741_ = true;
+                                    phi_1742_ = bool();
+                                    phi_1743_ = true;
                                 }
-                                let _e3325 = phi_1740_;
-                                let _e3327 = phi_1741_;
-                                if _e3327 {
-                                    phi_1745_ = false;
+                                let _e3403 = phi_1742_;
+                                let _e3405 = phi_1743_;
+                                if _e3405 {
+                                    phi_1747_ = false;
                                 } else {
-                                    phi_1745_ = _e3325;
+                                    phi_1747_ = _e3403;
                                 }
-                                let _e3329 = phi_1745_;
-                                if (_e3303 > 0f) {
-                                    if _e3329 {
-                                        phi_1785_ = array<f32, 3>((_e3231 - ((_e3252 * _e3307) + (_e3273 * _e3311))), (_e3232 - ((_e3253 * _e3307) + (_e3274 * _e3311))), (_e3233 - ((_e3254 * _e3307) + (_e3275 * _e3311))));
-                                        phi_1786_ = false;
+                                let _e3407 = phi_1747_;
+                                if (_e3381 > 0f) {
+                                    if _e3407 {
+                                        phi_1787_ = array<f32, 3>((_e3309 - ((_e3330 * _e3385) + (_e3351 * _e3389))), (_e3310 - ((_e3331 * _e3385) + (_e3352 * _e3389))), (_e3311 - ((_e3332 * _e3385) + (_e3353 * _e3389))));
+                                        phi_1788_ = false;
                                     } else {
-                                        phi_1785_ = array<f32, 3>();
-                                        phi_1786_ = true;
+                                        phi_1787_ = array<f32, 3>();
+                                        phi_1788_ = true;
                                     }
-                                    let _e3345 = phi_1785_;
-                                    let _e3347 = phi_1786_;
-                                    phi_1787_ = _e3345;
-                                    phi_1788_ = _e3347;
+                                    let _e3423 = phi_1787_;
+                                    let _e3425 = phi_1788_;
+                                    phi_1789_ = _e3423;
+                                    phi_1790_ = _e3425;
                                 } else {
-                                    phi_1787_ = array<f32, 3>();
-                                    phi_1788_ = true;
+                                    phi_1789_ = array<f32, 3>();
+                                    phi_1790_ = true;
                                 }
-                                let _e3349 = phi_1787_;
-                                let _e3351 = phi_1788_;
-                                if _e3351 {
-                                    let _e3352 = (_e3231 - _e3252);
-                                    let _e3353 = (_e3232 - _e3253);
-                                    let _e3354 = (_e3233 - _e3254);
-                                    let _e3365 = ((((_e3231 * _e3252) + (_e3232 * _e3253)) + (_e3233 * _e3254)) / (((_e3252 * _e3252) + (_e3253 * _e3253)) + (_e3254 * _e3254)));
-                                    if (_e3365 > 0f) {
-                                        if (_e3365 < 1f) {
-                                            phi_1818_ = _e3365;
+                                let _e3427 = phi_1789_;
+                                let _e3429 = phi_1790_;
+                                if _e3429 {
+                                    let _e3430 = (_e3309 - _e3330);
+                                    let _e3431 = (_e3310 - _e3331);
+                                    let _e3432 = (_e3311 - _e3332);
+                                    let _e3443 = ((((_e3309 * _e3330) + (_e3310 * _e3331)) + (_e3311 * _e3332)) / (((_e3330 * _e3330) + (_e3331 * _e3331)) + (_e3332 * _e3332)));
+                                    if (_e3443 > 0f) {
+                                        if (_e3443 < 1f) {
+                                            phi_1820_ = _e3443;
                                         } else {
-                                            phi_1818_ = 1f;
+                                            phi_1820_ = 1f;
                                         }
-                                        let _e3369 = phi_1818_;
-                                        phi_1819_ = _e3369;
+                                        let _e3447 = phi_1820_;
+                                        phi_1821_ = _e3447;
                                     } else {
-                                        phi_1819_ = 0f;
+                                        phi_1821_ = 0f;
                                     }
-                                    let _e3371 = phi_1819_;
-                                    let _e3388 = ((((_e3231 * _e3273) + (_e3232 * _e3274)) + (_e3233 * _e3275)) / (((_e3273 * _e3273) + (_e3274 * _e3274)) + (_e3275 * _e3275)));
-                                    if (_e3388 > 0f) {
-                                        if (_e3388 < 1f) {
-                                            phi_1846_ = _e3388;
+                                    let _e3449 = phi_1821_;
+                                    let _e3466 = ((((_e3309 * _e3351) + (_e3310 * _e3352)) + (_e3311 * _e3353)) / (((_e3351 * _e3351) + (_e3352 * _e3352)) + (_e3353 * _e3353)));
+                                    if (_e3466 > 0f) {
+                                        if (_e3466 < 1f) {
+                                            phi_1848_ = _e3466;
                                         } else {
-                                            phi_1846_ = 1f;
+                                            phi_1848_ = 1f;
                                         }
-                                        let _e3392 = phi_1846_;
-                                        phi_1847_ = _e3392;
+                                        let _e3470 = phi_1848_;
+                                        phi_1849_ = _e3470;
                                     } else {
-                                        phi_1847_ = 0f;
+                                        phi_1849_ = 0f;
                                     }
-                                    let _e3394 = phi_1847_;
-                                    let _e3411 = ((((_e3352 * _e3273) + (_e3353 * _e3274)) + (_e3354 * _e3275)) / (((_e3273 * _e3273) + (_e3274 * _e3274)) + (_e3275 * _e3275)));
-                                    if (_e3411 > 0f) {
-                                        if (_e3411 < 1f) {
-                                            phi_1874_ = _e3411;
+                                    let _e3472 = phi_1849_;
+                                    let _e3489 = ((((_e3430 * _e3351) + (_e3431 * _e3352)) + (_e3432 * _e3353)) / (((_e3351 * _e3351) + (_e3352 * _e3352)) + (_e3353 * _e3353)));
+                                    if (_e3489 > 0f) {
+                                        if (_e3489 < 1f) {
+                                            phi_1876_ = _e3489;
                                         } else {
-                                            phi_1874_ = 1f;
+                                            phi_1876_ = 1f;
                                         }
-                                        let _e3415 = phi_1874_;
-                                        phi_1875_ = _e3415;
+                                        let _e3493 = phi_1876_;
+                                        phi_1877_ = _e3493;
                                     } else {
-                                        phi_1875_ = 0f;
+                                        phi_1877_ = 0f;
                                     }
-                                    let _e3417 = phi_1875_;
-                                    let _e3424 = (_e3231 - _e3273);
-                                    let _e3425 = (_e3232 - _e3274);
-                                    let _e3426 = (_e3233 - _e3275);
-                                    let _e3437 = ((((_e3424 * _e3252) + (_e3425 * _e3253)) + (_e3426 * _e3254)) / (((_e3252 * _e3252) + (_e3253 * _e3253)) + (_e3254 * _e3254)));
-                                    if (_e3437 > 0f) {
-                                        if (_e3437 < 1f) {
-                                            phi_1905_ = _e3437;
+                                    let _e3495 = phi_1877_;
+                                    let _e3502 = (_e3309 - _e3351);
+                                    let _e3503 = (_e3310 - _e3352);
+                                    let _e3504 = (_e3311 - _e3353);
+                                    let _e3515 = ((((_e3502 * _e3330) + (_e3503 * _e3331)) + (_e3504 * _e3332)) / (((_e3330 * _e3330) + (_e3331 * _e3331)) + (_e3332 * _e3332)));
+                                    if (_e3515 > 0f) {
+                                        if (_e3515 < 1f) {
+                                            phi_1907_ = _e3515;
                                         } else {
-                                            phi_1905_ = 1f;
+                                            phi_1907_ = 1f;
                                         }
-                                        let _e3441 = phi_1905_;
-                                        phi_1906_ = _e3441;
+                                        let _e3519 = phi_1907_;
+                                        phi_1908_ = _e3519;
                                     } else {
-                                        phi_1906_ = 0f;
+                                        phi_1908_ = 0f;
                                     }
-                                    let _e3443 = phi_1906_;
-                                    local_11[0u] = array<f32, 3>((_e3231 - (_e3252 * _e3371)), (_e3232 - (_e3253 * _e3371)), (_e3233 - (_e3254 * _e3371)));
-                                    local_11[1u] = array<f32, 3>((_e3231 - (_e3273 * _e3394)), (_e3232 - (_e3274 * _e3394)), (_e3233 - (_e3275 * _e3394)));
-                                    local_11[2u] = array<f32, 3>((_e3352 - (_e3273 * _e3417)), (_e3353 - (_e3274 * _e3417)), (_e3354 - (_e3275 * _e3417)));
-                                    local_11[3u] = array<f32, 3>((_e3424 - (_e3252 * _e3443)), (_e3425 - (_e3253 * _e3443)), (_e3426 - (_e3254 * _e3443)));
-                                    let _e3459 = local_11[0u];
-                                    phi_2049_ = type_28(1u, 4u);
-                                    phi_2052_ = array<f32, 3>(_e3459[0], _e3459[1], _e3459[2]);
+                                    let _e3521 = phi_1908_;
+                                    local_11[0u] = array<f32, 3>((_e3309 - (_e3330 * _e3449)), (_e3310 - (_e3331 * _e3449)), (_e3311 - (_e3332 * _e3449)));
+                                    local_11[1u] = array<f32, 3>((_e3309 - (_e3351 * _e3472)), (_e3310 - (_e3352 * _e3472)), (_e3311 - (_e3353 * _e3472)));
+                                    local_11[2u] = array<f32, 3>((_e3430 - (_e3351 * _e3495)), (_e3431 - (_e3352 * _e3495)), (_e3432 - (_e3353 * _e3495)));
+                                    local_11[3u] = array<f32, 3>((_e3502 - (_e3330 * _e3521)), (_e3503 - (_e3331 * _e3521)), (_e3504 - (_e3332 * _e3521)));
+                                    let _e3537 = local_11[0u];
+                                    phi_2051_ = type_28(1u, 4u);
+                                    phi_2054_ = array<f32, 3>(_e3537[0], _e3537[1], _e3537[2]);
                                     loop {
-                                        let _e3465 = phi_2049_;
-                                        let _e3467 = phi_2052_;
-                                        local_64 = _e3467;
-                                        if (_e3465.member < _e3465.member_1) {
-                                            phi_2050_ = type_28((_e3465.member + 1u), _e3465.member_1);
-                                            phi_2075_ = type_28(1u, _e3465.member);
+                                        let _e3543 = phi_2051_;
+                                        let _e3545 = phi_2054_;
+                                        local_69 = _e3545;
+                                        if (_e3543.member < _e3543.member_1) {
+                                            phi_2052_ = type_28((_e3543.member + 1u), _e3543.member_1);
+                                            phi_2077_ = type_28(1u, _e3543.member);
                                         } else {
-                                            phi_2050_ = _e3465;
-                                            phi_2075_ = type_28(0u, type_28().member_1);
+                                            phi_2052_ = _e3543;
+                                            phi_2077_ = type_28(0u, type_28().member_1);
                                         }
-                                        let _e3481 = phi_2050_;
-                                        let _e3483 = phi_2075_;
-                                        let _e3487 = (bitcast<i32>(_e3483.member) != 0i);
-                                        if _e3487 {
-                                            if (_e3483.member_1 < 4u) {
+                                        let _e3559 = phi_2052_;
+                                        let _e3561 = phi_2077_;
+                                        let _e3565 = (bitcast<i32>(_e3561.member) != 0i);
+                                        if _e3565 {
+                                            if (_e3561.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3490 = local_11[_e3483.member_1];
-                                            if (_e3483.member_1 < 4u) {
+                                            let _e3568 = local_11[_e3561.member_1];
+                                            if (_e3561.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3496 = local_11[_e3483.member_1];
-                                            if ((((_e3490[0] * _e3496[0]) + (_e3490[1] * _e3496[1])) + (_e3490[2] * _e3496[2])) < (((_e3467[0] * _e3467[0]) + (_e3467[1] * _e3467[1])) + (_e3467[2] * _e3467[2]))) {
-                                                if (_e3483.member_1 < 4u) {
+                                            let _e3574 = local_11[_e3561.member_1];
+                                            if ((((_e3568[0] * _e3574[0]) + (_e3568[1] * _e3574[1])) + (_e3568[2] * _e3574[2])) < (((_e3545[0] * _e3545[0]) + (_e3545[1] * _e3545[1])) + (_e3545[2] * _e3545[2]))) {
+                                                if (_e3561.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e3519 = local_11[_e3483.member_1];
-                                                phi_2142_ = array<f32, 3>(_e3519[0], _e3519[1], _e3519[2]);
+                                                let _e3597 = local_11[_e3561.member_1];
+                                                phi_2144_ = array<f32, 3>(_e3597[0], _e3597[1], _e3597[2]);
                                             } else {
-                                                phi_2142_ = _e3467;
+                                                phi_2144_ = _e3545;
                                             }
-                                            let _e3525 = phi_2142_;
-                                            phi_2053_ = _e3525;
+                                            let _e3603 = phi_2144_;
+                                            phi_2055_ = _e3603;
                                         } else {
-                                            phi_2053_ = array<f32, 3>();
+                                            phi_2055_ = array<f32, 3>();
                                         }
-                                        let _e3527 = phi_2053_;
+                                        let _e3605 = phi_2055_;
                                         continue;
                                         continuing {
-                                            phi_2049_ = _e3481;
-                                            phi_2052_ = _e3527;
-                                            break if !(_e3487);
+                                            phi_2051_ = _e3559;
+                                            phi_2054_ = _e3605;
+                                            break if !(_e3565);
                                         }
                                     }
-                                    let _e5279 = local_64;
-                                    phi_2143_ = _e5279;
+                                    let _e5457 = local_69;
+                                    phi_2145_ = _e5457;
                                 } else {
-                                    phi_2143_ = _e3349;
+                                    phi_2145_ = _e3427;
                                 }
-                                let _e3530 = phi_2143_;
-                                if (_e3530[0] < 0f) {
-                                    phi_2150_ = -(_e3530[0]);
+                                let _e3608 = phi_2145_;
+                                if (_e3608[0] < 0f) {
+                                    phi_2152_ = -(_e3608[0]);
                                 } else {
-                                    phi_2150_ = _e3530[0];
+                                    phi_2152_ = _e3608[0];
                                 }
-                                let _e3535 = phi_2150_;
-                                if (_e3530[1] < 0f) {
-                                    phi_2157_ = -(_e3530[1]);
+                                let _e3613 = phi_2152_;
+                                if (_e3608[1] < 0f) {
+                                    phi_2159_ = -(_e3608[1]);
                                 } else {
-                                    phi_2157_ = _e3530[1];
+                                    phi_2159_ = _e3608[1];
                                 }
-                                let _e3540 = phi_2157_;
-                                if (_e3530[2] < 0f) {
-                                    phi_2165_ = -(_e3530[2]);
+                                let _e3618 = phi_2159_;
+                                if (_e3608[2] < 0f) {
+                                    phi_2167_ = -(_e3608[2]);
                                 } else {
-                                    phi_2165_ = _e3530[2];
+                                    phi_2167_ = _e3608[2];
                                 }
-                                let _e3546 = phi_2165_;
-                                let _e3547 = ((_e3535 + _e3540) + _e3546);
-                                if (_e3547 > 0f) {
-                                    if ((bitcast<u32>(_e3547) & 2139095040u) != 2139095040u) {
-                                        let _e3552 = (1f / _e3547);
-                                        let _e3554 = (_e3530[0] * _e3552);
-                                        let _e3556 = (_e3530[1] * _e3552);
-                                        let _e3558 = (_e3530[2] * _e3552);
-                                        let _e3563 = (((_e3554 * _e3554) + (_e3556 * _e3556)) + (_e3558 * _e3558));
-                                        if (_e3563 <= 0.000000000000000000000000000000000000011754944f) {
-                                            if (_e3563 > 0f) {
-                                                phi_2202_ = (0.000000000000000000106433627f * 2f);
+                                let _e3624 = phi_2167_;
+                                let _e3625 = ((_e3613 + _e3618) + _e3624);
+                                if (_e3625 > 0f) {
+                                    if ((bitcast<u32>(_e3625) & 2139095040u) != 2139095040u) {
+                                        let _e3630 = (1f / _e3625);
+                                        let _e3632 = (_e3608[0] * _e3630);
+                                        let _e3634 = (_e3608[1] * _e3630);
+                                        let _e3636 = (_e3608[2] * _e3630);
+                                        let _e3641 = (((_e3632 * _e3632) + (_e3634 * _e3634)) + (_e3636 * _e3636));
+                                        if (_e3641 <= 0.000000000000000000000000000000000000011754944f) {
+                                            if (_e3641 > 0f) {
+                                                phi_2204_ = (0.000000000000000000106433627f * 2f);
                                             } else {
-                                                phi_2202_ = 0f;
+                                                phi_2204_ = 0f;
                                             }
-                                            let _e3622 = phi_2202_;
-                                            phi_2266_ = _e3622;
+                                            let _e3700 = phi_2204_;
+                                            phi_2268_ = _e3700;
                                         } else {
-                                            phi_2209_ = type_26(0i, 5i);
-                                            phi_2212_ = bitcast<f32>(((bitcast<u32>(_e3563) >> bitcast<u32>(1i)) + 532369198u));
+                                            phi_2211_ = type_26(0i, 5i);
+                                            phi_2214_ = bitcast<f32>(((bitcast<u32>(_e3641) >> bitcast<u32>(1i)) + 532369198u));
                                             loop {
-                                                let _e3571 = phi_2209_;
-                                                let _e3573 = phi_2212_;
-                                                local_33 = _e3573;
-                                                if (_e3571.member < _e3571.member_1) {
-                                                    let _e3581 = (_e3571.member + 1i);
-                                                    if ((false == (_e3581 > _e3571.member)) != false) {
-                                                        phi_2233_ = true;
+                                                let _e3649 = phi_2211_;
+                                                let _e3651 = phi_2214_;
+                                                local_34 = _e3651;
+                                                if (_e3649.member < _e3649.member_1) {
+                                                    let _e3659 = (_e3649.member + 1i);
+                                                    if ((false == (_e3659 > _e3649.member)) != false) {
+                                                        phi_2235_ = true;
                                                     } else {
-                                                        phi_2233_ = false;
+                                                        phi_2235_ = false;
                                                     }
-                                                    let _e3586 = phi_2233_;
-                                                    if _e3586 {
-                                                        phi_2239_ = type_27(0u, type_27().member_1);
+                                                    let _e3664 = phi_2235_;
+                                                    if _e3664 {
+                                                        phi_2241_ = type_27(0u, type_27().member_1);
                                                     } else {
-                                                        phi_2239_ = type_27(1u, _e3581);
+                                                        phi_2241_ = type_27(1u, _e3659);
                                                     }
-                                                    let _e3592 = phi_2239_;
-                                                    if (bitcast<i32>(_e3592.member) != 0i) {
+                                                    let _e3670 = phi_2241_;
+                                                    if (bitcast<i32>(_e3670.member) != 0i) {
                                                     } else {
                                                         return;
                                                     }
-                                                    phi_2210_ = type_26(_e3592.member_1, _e3571.member_1);
-                                                    phi_2253_ = type_27(1u, _e3571.member);
+                                                    phi_2212_ = type_26(_e3670.member_1, _e3649.member_1);
+                                                    phi_2255_ = type_27(1u, _e3649.member);
                                                 } else {
-                                                    phi_2210_ = _e3571;
-                                                    phi_2253_ = type_27(0u, type_27().member_1);
+                                                    phi_2212_ = _e3649;
+                                                    phi_2255_ = type_27(0u, type_27().member_1);
                                                 }
-                                                let _e3602 = phi_2210_;
-                                                let _e3604 = phi_2253_;
-                                                let _e3607 = (bitcast<i32>(_e3604.member) != 0i);
-                                                if _e3607 {
-                                                    phi_2213_ = (0.5f * (_e3573 + (_e3563 / _e3573)));
+                                                let _e3680 = phi_2212_;
+                                                let _e3682 = phi_2255_;
+                                                let _e3685 = (bitcast<i32>(_e3682.member) != 0i);
+                                                if _e3685 {
+                                                    phi_2215_ = (0.5f * (_e3651 + (_e3641 / _e3651)));
                                                 } else {
-                                                    phi_2213_ = f32();
+                                                    phi_2215_ = f32();
                                                 }
-                                                let _e3612 = phi_2213_;
+                                                let _e3690 = phi_2215_;
                                                 continue;
                                                 continuing {
-                                                    phi_2209_ = _e3602;
-                                                    phi_2212_ = _e3612;
-                                                    break if !(_e3607);
+                                                    phi_2211_ = _e3680;
+                                                    phi_2214_ = _e3690;
+                                                    break if !(_e3685);
                                                 }
                                             }
-                                            let _e3617 = local_33;
-                                            phi_2266_ = (_e3617 * (1f + (4f * 0.000000059604645f)));
+                                            let _e3695 = local_34;
+                                            phi_2268_ = (_e3695 * (1f + (8f * 0.000000059604645f)));
                                         }
-                                        let _e3624 = phi_2266_;
-                                        phi_2275_ = type_28(0u, 4u);
-                                        phi_2278_ = 2f;
+                                        let _e3702 = phi_2268_;
+                                        phi_2277_ = type_28(0u, 4u);
+                                        phi_2280_ = 2f;
                                         loop {
-                                            let _e3632 = phi_2275_;
-                                            let _e3634 = phi_2278_;
-                                            local_35 = _e3634;
-                                            local_36 = _e3634;
-                                            local_37 = _e3634;
-                                            local_65 = _e3634;
-                                            local_66 = _e3634;
-                                            if (_e3632.member < _e3632.member_1) {
-                                                phi_2276_ = type_28((_e3632.member + 1u), _e3632.member_1);
-                                                phi_2301_ = type_28(1u, _e3632.member);
+                                            let _e3710 = phi_2277_;
+                                            let _e3712 = phi_2280_;
+                                            local_36 = _e3712;
+                                            local_37 = _e3712;
+                                            local_38 = _e3712;
+                                            local_72 = _e3712;
+                                            local_73 = _e3712;
+                                            if (_e3710.member < _e3710.member_1) {
+                                                phi_2278_ = type_28((_e3710.member + 1u), _e3710.member_1);
+                                                phi_2303_ = type_28(1u, _e3710.member);
                                             } else {
-                                                phi_2276_ = _e3632;
-                                                phi_2301_ = type_28(0u, type_28().member_1);
+                                                phi_2278_ = _e3710;
+                                                phi_2303_ = type_28(0u, type_28().member_1);
                                             }
-                                            let _e3648 = phi_2276_;
-                                            let _e3650 = phi_2301_;
-                                            if (bitcast<i32>(_e3650.member) != 0i) {
-                                                if (_e3650.member_1 < 4u) {
+                                            let _e3726 = phi_2278_;
+                                            let _e3728 = phi_2303_;
+                                            if (bitcast<i32>(_e3728.member) != 0i) {
+                                                if (_e3728.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e3657 = local_12[_e3650.member_1];
-                                                let _e3665 = (((_e3554 * _e3657[0]) + (_e3556 * _e3657[1])) + (_e3558 * _e3657[2]));
-                                                if (_e3650.member_1 < 4u) {
+                                                let _e3735 = local_12[_e3728.member_1];
+                                                let _e3743 = (((_e3632 * _e3735[0]) + (_e3634 * _e3735[1])) + (_e3636 * _e3735[2]));
+                                                if (_e3728.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e3668 = local_13[_e3650.member_1];
-                                                let _e3676 = (((_e3554 * _e3668[0]) + (_e3556 * _e3668[1])) + (_e3558 * _e3668[2]));
-                                                if (_e3665 < 0f) {
-                                                    phi_2352_ = -(_e3665);
+                                                let _e3746 = local_13[_e3728.member_1];
+                                                let _e3754 = (((_e3632 * _e3746[0]) + (_e3634 * _e3746[1])) + (_e3636 * _e3746[2]));
+                                                if (_e3743 < 0f) {
+                                                    phi_2354_ = -(_e3743);
                                                 } else {
-                                                    phi_2352_ = _e3665;
+                                                    phi_2354_ = _e3743;
                                                 }
-                                                let _e3680 = phi_2352_;
-                                                if (_e3676 < 0f) {
-                                                    phi_2358_ = -(_e3676);
+                                                let _e3758 = phi_2354_;
+                                                if (_e3754 < 0f) {
+                                                    phi_2360_ = -(_e3754);
                                                 } else {
-                                                    phi_2358_ = _e3676;
+                                                    phi_2360_ = _e3754;
                                                 }
-                                                let _e3684 = phi_2358_;
-                                                let _e3688 = (((((((((_e3068 + _e3070) + (_e3122 + _e3124)) + (_e3176 + _e3178)) * (0.000000059604645f * 16f)) + (_e3185 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e265 * _e3624) * (1f + (0.000000059604645f * 8f)))) + ((_e3680 + _e3684) * (0.000000059604645f * 8f)));
-                                                if (_e3665 > _e3688) {
-                                                    if (_e3676 > _e3688) {
-                                                        phi_2371_ = false;
+                                                let _e3762 = phi_2360_;
+                                                let _e3766 = (((((((((_e3146 + _e3148) + (_e3200 + _e3202)) + (_e3254 + _e3256)) * (0.000000059604645f * 16f)) + (_e3263 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e267 * _e3702) * (1f + (0.000000059604645f * 8f)))) + ((_e3758 + _e3762) * (0.000000059604645f * 8f)));
+                                                if (_e3743 > _e3766) {
+                                                    if (_e3754 > _e3766) {
+                                                        phi_2373_ = false;
                                                     } else {
-                                                        phi_2371_ = true;
+                                                        phi_2373_ = true;
                                                     }
-                                                    let _e3692 = phi_2371_;
-                                                    phi_2372_ = _e3692;
+                                                    let _e3770 = phi_2373_;
+                                                    phi_2374_ = _e3770;
                                                 } else {
-                                                    phi_2372_ = true;
+                                                    phi_2374_ = true;
                                                 }
-                                                let _e3694 = phi_2372_;
-                                                if _e3694 {
-                                                    let _e3698 = ((_e3665 + ((_e3676 - _e3665) * _e3193)) > _e3688);
-                                                    if _e3698 {
-                                                        if (_e3676 < _e3665) {
-                                                            let _e3705 = (((_e3665 - _e3688) / (_e3665 - _e3676)) * (1f - (0.000000059604645f * 16f)));
-                                                            if (_e3634 < _e3705) {
-                                                                phi_2397_ = _e3634;
+                                                let _e3772 = phi_2374_;
+                                                if _e3772 {
+                                                    if ((_e3743 + ((_e3754 - _e3743) * _e3271)) > _e3766) {
+                                                        if (_e3754 < _e3743) {
+                                                            let _e3780 = ((_e3743 - _e3754) <= (0.25f / 0.000000000000000000000000000000000000011754944f));
+                                                            if _e3780 {
+                                                                let _e3786 = (((_e3743 - _e3766) / (_e3743 - _e3754)) * (1f - (0.000000059604645f * 16f)));
+                                                                if (_e3712 < _e3786) {
+                                                                    phi_2405_ = _e3712;
+                                                                } else {
+                                                                    phi_2405_ = _e3786;
+                                                                }
+                                                                let _e3789 = phi_2405_;
+                                                                phi_2406_ = _e3789;
                                                             } else {
-                                                                phi_2397_ = _e3705;
+                                                                phi_2406_ = f32();
                                                             }
-                                                            let _e3708 = phi_2397_;
-                                                            phi_2398_ = _e3708;
+                                                            let _e3791 = phi_2406_;
+                                                            phi_2407_ = _e3791;
+                                                            phi_2408_ = _e3780;
                                                         } else {
-                                                            phi_2398_ = _e3634;
+                                                            phi_2407_ = _e3712;
+                                                            phi_2408_ = true;
                                                         }
-                                                        let _e3710 = phi_2398_;
-                                                        phi_2399_ = _e3710;
+                                                        let _e3793 = phi_2407_;
+                                                        let _e3795 = phi_2408_;
+                                                        if _e3795 {
+                                                            phi_2412_ = false;
+                                                        } else {
+                                                            phi_2412_ = true;
+                                                        }
+                                                        let _e3797 = phi_2412_;
+                                                        phi_2413_ = _e3793;
+                                                        phi_2414_ = _e3795;
+                                                        phi_2415_ = _e3797;
+                                                        phi_2416_ = false;
                                                     } else {
-                                                        phi_2399_ = f32();
+                                                        phi_2413_ = f32();
+                                                        phi_2414_ = false;
+                                                        phi_2415_ = false;
+                                                        phi_2416_ = true;
                                                     }
-                                                    let _e3712 = phi_2399_;
-                                                    phi_2400_ = _e3712;
-                                                    phi_2401_ = _e3698;
+                                                    let _e3799 = phi_2413_;
+                                                    let _e3801 = phi_2414_;
+                                                    let _e3803 = phi_2415_;
+                                                    let _e3805 = phi_2416_;
+                                                    phi_2417_ = _e3799;
+                                                    phi_2418_ = _e3801;
+                                                    phi_2419_ = _e3803;
+                                                    phi_2420_ = _e3805;
                                                 } else {
-                                                    phi_2400_ = _e3634;
-                                                    phi_2401_ = true;
+                                                    phi_2417_ = _e3712;
+                                                    phi_2418_ = true;
+                                                    phi_2419_ = false;
+                                                    phi_2420_ = false;
                                                 }
-                                                let _e3714 = phi_2400_;
-                                                let _e3716 = phi_2401_;
-                                                phi_2279_ = _e3714;
-                                                phi_2402_ = _e3716;
-                                                phi_2403_ = false;
+                                                let _e3807 = phi_2417_;
+                                                let _e3809 = phi_2418_;
+                                                let _e3811 = phi_2419_;
+                                                let _e3813 = phi_2420_;
+                                                phi_2281_ = _e3807;
+                                                phi_2421_ = _e3809;
+                                                phi_2422_ = false;
+                                                phi_2423_ = _e3811;
+                                                phi_2424_ = _e3813;
                                             } else {
-                                                phi_2279_ = f32();
-                                                phi_2402_ = false;
-                                                phi_2403_ = true;
+                                                phi_2281_ = f32();
+                                                phi_2421_ = false;
+                                                phi_2422_ = true;
+                                                phi_2423_ = false;
+                                                phi_2424_ = false;
                                             }
-                                            let _e3718 = phi_2279_;
-                                            let _e3720 = phi_2402_;
-                                            let _e3722 = phi_2403_;
-                                            local_34 = _e3722;
+                                            let _e3815 = phi_2281_;
+                                            let _e3817 = phi_2421_;
+                                            let _e3819 = phi_2422_;
+                                            let _e3821 = phi_2423_;
+                                            let _e3823 = phi_2424_;
+                                            local_35 = _e3819;
+                                            local_70 = _e3821;
+                                            local_71 = _e3823;
                                             continue;
                                             continuing {
-                                                phi_2275_ = _e3648;
-                                                phi_2278_ = _e3718;
-                                                break if !(_e3720);
+                                                phi_2277_ = _e3726;
+                                                phi_2280_ = _e3815;
+                                                break if !(_e3817);
                                             }
                                         }
-                                        let _e3725 = local_34;
-                                        if _e3725 {
-                                            let _e3727 = local_35;
-                                            let _e3728 = (_e3727 > 1f);
-                                            if _e3728 {
-                                                phi_2424_ = false;
-                                                phi_2425_ = false;
-                                                phi_2426_ = false;
+                                        let _e3826 = local_35;
+                                        if _e3826 {
+                                            let _e3828 = local_36;
+                                            let _e3829 = (_e3828 > 1f);
+                                            if _e3829 {
+                                                phi_2445_ = false;
+                                                phi_2446_ = false;
+                                                phi_2447_ = false;
                                             } else {
-                                                let _e3730 = local_36;
-                                                if (_e3730 > _e3193) {
-                                                    let _e3733 = local_37;
-                                                    let _e3735 = ((_e3733 - _e3193) < 0.00000000023283064f);
-                                                    if _e3735 {
-                                                        phi_2420_ = false;
+                                                let _e3831 = local_37;
+                                                if (_e3831 > _e3271) {
+                                                    let _e3834 = local_38;
+                                                    let _e3836 = ((_e3834 - _e3271) < 0.00000000023283064f);
+                                                    if _e3836 {
+                                                        phi_2441_ = false;
                                                     } else {
-                                                        phi_2420_ = true;
+                                                        phi_2441_ = true;
                                                     }
-                                                    let _e3737 = phi_2420_;
-                                                    phi_2421_ = _e3737;
-                                                    phi_2422_ = _e3735;
-                                                    phi_2423_ = false;
+                                                    let _e3838 = phi_2441_;
+                                                    phi_2442_ = _e3838;
+                                                    phi_2443_ = _e3836;
+                                                    phi_2444_ = false;
                                                 } else {
-                                                    phi_2421_ = false;
-                                                    phi_2422_ = false;
-                                                    phi_2423_ = true;
+                                                    phi_2442_ = false;
+                                                    phi_2443_ = false;
+                                                    phi_2444_ = true;
                                                 }
-                                                let _e3739 = phi_2421_;
-                                                let _e3741 = phi_2422_;
-                                                let _e3743 = phi_2423_;
-                                                phi_2424_ = _e3739;
-                                                phi_2425_ = _e3741;
-                                                phi_2426_ = _e3743;
+                                                let _e3840 = phi_2442_;
+                                                let _e3842 = phi_2443_;
+                                                let _e3844 = phi_2444_;
+                                                phi_2445_ = _e3840;
+                                                phi_2446_ = _e3842;
+                                                phi_2447_ = _e3844;
                                             }
-                                            let _e3745 = phi_2424_;
-                                            let _e3747 = phi_2425_;
-                                            let _e3749 = phi_2426_;
-                                            phi_2427_ = _e3745;
-                                            phi_2428_ = _e3728;
-                                            phi_2429_ = _e3747;
-                                            phi_2430_ = _e3749;
-                                            phi_2431_ = false;
+                                            let _e3846 = phi_2445_;
+                                            let _e3848 = phi_2446_;
+                                            let _e3850 = phi_2447_;
+                                            phi_2448_ = _e3846;
+                                            phi_2449_ = _e3829;
+                                            phi_2450_ = _e3848;
+                                            phi_2451_ = _e3850;
+                                            phi_2452_ = false;
+                                            phi_2453_ = false;
                                         } else {
-                                            phi_2427_ = false;
-                                            phi_2428_ = false;
-                                            phi_2429_ = false;
-                                            phi_2430_ = false;
-                                            phi_2431_ = true;
+                                            phi_2448_ = false;
+                                            phi_2449_ = false;
+                                            phi_2450_ = false;
+                                            phi_2451_ = false;
+                                            let _e5514 = local_70;
+                                            phi_2452_ = _e5514;
+                                            let _e5517 = local_71;
+                                            phi_2453_ = _e5517;
                                         }
-                                        let _e3751 = phi_2427_;
-                                        let _e3753 = phi_2428_;
-                                        let _e3755 = phi_2429_;
-                                        let _e3757 = phi_2430_;
-                                        let _e3759 = phi_2431_;
-                                        let _e5327 = local_65;
-                                        phi_2432_ = _e5327;
-                                        let _e5330 = local_66;
-                                        phi_2433_ = _e5330;
-                                        phi_2434_ = _e3751;
-                                        phi_2435_ = _e3753;
-                                        phi_2436_ = _e3755;
-                                        phi_2437_ = _e3757;
-                                        phi_2438_ = _e3759;
-                                        phi_2439_ = false;
+                                        let _e3852 = phi_2448_;
+                                        let _e3854 = phi_2449_;
+                                        let _e3856 = phi_2450_;
+                                        let _e3858 = phi_2451_;
+                                        let _e3860 = phi_2452_;
+                                        let _e3862 = phi_2453_;
+                                        let _e5520 = local_72;
+                                        phi_2454_ = _e5520;
+                                        let _e5523 = local_73;
+                                        phi_2455_ = _e5523;
+                                        phi_2456_ = _e3852;
+                                        phi_2457_ = _e3854;
+                                        phi_2458_ = _e3856;
+                                        phi_2459_ = _e3858;
+                                        phi_2460_ = _e3860;
+                                        phi_2461_ = _e3862;
+                                        phi_2462_ = false;
                                     } else {
-                                        phi_2432_ = f32();
-                                        phi_2433_ = f32();
-                                        phi_2434_ = false;
-                                        phi_2435_ = false;
-                                        phi_2436_ = false;
-                                        phi_2437_ = false;
-                                        phi_2438_ = false;
-                                        phi_2439_ = true;
+                                        phi_2454_ = f32();
+                                        phi_2455_ = f32();
+                                        phi_2456_ = false;
+                                        phi_2457_ = false;
+                                        phi_2458_ = false;
+                                        phi_2459_ = false;
+                                        phi_2460_ = false;
+                                        phi_2461_ = false;
+                                        phi_2462_ = true;
                                     }
-                                    let _e3761 = phi_2432_;
-                                    let _e3763 = phi_2433_;
-                                    let _e3765 = phi_2434_;
-                                    let _e3767 = phi_2435_;
-                                    let _e3769 = phi_2436_;
-                                    let _e3771 = phi_2437_;
-                                    let _e3773 = phi_2438_;
-                                    let _e3775 = phi_2439_;
-                                    phi_2440_ = _e3761;
-                                    phi_2441_ = _e3763;
-                                    phi_2442_ = _e3765;
-                                    phi_2443_ = _e3767;
-                                    phi_2444_ = _e3769;
-                                    phi_2445_ = _e3771;
-                                    phi_2446_ = _e3773;
-                                    phi_2447_ = _e3775;
-                                    phi_2448_ = false;
+                                    let _e3864 = phi_2454_;
+                                    let _e3866 = phi_2455_;
+                                    let _e3868 = phi_2456_;
+                                    let _e3870 = phi_2457_;
+                                    let _e3872 = phi_2458_;
+                                    let _e3874 = phi_2459_;
+                                    let _e3876 = phi_2460_;
+                                    let _e3878 = phi_2461_;
+                                    let _e3880 = phi_2462_;
+                                    phi_2463_ = _e3864;
+                                    phi_2464_ = _e3866;
+                                    phi_2465_ = _e3868;
+                                    phi_2466_ = _e3870;
+                                    phi_2467_ = _e3872;
+                                    phi_2468_ = _e3874;
+                                    phi_2469_ = _e3876;
+                                    phi_2470_ = _e3878;
+                                    phi_2471_ = _e3880;
+                                    phi_2472_ = false;
                                 } else {
-                                    phi_2440_ = f32();
-                                    phi_2441_ = f32();
-                                    phi_2442_ = false;
-                                    phi_2443_ = false;
-                                    phi_2444_ = false;
-                                    phi_2445_ = false;
-                                    phi_2446_ = false;
-                                    phi_2447_ = false;
-                                    phi_2448_ = true;
+                                    phi_2463_ = f32();
+                                    phi_2464_ = f32();
+                                    phi_2465_ = false;
+                                    phi_2466_ = false;
+                                    phi_2467_ = false;
+                                    phi_2468_ = false;
+                                    phi_2469_ = false;
+                                    phi_2470_ = false;
+                                    phi_2471_ = false;
+                                    phi_2472_ = true;
                                 }
-                                let _e3777 = phi_2440_;
-                                let _e3779 = phi_2441_;
-                                let _e3781 = phi_2442_;
-                                let _e3783 = phi_2443_;
-                                let _e3785 = phi_2444_;
-                                let _e3787 = phi_2445_;
-                                let _e3789 = phi_2446_;
-                                let _e3791 = phi_2447_;
-                                let _e3793 = phi_2448_;
-                                phi_2449_ = _e3777;
-                                phi_1560_ = _e3779;
-                                phi_2450_ = _e3781;
-                                phi_2451_ = _e3783;
-                                phi_2452_ = _e3785;
-                                phi_2453_ = false;
-                                phi_2454_ = _e3787;
-                                phi_2455_ = _e3789;
-                                phi_2456_ = _e3791;
-                                phi_2457_ = _e3793;
+                                let _e3882 = phi_2463_;
+                                let _e3884 = phi_2464_;
+                                let _e3886 = phi_2465_;
+                                let _e3888 = phi_2466_;
+                                let _e3890 = phi_2467_;
+                                let _e3892 = phi_2468_;
+                                let _e3894 = phi_2469_;
+                                let _e3896 = phi_2470_;
+                                let _e3898 = phi_2471_;
+                                let _e3900 = phi_2472_;
+                                phi_2473_ = _e3882;
+                                phi_1562_ = _e3884;
+                                phi_2474_ = _e3886;
+                                phi_2475_ = _e3888;
+                                phi_2476_ = _e3890;
+                                phi_2477_ = false;
+                                phi_2478_ = _e3892;
+                                phi_2479_ = _e3894;
+                                phi_2480_ = _e3896;
+                                phi_2481_ = _e3898;
+                                phi_2482_ = _e3900;
                             } else {
-                                phi_2449_ = f32();
-                                phi_1560_ = f32();
-                                phi_2450_ = false;
-                                phi_2451_ = false;
-                                phi_2452_ = false;
-                                phi_2453_ = true;
-                                phi_2454_ = false;
-                                phi_2455_ = false;
-                                phi_2456_ = false;
-                                phi_2457_ = false;
+                                phi_2473_ = f32();
+                                phi_1562_ = f32();
+                                phi_2474_ = false;
+                                phi_2475_ = false;
+                                phi_2476_ = false;
+                                phi_2477_ = true;
+                                phi_2478_ = false;
+                                phi_2479_ = false;
+                                phi_2480_ = false;
+                                phi_2481_ = false;
+                                phi_2482_ = false;
                             }
-                            let _e3795 = phi_2449_;
-                            let _e3797 = phi_1560_;
-                            let _e3799 = phi_2450_;
-                            let _e3801 = phi_2451_;
-                            let _e3803 = phi_2452_;
-                            let _e3805 = phi_2453_;
-                            let _e3807 = phi_2454_;
-                            let _e3809 = phi_2455_;
-                            let _e3811 = phi_2456_;
-                            let _e3813 = phi_2457_;
-                            local_38 = _e3801;
-                            local_67 = _e3803;
-                            local_68 = _e3805;
-                            local_69 = _e3807;
-                            local_70 = _e3809;
-                            local_71 = _e3811;
-                            local_72 = _e3813;
-                            local_73 = _e3795;
-                            local_75 = _e3801;
+                            let _e3902 = phi_2473_;
+                            let _e3904 = phi_1562_;
+                            let _e3906 = phi_2474_;
+                            let _e3908 = phi_2475_;
+                            let _e3910 = phi_2476_;
+                            let _e3912 = phi_2477_;
+                            let _e3914 = phi_2478_;
+                            let _e3916 = phi_2479_;
+                            let _e3918 = phi_2480_;
+                            let _e3920 = phi_2481_;
+                            let _e3922 = phi_2482_;
+                            local_39 = _e3908;
+                            local_74 = _e3910;
+                            local_75 = _e3912;
+                            local_76 = _e3914;
+                            local_77 = _e3916;
+                            local_78 = _e3918;
+                            local_79 = _e3920;
+                            local_80 = _e3922;
+                            local_81 = _e3902;
+                            local_83 = _e3908;
                             continue;
                             continuing {
-                                phi_1556_ = _e3207;
-                                phi_1559_ = _e3797;
-                                break if !(_e3799);
+                                phi_1558_ = _e3285;
+                                phi_1561_ = _e3904;
+                                break if !(_e3906);
                             }
                         }
-                        let _e3816 = local_38;
-                        if _e3816 {
-                            phi_2462_ = type_55(0u, type_55().member_1);
-                            phi_2463_ = false;
-                            phi_2464_ = false;
-                            phi_2465_ = false;
-                            phi_2466_ = false;
-                            phi_2467_ = false;
-                            phi_2468_ = false;
-                        } else {
-                            phi_2462_ = type_55();
-                            let _e5360 = local_67;
-                            phi_2463_ = _e5360;
-                            let _e5363 = local_68;
-                            phi_2464_ = _e5363;
-                            let _e5366 = local_69;
-                            phi_2465_ = _e5366;
-                            let _e5369 = local_70;
-                            phi_2466_ = _e5369;
-                            let _e5372 = local_71;
-                            phi_2467_ = _e5372;
-                            let _e5375 = local_72;
-                            phi_2468_ = _e5375;
-                        }
-                        let _e3821 = phi_2462_;
-                        let _e3823 = phi_2463_;
-                        let _e3825 = phi_2464_;
-                        let _e3827 = phi_2465_;
-                        let _e3829 = phi_2466_;
-                        let _e3831 = phi_2467_;
-                        let _e3833 = phi_2468_;
-                        if _e3823 {
-                            let _e5378 = local_73;
-                            phi_2472_ = _e5378;
-                            phi_2473_ = true;
-                            phi_2474_ = false;
-                            phi_2475_ = false;
-                            phi_2476_ = false;
-                            phi_2477_ = false;
-                            phi_2478_ = false;
-                        } else {
-                            let _e5380 = local_74;
-                            phi_2472_ = _e5380;
-                            phi_2473_ = _e3825;
-                            phi_2474_ = _e3827;
-                            phi_2475_ = _e3829;
-                            let _e5386 = local_75;
-                            phi_2476_ = _e5386;
-                            phi_2477_ = _e3831;
-                            phi_2478_ = _e3833;
-                        }
-                        let _e3835 = phi_2472_;
-                        let _e3837 = phi_2473_;
-                        let _e3839 = phi_2474_;
-                        let _e3841 = phi_2475_;
-                        let _e3843 = phi_2476_;
-                        let _e3845 = phi_2477_;
-                        let _e3847 = phi_2478_;
-                        if _e3837 {
-                            phi_2483_ = type_55(1u, _e3835);
-                            phi_2484_ = false;
-                            phi_2485_ = false;
-                            phi_2486_ = false;
-                            phi_2487_ = false;
+                        let _e3925 = local_39;
+                        if _e3925 {
+                            phi_2487_ = type_55(0u, type_55().member_1);
                             phi_2488_ = false;
-                        } else {
-                            phi_2483_ = type_55();
-                            phi_2484_ = _e3839;
-                            phi_2485_ = _e3841;
-                            phi_2486_ = _e3843;
-                            phi_2487_ = _e3845;
-                            phi_2488_ = _e3847;
-                        }
-                        let _e3850 = phi_2483_;
-                        let _e3852 = phi_2484_;
-                        let _e3854 = phi_2485_;
-                        let _e3856 = phi_2486_;
-                        let _e3858 = phi_2487_;
-                        let _e3860 = phi_2488_;
-                        if _e3852 {
-                            let _e3862 = local_39;
-                            phi_2493_ = type_55(1u, _e3862);
+                            phi_2489_ = false;
+                            phi_2490_ = false;
+                            phi_2491_ = false;
+                            phi_2492_ = false;
+                            phi_2493_ = false;
                             phi_2494_ = false;
-                            phi_2495_ = true;
-                            phi_2496_ = false;
-                            phi_2497_ = false;
                         } else {
-                            phi_2493_ = _e3821;
-                            phi_2494_ = _e3854;
-                            phi_2495_ = _e3856;
-                            phi_2496_ = _e3858;
-                            phi_2497_ = _e3860;
+                            phi_2487_ = type_55();
+                            let _e5556 = local_74;
+                            phi_2488_ = _e5556;
+                            let _e5559 = local_75;
+                            phi_2489_ = _e5559;
+                            let _e5562 = local_76;
+                            phi_2490_ = _e5562;
+                            let _e5565 = local_77;
+                            phi_2491_ = _e5565;
+                            let _e5568 = local_78;
+                            phi_2492_ = _e5568;
+                            let _e5571 = local_79;
+                            phi_2493_ = _e5571;
+                            let _e5574 = local_80;
+                            phi_2494_ = _e5574;
                         }
-                        let _e3865 = phi_2493_;
-                        let _e3867 = phi_2494_;
-                        let _e3869 = phi_2495_;
-                        let _e3871 = phi_2496_;
-                        let _e3873 = phi_2497_;
-                        if _e3867 {
-                            let _e3875 = local_40;
-                            phi_2502_ = type_55(1u, _e3875);
-                            phi_2503_ = true;
+                        let _e3930 = phi_2487_;
+                        let _e3932 = phi_2488_;
+                        let _e3934 = phi_2489_;
+                        let _e3936 = phi_2490_;
+                        let _e3938 = phi_2491_;
+                        let _e3940 = phi_2492_;
+                        let _e3942 = phi_2493_;
+                        let _e3944 = phi_2494_;
+                        if _e3932 {
+                            let _e5577 = local_81;
+                            phi_2498_ = _e5577;
+                            phi_2499_ = true;
+                            phi_2500_ = false;
+                            phi_2501_ = false;
+                            phi_2502_ = false;
+                            phi_2503_ = false;
                             phi_2504_ = false;
                             phi_2505_ = false;
                         } else {
-                            phi_2502_ = _e3865;
-                            phi_2503_ = _e3869;
-                            phi_2504_ = _e3871;
-                            phi_2505_ = _e3873;
+                            let _e5579 = local_82;
+                            phi_2498_ = _e5579;
+                            phi_2499_ = _e3934;
+                            phi_2500_ = _e3936;
+                            phi_2501_ = _e3938;
+                            phi_2502_ = _e3940;
+                            let _e5586 = local_83;
+                            phi_2503_ = _e5586;
+                            phi_2504_ = _e3942;
+                            phi_2505_ = _e3944;
                         }
-                        let _e3878 = phi_2502_;
-                        let _e3880 = phi_2503_;
-                        let _e3882 = phi_2504_;
-                        let _e3884 = phi_2505_;
-                        if _e3880 {
-                            phi_2509_ = false;
-                            phi_2510_ = false;
-                        } else {
-                            phi_2509_ = _e3882;
-                            phi_2510_ = _e3884;
-                        }
-                        let _e3886 = phi_2509_;
-                        let _e3888 = phi_2510_;
-                        if _e3886 {
+                        let _e3946 = phi_2498_;
+                        let _e3948 = phi_2499_;
+                        let _e3950 = phi_2500_;
+                        let _e3952 = phi_2501_;
+                        let _e3954 = phi_2502_;
+                        let _e3956 = phi_2503_;
+                        let _e3958 = phi_2504_;
+                        let _e3960 = phi_2505_;
+                        if _e3948 {
+                            phi_2510_ = type_55(1u, _e3946);
+                            phi_2511_ = false;
+                            phi_2512_ = false;
+                            phi_2513_ = false;
                             phi_2514_ = false;
                             phi_2515_ = false;
+                            phi_2516_ = false;
                         } else {
-                            phi_2514_ = _e3888;
-                            phi_2515_ = _e3880;
+                            phi_2510_ = type_55();
+                            phi_2511_ = _e3950;
+                            phi_2512_ = _e3952;
+                            phi_2513_ = _e3954;
+                            phi_2514_ = _e3956;
+                            phi_2515_ = _e3958;
+                            phi_2516_ = _e3960;
                         }
-                        let _e3890 = phi_2514_;
-                        let _e3892 = phi_2515_;
-                        if _e3890 {
-                            phi_2519_ = true;
-                            phi_2520_ = false;
+                        let _e3963 = phi_2510_;
+                        let _e3965 = phi_2511_;
+                        let _e3967 = phi_2512_;
+                        let _e3969 = phi_2513_;
+                        let _e3971 = phi_2514_;
+                        let _e3973 = phi_2515_;
+                        let _e3975 = phi_2516_;
+                        if _e3965 {
+                            let _e3977 = local_40;
+                            phi_2521_ = type_55(1u, _e3977);
+                            phi_2522_ = false;
+                            phi_2523_ = false;
+                            phi_2524_ = true;
+                            phi_2525_ = false;
+                            phi_2526_ = false;
                         } else {
-                            phi_2519_ = _e3886;
-                            phi_2520_ = _e3892;
+                            phi_2521_ = _e3930;
+                            phi_2522_ = _e3967;
+                            phi_2523_ = _e3969;
+                            phi_2524_ = _e3971;
+                            phi_2525_ = _e3973;
+                            phi_2526_ = _e3975;
                         }
-                        let _e3894 = phi_2519_;
-                        let _e3896 = phi_2520_;
-                        if _e3894 {
-                            let _e3898 = local_41;
-                            phi_2525_ = type_55(1u, _e3898);
-                            phi_2526_ = true;
+                        let _e3980 = phi_2521_;
+                        let _e3982 = phi_2522_;
+                        let _e3984 = phi_2523_;
+                        let _e3986 = phi_2524_;
+                        let _e3988 = phi_2525_;
+                        let _e3990 = phi_2526_;
+                        if _e3982 {
+                            let _e3992 = local_41;
+                            phi_2531_ = type_55(1u, _e3992);
+                            phi_2532_ = false;
+                            phi_2533_ = false;
+                            phi_2534_ = false;
+                            phi_2535_ = false;
                         } else {
-                            phi_2525_ = _e3878;
-                            phi_2526_ = _e3896;
+                            phi_2531_ = type_55();
+                            phi_2532_ = _e3984;
+                            phi_2533_ = _e3986;
+                            phi_2534_ = _e3988;
+                            phi_2535_ = _e3990;
                         }
-                        let _e3901 = phi_2525_;
-                        let _e3903 = phi_2526_;
-                        if _e3903 {
-                            phi_2530_ = _e3901;
+                        let _e3995 = phi_2531_;
+                        let _e3997 = phi_2532_;
+                        let _e3999 = phi_2533_;
+                        let _e4001 = phi_2534_;
+                        let _e4003 = phi_2535_;
+                        if _e3997 {
+                            let _e4005 = local_42;
+                            phi_2540_ = type_55(1u, _e4005);
+                            phi_2541_ = true;
+                            phi_2542_ = false;
+                            phi_2543_ = false;
+                            phi_2544_ = false;
                         } else {
-                            phi_2530_ = _e3850;
+                            phi_2540_ = _e3995;
+                            phi_2541_ = _e3982;
+                            phi_2542_ = _e3999;
+                            phi_2543_ = _e4001;
+                            phi_2544_ = _e4003;
                         }
-                        let _e3905 = phi_2530_;
-                        if (_e3905.member != 0u) {
+                        let _e4008 = phi_2540_;
+                        let _e4010 = phi_2541_;
+                        let _e4012 = phi_2542_;
+                        let _e4014 = phi_2543_;
+                        let _e4016 = phi_2544_;
+                        if _e4010 {
+                            phi_2548_ = _e4008;
+                            phi_2549_ = true;
+                            phi_2550_ = false;
+                            phi_2551_ = false;
+                        } else {
+                            phi_2548_ = _e3980;
+                            phi_2549_ = _e4012;
+                            phi_2550_ = _e4014;
+                            phi_2551_ = _e4016;
+                        }
+                        let _e4018 = phi_2548_;
+                        let _e4020 = phi_2549_;
+                        let _e4022 = phi_2550_;
+                        let _e4024 = phi_2551_;
+                        if _e4020 {
+                            phi_2555_ = false;
+                            phi_2556_ = false;
+                        } else {
+                            phi_2555_ = _e4022;
+                            phi_2556_ = _e4024;
+                        }
+                        let _e4026 = phi_2555_;
+                        let _e4028 = phi_2556_;
+                        if _e4026 {
+                            phi_2560_ = false;
+                            phi_2561_ = false;
+                        } else {
+                            phi_2560_ = _e4028;
+                            phi_2561_ = _e4020;
+                        }
+                        let _e4030 = phi_2560_;
+                        let _e4032 = phi_2561_;
+                        if _e4030 {
+                            phi_2565_ = true;
+                            phi_2566_ = false;
+                        } else {
+                            phi_2565_ = _e4026;
+                            phi_2566_ = _e4032;
+                        }
+                        let _e4034 = phi_2565_;
+                        let _e4036 = phi_2566_;
+                        if _e4034 {
+                            let _e4038 = local_43;
+                            phi_2571_ = type_55(1u, _e4038);
+                            phi_2572_ = true;
+                        } else {
+                            phi_2571_ = _e4018;
+                            phi_2572_ = _e4036;
+                        }
+                        let _e4041 = phi_2571_;
+                        let _e4043 = phi_2572_;
+                        if _e4043 {
+                            phi_2576_ = _e4041;
+                        } else {
+                            phi_2576_ = _e3963;
+                        }
+                        let _e4045 = phi_2576_;
+                        if (_e4045.member != 0u) {
                             local_14[0u] = 0f;
                             local_14[1u] = (0.02f * 0.0000005f);
                             local_14[2u] = (1.8f * 0.0000005f);
-                            phi_2544_ = type_28(0u, 3u);
+                            phi_2590_ = type_28(0u, 3u);
                             loop {
-                                let _e3918 = phi_2544_;
-                                if (_e3918.member < _e3918.member_1) {
-                                    phi_2545_ = type_28((_e3918.member + 1u), _e3918.member_1);
-                                    phi_2568_ = type_28(1u, _e3918.member);
+                                let _e4058 = phi_2590_;
+                                if (_e4058.member < _e4058.member_1) {
+                                    phi_2591_ = type_28((_e4058.member + 1u), _e4058.member_1);
+                                    phi_2614_ = type_28(1u, _e4058.member);
                                 } else {
-                                    phi_2545_ = _e3918;
-                                    phi_2568_ = type_28(0u, type_28().member_1);
+                                    phi_2591_ = _e4058;
+                                    phi_2614_ = type_28(0u, type_28().member_1);
                                 }
-                                let _e3932 = phi_2545_;
-                                let _e3934 = phi_2568_;
-                                if (bitcast<i32>(_e3934.member) != 0i) {
-                                    if (_e3934.member_1 < 3u) {
+                                let _e4072 = phi_2591_;
+                                let _e4074 = phi_2614_;
+                                if (bitcast<i32>(_e4074.member) != 0i) {
+                                    if (_e4074.member_1 < 3u) {
                                     } else {
                                         return;
                                     }
-                                    let _e3941 = local_14[_e3934.member_1];
-                                    let _e3942 = (_e3905.member_1 + _e3941);
-                                    if (_e3942 < 1f) {
-                                        phi_2588_ = _e3942;
+                                    let _e4081 = local_14[_e4074.member_1];
+                                    let _e4082 = (_e4045.member_1 + _e4081);
+                                    if (_e4082 < 1f) {
+                                        phi_2634_ = _e4082;
                                     } else {
-                                        phi_2588_ = 1f;
+                                        phi_2634_ = 1f;
                                     }
-                                    let _e3945 = phi_2588_;
-                                    let _e3948 = local_15.member[0u];
-                                    let _e3954 = local_15.member[1u];
-                                    let _e3964 = (_e3948[0] + ((_e3954[0] - _e3948[0]) * _e3945));
-                                    let _e3965 = (_e3948[1] + ((_e3954[1] - _e3948[1]) * _e3945));
-                                    let _e3966 = (_e3948[2] + ((_e3954[2] - _e3948[2]) * _e3945));
-                                    let _e3969 = local_15.member_1[0u];
-                                    let _e3975 = local_15.member_1[1u];
-                                    let _e3985 = (_e3969[0] + ((_e3975[0] - _e3969[0]) * _e3945));
-                                    let _e3986 = (_e3969[1] + ((_e3975[1] - _e3969[1]) * _e3945));
-                                    let _e3987 = (_e3969[2] + ((_e3975[2] - _e3969[2]) * _e3945));
-                                    let _e3990 = local_15.member_2[0u];
-                                    let _e3996 = local_15.member_2[1u];
-                                    let _e4006 = (_e3990[0] + ((_e3996[0] - _e3990[0]) * _e3945));
-                                    let _e4007 = (_e3990[1] + ((_e3996[1] - _e3990[1]) * _e3945));
-                                    let _e4008 = (_e3990[2] + ((_e3996[2] - _e3990[2]) * _e3945));
-                                    let _e4013 = (((_e3985 * _e3985) + (_e3986 * _e3986)) + (_e3987 * _e3987));
-                                    let _e4018 = (((_e3985 * _e4006) + (_e3986 * _e4007)) + (_e3987 * _e4008));
-                                    let _e4023 = (((_e4006 * _e4006) + (_e4007 * _e4007)) + (_e4008 * _e4008));
-                                    let _e4028 = (((_e3964 * _e3985) + (_e3965 * _e3986)) + (_e3966 * _e3987));
-                                    let _e4033 = (((_e3964 * _e4006) + (_e3965 * _e4007)) + (_e3966 * _e4008));
-                                    let _e4036 = ((_e4013 * _e4023) - (_e4018 * _e4018));
-                                    let _e4040 = (((_e4028 * _e4023) - (_e4033 * _e4018)) / _e4036);
-                                    let _e4044 = (((_e4033 * _e4013) - (_e4028 * _e4018)) / _e4036);
-                                    if (_e4040 >= 0f) {
-                                        if (_e4044 >= 0f) {
-                                            if (_e4040 <= 1f) {
-                                                phi_2736_ = (_e4044 <= 1f);
-                                                phi_2737_ = false;
+                                    let _e4085 = phi_2634_;
+                                    let _e4088 = local_15.member[0u];
+                                    let _e4094 = local_15.member[1u];
+                                    let _e4104 = (_e4088[0] + ((_e4094[0] - _e4088[0]) * _e4085));
+                                    let _e4105 = (_e4088[1] + ((_e4094[1] - _e4088[1]) * _e4085));
+                                    let _e4106 = (_e4088[2] + ((_e4094[2] - _e4088[2]) * _e4085));
+                                    let _e4109 = local_15.member_1[0u];
+                                    let _e4115 = local_15.member_1[1u];
+                                    let _e4125 = (_e4109[0] + ((_e4115[0] - _e4109[0]) * _e4085));
+                                    let _e4126 = (_e4109[1] + ((_e4115[1] - _e4109[1]) * _e4085));
+                                    let _e4127 = (_e4109[2] + ((_e4115[2] - _e4109[2]) * _e4085));
+                                    let _e4130 = local_15.member_2[0u];
+                                    let _e4136 = local_15.member_2[1u];
+                                    let _e4146 = (_e4130[0] + ((_e4136[0] - _e4130[0]) * _e4085));
+                                    let _e4147 = (_e4130[1] + ((_e4136[1] - _e4130[1]) * _e4085));
+                                    let _e4148 = (_e4130[2] + ((_e4136[2] - _e4130[2]) * _e4085));
+                                    let _e4153 = (((_e4125 * _e4125) + (_e4126 * _e4126)) + (_e4127 * _e4127));
+                                    let _e4158 = (((_e4125 * _e4146) + (_e4126 * _e4147)) + (_e4127 * _e4148));
+                                    let _e4163 = (((_e4146 * _e4146) + (_e4147 * _e4147)) + (_e4148 * _e4148));
+                                    let _e4168 = (((_e4104 * _e4125) + (_e4105 * _e4126)) + (_e4106 * _e4127));
+                                    let _e4173 = (((_e4104 * _e4146) + (_e4105 * _e4147)) + (_e4106 * _e4148));
+                                    let _e4176 = ((_e4153 * _e4163) - (_e4158 * _e4158));
+                                    let _e4180 = (((_e4168 * _e4163) - (_e4173 * _e4158)) / _e4176);
+                                    let _e4184 = (((_e4173 * _e4153) - (_e4168 * _e4158)) / _e4176);
+                                    if (_e4180 >= 0f) {
+                                        if (_e4184 >= 0f) {
+                                            if (_e4180 <= 1f) {
+                                                phi_2782_ = (_e4184 <= 1f);
+                                                phi_2783_ = false;
                                             } else {
-                                                phi_2736_ = bool();
-                                                phi_2737_ = true;
+                                                phi_2782_ = bool();
+                                                phi_2783_ = true;
                                             }
-                                            let _e4050 = phi_2736_;
-                                            let _e4052 = phi_2737_;
-                                            phi_2738_ = _e4050;
-                                            phi_2739_ = _e4052;
+                                            let _e4190 = phi_2782_;
+                                            let _e4192 = phi_2783_;
+                                            phi_2784_ = _e4190;
+                                            phi_2785_ = _e4192;
                                         } else {
-                                            phi_2738_ = bool();
-                                            phi_2739_ = true;
+                                            phi_2784_ = bool();
+                                            phi_2785_ = true;
                                         }
-                                        let _e4054 = phi_2738_;
-                                        let _e4056 = phi_2739_;
-                                        phi_2740_ = _e4054;
-                                        phi_2741_ = _e4056;
+                                        let _e4194 = phi_2784_;
+                                        let _e4196 = phi_2785_;
+                                        phi_2786_ = _e4194;
+                                        phi_2787_ = _e4196;
                                     } else {
-                                        phi_2740_ = bool();
-                                        phi_2741_ = true;
+                                        phi_2786_ = bool();
+                                        phi_2787_ = true;
                                     }
-                                    let _e4058 = phi_2740_;
-                                    let _e4060 = phi_2741_;
-                                    if _e4060 {
-                                        phi_2745_ = false;
+                                    let _e4198 = phi_2786_;
+                                    let _e4200 = phi_2787_;
+                                    if _e4200 {
+                                        phi_2791_ = false;
                                     } else {
-                                        phi_2745_ = _e4058;
+                                        phi_2791_ = _e4198;
                                     }
-                                    let _e4062 = phi_2745_;
-                                    if (_e4036 > 0f) {
-                                        if _e4062 {
-                                            phi_2785_ = array<f32, 3>((_e3964 - ((_e3985 * _e4040) + (_e4006 * _e4044))), (_e3965 - ((_e3986 * _e4040) + (_e4007 * _e4044))), (_e3966 - ((_e3987 * _e4040) + (_e4008 * _e4044))));
-                                            phi_2786_ = false;
+                                    let _e4202 = phi_2791_;
+                                    if (_e4176 > 0f) {
+                                        if _e4202 {
+                                            phi_2831_ = array<f32, 3>((_e4104 - ((_e4125 * _e4180) + (_e4146 * _e4184))), (_e4105 - ((_e4126 * _e4180) + (_e4147 * _e4184))), (_e4106 - ((_e4127 * _e4180) + (_e4148 * _e4184))));
+                                            phi_2832_ = false;
                                         } else {
-                                            phi_2785_ = array<f32, 3>();
-                                            phi_2786_ = true;
+                                            phi_2831_ = array<f32, 3>();
+                                            phi_2832_ = true;
                                         }
-                                        let _e4078 = phi_2785_;
-                                        let _e4080 = phi_2786_;
-                                        phi_2787_ = _e4078;
-                                        phi_2788_ = _e4080;
+                                        let _e4218 = phi_2831_;
+                                        let _e4220 = phi_2832_;
+                                        phi_2833_ = _e4218;
+                                        phi_2834_ = _e4220;
                                     } else {
-                                        phi_2787_ = array<f32, 3>();
-                                        phi_2788_ = true;
+                                        phi_2833_ = array<f32, 3>();
+                                        phi_2834_ = true;
                                     }
-                                    let _e4082 = phi_2787_;
-                                    let _e4084 = phi_2788_;
-                                    if _e4084 {
-                                        let _e4085 = (_e3964 - _e3985);
-                                        let _e4086 = (_e3965 - _e3986);
-                                        let _e4087 = (_e3966 - _e3987);
-                                        let _e4098 = ((((_e3964 * _e3985) + (_e3965 * _e3986)) + (_e3966 * _e3987)) / (((_e3985 * _e3985) + (_e3986 * _e3986)) + (_e3987 * _e3987)));
-                                        if (_e4098 > 0f) {
-                                            if (_e4098 < 1f) {
-                                                phi_2818_ = _e4098;
+                                    let _e4222 = phi_2833_;
+                                    let _e4224 = phi_2834_;
+                                    if _e4224 {
+                                        let _e4225 = (_e4104 - _e4125);
+                                        let _e4226 = (_e4105 - _e4126);
+                                        let _e4227 = (_e4106 - _e4127);
+                                        let _e4238 = ((((_e4104 * _e4125) + (_e4105 * _e4126)) + (_e4106 * _e4127)) / (((_e4125 * _e4125) + (_e4126 * _e4126)) + (_e4127 * _e4127)));
+                                        if (_e4238 > 0f) {
+                                            if (_e4238 < 1f) {
+                                                phi_2864_ = _e4238;
                                             } else {
-                                                phi_2818_ = 1f;
+                                                phi_2864_ = 1f;
                                             }
-                                            let _e4102 = phi_2818_;
-                                            phi_2819_ = _e4102;
+                                            let _e4242 = phi_2864_;
+                                            phi_2865_ = _e4242;
                                         } else {
-                                            phi_2819_ = 0f;
+                                            phi_2865_ = 0f;
                                         }
-                                        let _e4104 = phi_2819_;
-                                        let _e4121 = ((((_e3964 * _e4006) + (_e3965 * _e4007)) + (_e3966 * _e4008)) / (((_e4006 * _e4006) + (_e4007 * _e4007)) + (_e4008 * _e4008)));
-                                        if (_e4121 > 0f) {
-                                            if (_e4121 < 1f) {
-                                                phi_2846_ = _e4121;
+                                        let _e4244 = phi_2865_;
+                                        let _e4261 = ((((_e4104 * _e4146) + (_e4105 * _e4147)) + (_e4106 * _e4148)) / (((_e4146 * _e4146) + (_e4147 * _e4147)) + (_e4148 * _e4148)));
+                                        if (_e4261 > 0f) {
+                                            if (_e4261 < 1f) {
+                                                phi_2892_ = _e4261;
                                             } else {
-                                                phi_2846_ = 1f;
+                                                phi_2892_ = 1f;
                                             }
-                                            let _e4125 = phi_2846_;
-                                            phi_2847_ = _e4125;
+                                            let _e4265 = phi_2892_;
+                                            phi_2893_ = _e4265;
                                         } else {
-                                            phi_2847_ = 0f;
+                                            phi_2893_ = 0f;
                                         }
-                                        let _e4127 = phi_2847_;
-                                        let _e4144 = ((((_e4085 * _e4006) + (_e4086 * _e4007)) + (_e4087 * _e4008)) / (((_e4006 * _e4006) + (_e4007 * _e4007)) + (_e4008 * _e4008)));
-                                        if (_e4144 > 0f) {
-                                            if (_e4144 < 1f) {
-                                                phi_2874_ = _e4144;
+                                        let _e4267 = phi_2893_;
+                                        let _e4284 = ((((_e4225 * _e4146) + (_e4226 * _e4147)) + (_e4227 * _e4148)) / (((_e4146 * _e4146) + (_e4147 * _e4147)) + (_e4148 * _e4148)));
+                                        if (_e4284 > 0f) {
+                                            if (_e4284 < 1f) {
+                                                phi_2920_ = _e4284;
                                             } else {
-                                                phi_2874_ = 1f;
+                                                phi_2920_ = 1f;
                                             }
-                                            let _e4148 = phi_2874_;
-                                            phi_2875_ = _e4148;
+                                            let _e4288 = phi_2920_;
+                                            phi_2921_ = _e4288;
                                         } else {
-                                            phi_2875_ = 0f;
+                                            phi_2921_ = 0f;
                                         }
-                                        let _e4150 = phi_2875_;
-                                        let _e4157 = (_e3964 - _e4006);
-                                        let _e4158 = (_e3965 - _e4007);
-                                        let _e4159 = (_e3966 - _e4008);
-                                        let _e4170 = ((((_e4157 * _e3985) + (_e4158 * _e3986)) + (_e4159 * _e3987)) / (((_e3985 * _e3985) + (_e3986 * _e3986)) + (_e3987 * _e3987)));
-                                        if (_e4170 > 0f) {
-                                            if (_e4170 < 1f) {
-                                                phi_2905_ = _e4170;
+                                        let _e4290 = phi_2921_;
+                                        let _e4297 = (_e4104 - _e4146);
+                                        let _e4298 = (_e4105 - _e4147);
+                                        let _e4299 = (_e4106 - _e4148);
+                                        let _e4310 = ((((_e4297 * _e4125) + (_e4298 * _e4126)) + (_e4299 * _e4127)) / (((_e4125 * _e4125) + (_e4126 * _e4126)) + (_e4127 * _e4127)));
+                                        if (_e4310 > 0f) {
+                                            if (_e4310 < 1f) {
+                                                phi_2951_ = _e4310;
                                             } else {
-                                                phi_2905_ = 1f;
+                                                phi_2951_ = 1f;
                                             }
-                                            let _e4174 = phi_2905_;
-                                            phi_2906_ = _e4174;
+                                            let _e4314 = phi_2951_;
+                                            phi_2952_ = _e4314;
                                         } else {
-                                            phi_2906_ = 0f;
+                                            phi_2952_ = 0f;
                                         }
-                                        let _e4176 = phi_2906_;
-                                        local_10[0u] = array<f32, 3>((_e3964 - (_e3985 * _e4104)), (_e3965 - (_e3986 * _e4104)), (_e3966 - (_e3987 * _e4104)));
-                                        local_10[1u] = array<f32, 3>((_e3964 - (_e4006 * _e4127)), (_e3965 - (_e4007 * _e4127)), (_e3966 - (_e4008 * _e4127)));
-                                        local_10[2u] = array<f32, 3>((_e4085 - (_e4006 * _e4150)), (_e4086 - (_e4007 * _e4150)), (_e4087 - (_e4008 * _e4150)));
-                                        local_10[3u] = array<f32, 3>((_e4157 - (_e3985 * _e4176)), (_e4158 - (_e3986 * _e4176)), (_e4159 - (_e3987 * _e4176)));
-                                        let _e4192 = local_10[0u];
-                                        phi_3049_ = type_28(1u, 4u);
-                                        phi_3052_ = array<f32, 3>(_e4192[0], _e4192[1], _e4192[2]);
+                                        let _e4316 = phi_2952_;
+                                        local_10[0u] = array<f32, 3>((_e4104 - (_e4125 * _e4244)), (_e4105 - (_e4126 * _e4244)), (_e4106 - (_e4127 * _e4244)));
+                                        local_10[1u] = array<f32, 3>((_e4104 - (_e4146 * _e4267)), (_e4105 - (_e4147 * _e4267)), (_e4106 - (_e4148 * _e4267)));
+                                        local_10[2u] = array<f32, 3>((_e4225 - (_e4146 * _e4290)), (_e4226 - (_e4147 * _e4290)), (_e4227 - (_e4148 * _e4290)));
+                                        local_10[3u] = array<f32, 3>((_e4297 - (_e4125 * _e4316)), (_e4298 - (_e4126 * _e4316)), (_e4299 - (_e4127 * _e4316)));
+                                        let _e4332 = local_10[0u];
+                                        phi_3095_ = type_28(1u, 4u);
+                                        phi_3098_ = array<f32, 3>(_e4332[0], _e4332[1], _e4332[2]);
                                         loop {
-                                            let _e4198 = phi_3049_;
-                                            let _e4200 = phi_3052_;
-                                            local_76 = _e4200;
-                                            if (_e4198.member < _e4198.member_1) {
-                                                phi_3050_ = type_28((_e4198.member + 1u), _e4198.member_1);
-                                                phi_3075_ = type_28(1u, _e4198.member);
+                                            let _e4338 = phi_3095_;
+                                            let _e4340 = phi_3098_;
+                                            local_84 = _e4340;
+                                            if (_e4338.member < _e4338.member_1) {
+                                                phi_3096_ = type_28((_e4338.member + 1u), _e4338.member_1);
+                                                phi_3121_ = type_28(1u, _e4338.member);
                                             } else {
-                                                phi_3050_ = _e4198;
-                                                phi_3075_ = type_28(0u, type_28().member_1);
+                                                phi_3096_ = _e4338;
+                                                phi_3121_ = type_28(0u, type_28().member_1);
                                             }
-                                            let _e4214 = phi_3050_;
-                                            let _e4216 = phi_3075_;
-                                            let _e4220 = (bitcast<i32>(_e4216.member) != 0i);
-                                            if _e4220 {
-                                                if (_e4216.member_1 < 4u) {
+                                            let _e4354 = phi_3096_;
+                                            let _e4356 = phi_3121_;
+                                            let _e4360 = (bitcast<i32>(_e4356.member) != 0i);
+                                            if _e4360 {
+                                                if (_e4356.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e4223 = local_10[_e4216.member_1];
-                                                if (_e4216.member_1 < 4u) {
+                                                let _e4363 = local_10[_e4356.member_1];
+                                                if (_e4356.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e4229 = local_10[_e4216.member_1];
-                                                if ((((_e4223[0] * _e4229[0]) + (_e4223[1] * _e4229[1])) + (_e4223[2] * _e4229[2])) < (((_e4200[0] * _e4200[0]) + (_e4200[1] * _e4200[1])) + (_e4200[2] * _e4200[2]))) {
-                                                    if (_e4216.member_1 < 4u) {
+                                                let _e4369 = local_10[_e4356.member_1];
+                                                if ((((_e4363[0] * _e4369[0]) + (_e4363[1] * _e4369[1])) + (_e4363[2] * _e4369[2])) < (((_e4340[0] * _e4340[0]) + (_e4340[1] * _e4340[1])) + (_e4340[2] * _e4340[2]))) {
+                                                    if (_e4356.member_1 < 4u) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e4252 = local_10[_e4216.member_1];
-                                                    phi_3142_ = array<f32, 3>(_e4252[0], _e4252[1], _e4252[2]);
+                                                    let _e4392 = local_10[_e4356.member_1];
+                                                    phi_3188_ = array<f32, 3>(_e4392[0], _e4392[1], _e4392[2]);
                                                 } else {
-                                                    phi_3142_ = _e4200;
+                                                    phi_3188_ = _e4340;
                                                 }
-                                                let _e4258 = phi_3142_;
-                                                phi_3053_ = _e4258;
+                                                let _e4398 = phi_3188_;
+                                                phi_3099_ = _e4398;
                                             } else {
-                                                phi_3053_ = array<f32, 3>();
+                                                phi_3099_ = array<f32, 3>();
                                             }
-                                            let _e4260 = phi_3053_;
+                                            let _e4400 = phi_3099_;
                                             continue;
                                             continuing {
-                                                phi_3049_ = _e4214;
-                                                phi_3052_ = _e4260;
-                                                break if !(_e4220);
+                                                phi_3095_ = _e4354;
+                                                phi_3098_ = _e4400;
+                                                break if !(_e4360);
                                             }
                                         }
-                                        let _e5447 = local_76;
-                                        phi_3143_ = _e5447;
+                                        let _e5660 = local_84;
+                                        phi_3189_ = _e5660;
                                     } else {
-                                        phi_3143_ = _e4082;
+                                        phi_3189_ = _e4222;
                                     }
-                                    let _e4263 = phi_3143_;
-                                    let _e4274 = (((_e4263[0] * _e4263[0]) + (_e4263[1] * _e4263[1])) + (_e4263[2] * _e4263[2]));
-                                    if (_e4274 <= 0.000000000000000000000000000000000000011754944f) {
-                                        if (_e4274 > 0f) {
-                                            phi_3168_ = (0.000000000000000000106433627f * 2f);
+                                    let _e4403 = phi_3189_;
+                                    let _e4414 = (((_e4403[0] * _e4403[0]) + (_e4403[1] * _e4403[1])) + (_e4403[2] * _e4403[2]));
+                                    if (_e4414 <= 0.000000000000000000000000000000000000011754944f) {
+                                        if (_e4414 > 0f) {
+                                            phi_3214_ = (0.000000000000000000106433627f * 2f);
                                         } else {
-                                            phi_3168_ = 0f;
+                                            phi_3214_ = 0f;
                                         }
-                                        let _e4333 = phi_3168_;
-                                        phi_3232_ = _e4333;
+                                        let _e4473 = phi_3214_;
+                                        phi_3278_ = _e4473;
                                     } else {
-                                        phi_3175_ = type_26(0i, 5i);
-                                        phi_3178_ = bitcast<f32>(((bitcast<u32>(_e4274) >> bitcast<u32>(1i)) + 532369198u));
+                                        phi_3221_ = type_26(0i, 5i);
+                                        phi_3224_ = bitcast<f32>(((bitcast<u32>(_e4414) >> bitcast<u32>(1i)) + 532369198u));
                                         loop {
-                                            let _e4282 = phi_3175_;
-                                            let _e4284 = phi_3178_;
-                                            local_42 = _e4284;
-                                            if (_e4282.member < _e4282.member_1) {
-                                                let _e4292 = (_e4282.member + 1i);
-                                                if ((false == (_e4292 > _e4282.member)) != false) {
-                                                    phi_3199_ = true;
+                                            let _e4422 = phi_3221_;
+                                            let _e4424 = phi_3224_;
+                                            local_44 = _e4424;
+                                            if (_e4422.member < _e4422.member_1) {
+                                                let _e4432 = (_e4422.member + 1i);
+                                                if ((false == (_e4432 > _e4422.member)) != false) {
+                                                    phi_3245_ = true;
                                                 } else {
-                                                    phi_3199_ = false;
+                                                    phi_3245_ = false;
                                                 }
-                                                let _e4297 = phi_3199_;
-                                                if _e4297 {
-                                                    phi_3205_ = type_27(0u, type_27().member_1);
+                                                let _e4437 = phi_3245_;
+                                                if _e4437 {
+                                                    phi_3251_ = type_27(0u, type_27().member_1);
                                                 } else {
-                                                    phi_3205_ = type_27(1u, _e4292);
+                                                    phi_3251_ = type_27(1u, _e4432);
                                                 }
-                                                let _e4303 = phi_3205_;
-                                                if (bitcast<i32>(_e4303.member) != 0i) {
+                                                let _e4443 = phi_3251_;
+                                                if (bitcast<i32>(_e4443.member) != 0i) {
                                                 } else {
                                                     return;
                                                 }
-                                                phi_3176_ = type_26(_e4303.member_1, _e4282.member_1);
-                                                phi_3219_ = type_27(1u, _e4282.member);
+                                                phi_3222_ = type_26(_e4443.member_1, _e4422.member_1);
+                                                phi_3265_ = type_27(1u, _e4422.member);
                                             } else {
-                                                phi_3176_ = _e4282;
-                                                phi_3219_ = type_27(0u, type_27().member_1);
+                                                phi_3222_ = _e4422;
+                                                phi_3265_ = type_27(0u, type_27().member_1);
                                             }
-                                            let _e4313 = phi_3176_;
-                                            let _e4315 = phi_3219_;
-                                            let _e4318 = (bitcast<i32>(_e4315.member) != 0i);
-                                            if _e4318 {
-                                                phi_3179_ = (0.5f * (_e4284 + (_e4274 / _e4284)));
+                                            let _e4453 = phi_3222_;
+                                            let _e4455 = phi_3265_;
+                                            let _e4458 = (bitcast<i32>(_e4455.member) != 0i);
+                                            if _e4458 {
+                                                phi_3225_ = (0.5f * (_e4424 + (_e4414 / _e4424)));
                                             } else {
-                                                phi_3179_ = f32();
+                                                phi_3225_ = f32();
                                             }
-                                            let _e4323 = phi_3179_;
+                                            let _e4463 = phi_3225_;
                                             continue;
                                             continuing {
-                                                phi_3175_ = _e4313;
-                                                phi_3178_ = _e4323;
-                                                break if !(_e4318);
+                                                phi_3221_ = _e4453;
+                                                phi_3224_ = _e4463;
+                                                break if !(_e4458);
                                             }
                                         }
-                                        let _e4328 = local_42;
-                                        phi_3232_ = (_e4328 * (1f + (4f * 0.000000059604645f)));
+                                        let _e4468 = local_44;
+                                        phi_3278_ = (_e4468 * (1f + (8f * 0.000000059604645f)));
                                     }
-                                    let _e4335 = phi_3232_;
-                                    let _e4341 = local_15.member[0u];
-                                    if (_e4341[0] < 0f) {
-                                        phi_3248_ = -(_e4341[0]);
+                                    let _e4475 = phi_3278_;
+                                    let _e4481 = local_15.member[0u];
+                                    if (_e4481[0] < 0f) {
+                                        phi_3294_ = -(_e4481[0]);
                                     } else {
-                                        phi_3248_ = _e4341[0];
+                                        phi_3294_ = _e4481[0];
                                     }
-                                    let _e4348 = phi_3248_;
-                                    if (_e4341[1] < 0f) {
-                                        phi_3255_ = -(_e4341[1]);
+                                    let _e4488 = phi_3294_;
+                                    if (_e4481[1] < 0f) {
+                                        phi_3301_ = -(_e4481[1]);
                                     } else {
-                                        phi_3255_ = _e4341[1];
+                                        phi_3301_ = _e4481[1];
                                     }
-                                    let _e4352 = phi_3255_;
-                                    if (_e4348 > _e4352) {
-                                        phi_3260_ = _e4348;
+                                    let _e4492 = phi_3301_;
+                                    if (_e4488 > _e4492) {
+                                        phi_3306_ = _e4488;
                                     } else {
-                                        phi_3260_ = _e4352;
+                                        phi_3306_ = _e4492;
                                     }
-                                    let _e4355 = phi_3260_;
-                                    if (_e4341[2] < 0f) {
-                                        phi_3267_ = -(_e4341[2]);
+                                    let _e4495 = phi_3306_;
+                                    if (_e4481[2] < 0f) {
+                                        phi_3313_ = -(_e4481[2]);
                                     } else {
-                                        phi_3267_ = _e4341[2];
+                                        phi_3313_ = _e4481[2];
                                     }
-                                    let _e4359 = phi_3267_;
-                                    if (_e4355 > _e4359) {
-                                        phi_3272_ = _e4355;
+                                    let _e4499 = phi_3313_;
+                                    if (_e4495 > _e4499) {
+                                        phi_3318_ = _e4495;
                                     } else {
-                                        phi_3272_ = _e4359;
+                                        phi_3318_ = _e4499;
                                     }
-                                    let _e4362 = phi_3272_;
-                                    let _e4365 = local_15.member[1u];
-                                    if (_e4365[0] < 0f) {
-                                        phi_3285_ = -(_e4365[0]);
+                                    let _e4502 = phi_3318_;
+                                    let _e4505 = local_15.member[1u];
+                                    if (_e4505[0] < 0f) {
+                                        phi_3331_ = -(_e4505[0]);
                                     } else {
-                                        phi_3285_ = _e4365[0];
+                                        phi_3331_ = _e4505[0];
                                     }
-                                    let _e4372 = phi_3285_;
-                                    if (_e4365[1] < 0f) {
-                                        phi_3292_ = -(_e4365[1]);
+                                    let _e4512 = phi_3331_;
+                                    if (_e4505[1] < 0f) {
+                                        phi_3338_ = -(_e4505[1]);
                                     } else {
-                                        phi_3292_ = _e4365[1];
+                                        phi_3338_ = _e4505[1];
                                     }
-                                    let _e4376 = phi_3292_;
-                                    if (_e4372 > _e4376) {
-                                        phi_3297_ = _e4372;
+                                    let _e4516 = phi_3338_;
+                                    if (_e4512 > _e4516) {
+                                        phi_3343_ = _e4512;
                                     } else {
-                                        phi_3297_ = _e4376;
+                                        phi_3343_ = _e4516;
                                     }
-                                    let _e4379 = phi_3297_;
-                                    if (_e4365[2] < 0f) {
-                                        phi_3304_ = -(_e4365[2]);
+                                    let _e4519 = phi_3343_;
+                                    if (_e4505[2] < 0f) {
+                                        phi_3350_ = -(_e4505[2]);
                                     } else {
-                                        phi_3304_ = _e4365[2];
+                                        phi_3350_ = _e4505[2];
                                     }
-                                    let _e4383 = phi_3304_;
-                                    if (_e4379 > _e4383) {
-                                        phi_3309_ = _e4379;
+                                    let _e4523 = phi_3350_;
+                                    if (_e4519 > _e4523) {
+                                        phi_3355_ = _e4519;
                                     } else {
-                                        phi_3309_ = _e4383;
+                                        phi_3355_ = _e4523;
                                     }
-                                    let _e4386 = phi_3309_;
-                                    if (_e4362 > _e4386) {
-                                        phi_3314_ = _e4362;
+                                    let _e4526 = phi_3355_;
+                                    if (_e4502 > _e4526) {
+                                        phi_3360_ = _e4502;
                                     } else {
-                                        phi_3314_ = _e4386;
+                                        phi_3360_ = _e4526;
                                     }
-                                    let _e4389 = phi_3314_;
-                                    let _e4391 = local_15.member_3;
-                                    let _e4395 = local_15.member_1[0u];
-                                    if (_e4395[0] < 0f) {
-                                        phi_3331_ = -(_e4395[0]);
+                                    let _e4529 = phi_3360_;
+                                    let _e4531 = local_15.member_3;
+                                    let _e4535 = local_15.member_1[0u];
+                                    if (_e4535[0] < 0f) {
+                                        phi_3377_ = -(_e4535[0]);
                                     } else {
-                                        phi_3331_ = _e4395[0];
+                                        phi_3377_ = _e4535[0];
                                     }
-                                    let _e4402 = phi_3331_;
-                                    if (_e4395[1] < 0f) {
-                                        phi_3338_ = -(_e4395[1]);
+                                    let _e4542 = phi_3377_;
+                                    if (_e4535[1] < 0f) {
+                                        phi_3384_ = -(_e4535[1]);
                                     } else {
-                                        phi_3338_ = _e4395[1];
+                                        phi_3384_ = _e4535[1];
                                     }
-                                    let _e4406 = phi_3338_;
-                                    if (_e4402 > _e4406) {
-                                        phi_3343_ = _e4402;
+                                    let _e4546 = phi_3384_;
+                                    if (_e4542 > _e4546) {
+                                        phi_3389_ = _e4542;
                                     } else {
-                                        phi_3343_ = _e4406;
+                                        phi_3389_ = _e4546;
                                     }
-                                    let _e4409 = phi_3343_;
-                                    if (_e4395[2] < 0f) {
-                                        phi_3350_ = -(_e4395[2]);
+                                    let _e4549 = phi_3389_;
+                                    if (_e4535[2] < 0f) {
+                                        phi_3396_ = -(_e4535[2]);
                                     } else {
-                                        phi_3350_ = _e4395[2];
+                                        phi_3396_ = _e4535[2];
                                     }
-                                    let _e4413 = phi_3350_;
-                                    if (_e4409 > _e4413) {
-                                        phi_3355_ = _e4409;
+                                    let _e4553 = phi_3396_;
+                                    if (_e4549 > _e4553) {
+                                        phi_3401_ = _e4549;
                                     } else {
-                                        phi_3355_ = _e4413;
+                                        phi_3401_ = _e4553;
                                     }
-                                    let _e4416 = phi_3355_;
-                                    let _e4419 = local_15.member_1[1u];
-                                    if (_e4419[0] < 0f) {
-                                        phi_3369_ = -(_e4419[0]);
+                                    let _e4556 = phi_3401_;
+                                    let _e4559 = local_15.member_1[1u];
+                                    if (_e4559[0] < 0f) {
+                                        phi_3415_ = -(_e4559[0]);
                                     } else {
-                                        phi_3369_ = _e4419[0];
+                                        phi_3415_ = _e4559[0];
                                     }
-                                    let _e4426 = phi_3369_;
-                                    if (_e4419[1] < 0f) {
-                                        phi_3376_ = -(_e4419[1]);
+                                    let _e4566 = phi_3415_;
+                                    if (_e4559[1] < 0f) {
+                                        phi_3422_ = -(_e4559[1]);
                                     } else {
-                                        phi_3376_ = _e4419[1];
+                                        phi_3422_ = _e4559[1];
                                     }
-                                    let _e4430 = phi_3376_;
-                                    if (_e4426 > _e4430) {
-                                        phi_3381_ = _e4426;
+                                    let _e4570 = phi_3422_;
+                                    if (_e4566 > _e4570) {
+                                        phi_3427_ = _e4566;
                                     } else {
-                                        phi_3381_ = _e4430;
+                                        phi_3427_ = _e4570;
                                     }
-                                    let _e4433 = phi_3381_;
-                                    if (_e4419[2] < 0f) {
-                                        phi_3388_ = -(_e4419[2]);
+                                    let _e4573 = phi_3427_;
+                                    if (_e4559[2] < 0f) {
+                                        phi_3434_ = -(_e4559[2]);
                                     } else {
-                                        phi_3388_ = _e4419[2];
+                                        phi_3434_ = _e4559[2];
                                     }
-                                    let _e4437 = phi_3388_;
-                                    if (_e4433 > _e4437) {
-                                        phi_3393_ = _e4433;
+                                    let _e4577 = phi_3434_;
+                                    if (_e4573 > _e4577) {
+                                        phi_3439_ = _e4573;
                                     } else {
-                                        phi_3393_ = _e4437;
+                                        phi_3439_ = _e4577;
                                     }
-                                    let _e4440 = phi_3393_;
-                                    if (_e4416 > _e4440) {
-                                        phi_3398_ = _e4416;
+                                    let _e4580 = phi_3439_;
+                                    if (_e4556 > _e4580) {
+                                        phi_3444_ = _e4556;
                                     } else {
-                                        phi_3398_ = _e4440;
+                                        phi_3444_ = _e4580;
                                     }
-                                    let _e4443 = phi_3398_;
-                                    let _e4445 = local_15.member_3;
-                                    let _e4449 = local_15.member_2[0u];
-                                    if (_e4449[0] < 0f) {
-                                        phi_3415_ = -(_e4449[0]);
+                                    let _e4583 = phi_3444_;
+                                    let _e4585 = local_15.member_3;
+                                    let _e4589 = local_15.member_2[0u];
+                                    if (_e4589[0] < 0f) {
+                                        phi_3461_ = -(_e4589[0]);
                                     } else {
-                                        phi_3415_ = _e4449[0];
+                                        phi_3461_ = _e4589[0];
                                     }
-                                    let _e4456 = phi_3415_;
-                                    if (_e4449[1] < 0f) {
-                                        phi_3422_ = -(_e4449[1]);
+                                    let _e4596 = phi_3461_;
+                                    if (_e4589[1] < 0f) {
+                                        phi_3468_ = -(_e4589[1]);
                                     } else {
-                                        phi_3422_ = _e4449[1];
+                                        phi_3468_ = _e4589[1];
                                     }
-                                    let _e4460 = phi_3422_;
-                                    if (_e4456 > _e4460) {
-                                        phi_3427_ = _e4456;
+                                    let _e4600 = phi_3468_;
+                                    if (_e4596 > _e4600) {
+                                        phi_3473_ = _e4596;
                                     } else {
-                                        phi_3427_ = _e4460;
+                                        phi_3473_ = _e4600;
                                     }
-                                    let _e4463 = phi_3427_;
-                                    if (_e4449[2] < 0f) {
-                                        phi_3434_ = -(_e4449[2]);
+                                    let _e4603 = phi_3473_;
+                                    if (_e4589[2] < 0f) {
+                                        phi_3480_ = -(_e4589[2]);
                                     } else {
-                                        phi_3434_ = _e4449[2];
+                                        phi_3480_ = _e4589[2];
                                     }
-                                    let _e4467 = phi_3434_;
-                                    if (_e4463 > _e4467) {
-                                        phi_3439_ = _e4463;
+                                    let _e4607 = phi_3480_;
+                                    if (_e4603 > _e4607) {
+                                        phi_3485_ = _e4603;
                                     } else {
-                                        phi_3439_ = _e4467;
+                                        phi_3485_ = _e4607;
                                     }
-                                    let _e4470 = phi_3439_;
-                                    let _e4473 = local_15.member_2[1u];
-                                    if (_e4473[0] < 0f) {
-                                        phi_3453_ = -(_e4473[0]);
+                                    let _e4610 = phi_3485_;
+                                    let _e4613 = local_15.member_2[1u];
+                                    if (_e4613[0] < 0f) {
+                                        phi_3499_ = -(_e4613[0]);
                                     } else {
-                                        phi_3453_ = _e4473[0];
+                                        phi_3499_ = _e4613[0];
                                     }
-                                    let _e4480 = phi_3453_;
-                                    if (_e4473[1] < 0f) {
-                                        phi_3460_ = -(_e4473[1]);
+                                    let _e4620 = phi_3499_;
+                                    if (_e4613[1] < 0f) {
+                                        phi_3506_ = -(_e4613[1]);
                                     } else {
-                                        phi_3460_ = _e4473[1];
+                                        phi_3506_ = _e4613[1];
                                     }
-                                    let _e4484 = phi_3460_;
-                                    if (_e4480 > _e4484) {
-                                        phi_3465_ = _e4480;
+                                    let _e4624 = phi_3506_;
+                                    if (_e4620 > _e4624) {
+                                        phi_3511_ = _e4620;
                                     } else {
-                                        phi_3465_ = _e4484;
+                                        phi_3511_ = _e4624;
                                     }
-                                    let _e4487 = phi_3465_;
-                                    if (_e4473[2] < 0f) {
-                                        phi_3472_ = -(_e4473[2]);
+                                    let _e4627 = phi_3511_;
+                                    if (_e4613[2] < 0f) {
+                                        phi_3518_ = -(_e4613[2]);
                                     } else {
-                                        phi_3472_ = _e4473[2];
+                                        phi_3518_ = _e4613[2];
                                     }
-                                    let _e4491 = phi_3472_;
-                                    if (_e4487 > _e4491) {
-                                        phi_3477_ = _e4487;
+                                    let _e4631 = phi_3518_;
+                                    if (_e4627 > _e4631) {
+                                        phi_3523_ = _e4627;
                                     } else {
-                                        phi_3477_ = _e4491;
+                                        phi_3523_ = _e4631;
                                     }
-                                    let _e4494 = phi_3477_;
-                                    if (_e4470 > _e4494) {
-                                        phi_3482_ = _e4470;
+                                    let _e4634 = phi_3523_;
+                                    if (_e4610 > _e4634) {
+                                        phi_3528_ = _e4610;
                                     } else {
-                                        phi_3482_ = _e4494;
+                                        phi_3528_ = _e4634;
                                     }
-                                    let _e4497 = phi_3482_;
-                                    let _e4499 = local_15.member_3;
-                                    let _e4506 = local_15.member_3;
-                                    let _e4513 = (((_e4335 * (1f + (0.000000059604645f * 8f))) + (((((((_e4389 + _e4391) + (_e4443 + _e4445)) + (_e4497 + _e4499)) * (0.000000059604645f * 16f)) + (_e4506 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e265);
-                                    if _e4513 {
-                                        phi_3502_ = false;
+                                    let _e4637 = phi_3528_;
+                                    let _e4639 = local_15.member_3;
+                                    let _e4646 = local_15.member_3;
+                                    let _e4653 = (((_e4475 * (1f + (0.000000059604645f * 8f))) + (((((((_e4529 + _e4531) + (_e4583 + _e4585)) + (_e4637 + _e4639)) * (0.000000059604645f * 16f)) + (_e4646 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e267);
+                                    if _e4653 {
+                                        phi_3548_ = false;
                                     } else {
-                                        phi_3502_ = true;
+                                        phi_3548_ = true;
                                     }
-                                    let _e4515 = phi_3502_;
-                                    phi_3503_ = _e4515;
-                                    phi_3504_ = _e4513;
+                                    let _e4655 = phi_3548_;
+                                    phi_3549_ = _e4655;
+                                    phi_3550_ = _e4653;
                                 } else {
-                                    phi_3503_ = false;
-                                    phi_3504_ = false;
+                                    phi_3549_ = false;
+                                    phi_3550_ = false;
                                 }
-                                let _e4517 = phi_3503_;
-                                let _e4519 = phi_3504_;
-                                local_43 = _e4519;
+                                let _e4657 = phi_3549_;
+                                let _e4659 = phi_3550_;
+                                local_45 = _e4659;
                                 continue;
                                 continuing {
-                                    phi_2544_ = _e3932;
-                                    break if !(_e4517);
+                                    phi_2590_ = _e4072;
+                                    break if !(_e4657);
                                 }
                             }
-                            let _e4522 = local_43;
-                            if _e4522 {
-                                phi_3509_ = type_55(1u, _e3905.member_1);
-                                phi_3510_ = false;
+                            let _e4662 = local_45;
+                            if _e4662 {
+                                phi_3555_ = type_55(1u, _e4045.member_1);
+                                phi_3556_ = false;
                             } else {
-                                phi_3509_ = type_55();
-                                phi_3510_ = true;
+                                phi_3555_ = type_55();
+                                phi_3556_ = true;
                             }
-                            let _e4525 = phi_3509_;
-                            let _e4527 = phi_3510_;
-                            if _e4527 {
-                                phi_3515_ = type_55(2u, _e3905.member_1);
-                                phi_3516_ = false;
+                            let _e4665 = phi_3555_;
+                            let _e4667 = phi_3556_;
+                            if _e4667 {
+                                phi_3561_ = type_55(2u, _e4045.member_1);
+                                phi_3562_ = false;
                             } else {
-                                phi_3515_ = type_55();
-                                phi_3516_ = true;
+                                phi_3561_ = type_55();
+                                phi_3562_ = true;
                             }
-                            let _e4530 = phi_3515_;
-                            let _e4532 = phi_3516_;
-                            phi_3518_ = _e4530;
-                            phi_3519_ = _e4525;
-                            phi_3520_ = _e4532;
+                            let _e4670 = phi_3561_;
+                            let _e4672 = phi_3562_;
+                            phi_3564_ = _e4670;
+                            phi_3565_ = _e4665;
+                            phi_3566_ = _e4672;
                         } else {
-                            phi_3518_ = type_55();
-                            phi_3519_ = type_55(0u, type_55().member_1);
-                            phi_3520_ = true;
+                            phi_3564_ = type_55();
+                            phi_3565_ = type_55(0u, type_55().member_1);
+                            phi_3566_ = true;
                         }
-                        let _e4534 = phi_3518_;
-                        let _e4536 = phi_3519_;
-                        let _e4538 = phi_3520_;
-                        if _e4538 {
-                            phi_3524_ = _e4536;
+                        let _e4674 = phi_3564_;
+                        let _e4676 = phi_3565_;
+                        let _e4678 = phi_3566_;
+                        if _e4678 {
+                            phi_3570_ = _e4676;
                         } else {
-                            phi_3524_ = _e4534;
+                            phi_3570_ = _e4674;
                         }
-                        let _e4540 = phi_3524_;
-                        phi_6734_ = _e4540;
+                        let _e4680 = phi_3570_;
+                        phi_6844_ = _e4680;
                     } else {
-                        if (_e363 < 0f) {
-                            phi_3534_ = -(_e363);
+                        if (_e365 < 0f) {
+                            phi_3580_ = -(_e365);
                         } else {
-                            phi_3534_ = _e363;
+                            phi_3580_ = _e365;
                         }
-                        let _e706 = phi_3534_;
-                        if (_e386 < 0f) {
-                            phi_3540_ = -(_e386);
+                        let _e708 = phi_3580_;
+                        if (_e388 < 0f) {
+                            phi_3586_ = -(_e388);
                         } else {
-                            phi_3540_ = _e386;
+                            phi_3586_ = _e388;
                         }
-                        let _e710 = phi_3540_;
-                        if (_e706 > _e710) {
-                            phi_3545_ = _e706;
+                        let _e712 = phi_3586_;
+                        if (_e708 > _e712) {
+                            phi_3591_ = _e708;
                         } else {
-                            phi_3545_ = _e710;
+                            phi_3591_ = _e712;
                         }
-                        let _e713 = phi_3545_;
-                        if (_e409 < 0f) {
-                            phi_3551_ = -(_e409);
+                        let _e715 = phi_3591_;
+                        if (_e411 < 0f) {
+                            phi_3597_ = -(_e411);
                         } else {
-                            phi_3551_ = _e409;
+                            phi_3597_ = _e411;
                         }
-                        let _e717 = phi_3551_;
-                        if (_e420 < 0f) {
-                            phi_3557_ = -(_e420);
+                        let _e719 = phi_3597_;
+                        if (_e422 < 0f) {
+                            phi_3603_ = -(_e422);
                         } else {
-                            phi_3557_ = _e420;
+                            phi_3603_ = _e422;
                         }
-                        let _e721 = phi_3557_;
-                        if (_e717 > _e721) {
-                            phi_3562_ = _e717;
+                        let _e723 = phi_3603_;
+                        if (_e719 > _e723) {
+                            phi_3608_ = _e719;
                         } else {
-                            phi_3562_ = _e721;
+                            phi_3608_ = _e723;
                         }
-                        let _e724 = phi_3562_;
-                        if (_e713 > _e724) {
-                            phi_3567_ = _e713;
+                        let _e726 = phi_3608_;
+                        if (_e715 > _e726) {
+                            phi_3613_ = _e715;
                         } else {
-                            phi_3567_ = _e724;
+                            phi_3613_ = _e726;
                         }
-                        let _e727 = phi_3567_;
-                        let _e730 = ((_e670 * 0.34f) + (_e727 * (0.000000059604645f * 256f)));
-                        let _e732 = (_e386 - (3f * _e363));
-                        let _e733 = (_e409 - _e386);
-                        let _e735 = ((3f * _e420) - _e409);
+                        let _e729 = phi_3613_;
+                        let _e730 = (0.000000000000000000000000000000000000011754944f * 67108864f);
+                        if (_e729 >= _e730) {
+                            phi_3621_ = (_e729 <= (1f / _e730));
+                        } else {
+                            phi_3621_ = false;
+                        }
+                        let _e735 = phi_3621_;
+                        if _e735 {
+                            phi_3626_ = (0.000000059604645f * 256f);
+                        } else {
+                            phi_3626_ = 2f;
+                        }
+                        let _e738 = phi_3626_;
+                        let _e740 = ((_e672 * 0.34f) + (_e729 * _e738));
+                        if _e735 {
+                            phi_3633_ = (1f / _e729);
+                        } else {
+                            phi_3633_ = 0f;
+                        }
+                        let _e743 = phi_3633_;
+                        let _e749 = ((_e388 - (3f * _e365)) * _e743);
+                        let _e750 = ((_e411 - _e388) * _e743);
+                        let _e751 = (((3f * _e422) - _e411) * _e743);
                         local_7[0u] = 0f;
                         local_7[1u] = 1f;
                         local_7[2u] = 1f;
                         local_7[3u] = 1f;
-                        let _e742 = ((_e733 * _e733) - (_e732 * _e735));
-                        if (_e742 > 0f) {
-                            if (_e742 <= 0.000000000000000000000000000000000000011754944f) {
-                                if (_e742 > 0f) {
-                                    phi_3600_ = (0.000000000000000000106433627f * 2f);
+                        let _e758 = ((_e750 * _e750) - (_e749 * _e751));
+                        if (_e758 > 0f) {
+                            if (_e758 <= 0.000000000000000000000000000000000000011754944f) {
+                                if (_e758 > 0f) {
+                                    phi_3666_ = (0.000000000000000000106433627f * 2f);
                                 } else {
-                                    phi_3600_ = 0f;
+                                    phi_3666_ = 0f;
                                 }
-                                let _e802 = phi_3600_;
-                                phi_3664_ = _e802;
+                                let _e818 = phi_3666_;
+                                phi_3730_ = _e818;
                             } else {
-                                phi_3607_ = type_26(0i, 5i);
-                                phi_3610_ = bitcast<f32>(((bitcast<u32>(_e742) >> bitcast<u32>(1i)) + 532369198u));
+                                phi_3673_ = type_26(0i, 5i);
+                                phi_3676_ = bitcast<f32>(((bitcast<u32>(_e758) >> bitcast<u32>(1i)) + 532369198u));
                                 loop {
-                                    let _e751 = phi_3607_;
-                                    let _e753 = phi_3610_;
-                                    local_16 = _e753;
-                                    if (_e751.member < _e751.member_1) {
-                                        let _e761 = (_e751.member + 1i);
-                                        if ((false == (_e761 > _e751.member)) != false) {
-                                            phi_3631_ = true;
+                                    let _e767 = phi_3673_;
+                                    let _e769 = phi_3676_;
+                                    local_16 = _e769;
+                                    if (_e767.member < _e767.member_1) {
+                                        let _e777 = (_e767.member + 1i);
+                                        if ((false == (_e777 > _e767.member)) != false) {
+                                            phi_3697_ = true;
                                         } else {
-                                            phi_3631_ = false;
+                                            phi_3697_ = false;
                                         }
-                                        let _e766 = phi_3631_;
-                                        if _e766 {
-                                            phi_3637_ = type_27(0u, type_27().member_1);
+                                        let _e782 = phi_3697_;
+                                        if _e782 {
+                                            phi_3703_ = type_27(0u, type_27().member_1);
                                         } else {
-                                            phi_3637_ = type_27(1u, _e761);
+                                            phi_3703_ = type_27(1u, _e777);
                                         }
-                                        let _e772 = phi_3637_;
-                                        if (bitcast<i32>(_e772.member) != 0i) {
+                                        let _e788 = phi_3703_;
+                                        if (bitcast<i32>(_e788.member) != 0i) {
                                         } else {
                                             return;
                                         }
-                                        phi_3608_ = type_26(_e772.member_1, _e751.member_1);
-                                        phi_3651_ = type_27(1u, _e751.member);
+                                        phi_3674_ = type_26(_e788.member_1, _e767.member_1);
+                                        phi_3717_ = type_27(1u, _e767.member);
                                     } else {
-                                        phi_3608_ = _e751;
-                                        phi_3651_ = type_27(0u, type_27().member_1);
+                                        phi_3674_ = _e767;
+                                        phi_3717_ = type_27(0u, type_27().member_1);
                                     }
-                                    let _e782 = phi_3608_;
-                                    let _e784 = phi_3651_;
-                                    let _e787 = (bitcast<i32>(_e784.member) != 0i);
-                                    if _e787 {
-                                        phi_3611_ = (0.5f * (_e753 + (_e742 / _e753)));
+                                    let _e798 = phi_3674_;
+                                    let _e800 = phi_3717_;
+                                    let _e803 = (bitcast<i32>(_e800.member) != 0i);
+                                    if _e803 {
+                                        phi_3677_ = (0.5f * (_e769 + (_e758 / _e769)));
                                     } else {
-                                        phi_3611_ = f32();
+                                        phi_3677_ = f32();
                                     }
-                                    let _e792 = phi_3611_;
+                                    let _e808 = phi_3677_;
                                     continue;
                                     continuing {
-                                        phi_3607_ = _e782;
-                                        phi_3610_ = _e792;
-                                        break if !(_e787);
+                                        phi_3673_ = _e798;
+                                        phi_3676_ = _e808;
+                                        break if !(_e803);
                                     }
                                 }
-                                let _e797 = local_16;
-                                phi_3664_ = (_e797 * (1f + (4f * 0.000000059604645f)));
+                                let _e813 = local_16;
+                                phi_3730_ = (_e813 * (1f + (8f * 0.000000059604645f)));
                             }
-                            let _e804 = phi_3664_;
-                            if (_e733 < 0f) {
-                                phi_3670_ = -(_e804);
+                            let _e820 = phi_3730_;
+                            if (_e750 < 0f) {
+                                phi_3736_ = -(_e820);
                             } else {
-                                phi_3670_ = _e804;
+                                phi_3736_ = _e820;
                             }
-                            let _e808 = phi_3670_;
-                            let _e810 = -((_e733 + _e808));
-                            local_8[0u] = (_e810 / (_e810 + _e735));
-                            local_8[1u] = (_e732 / (_e732 + _e810));
-                            let _e819 = local_8[1u];
-                            let _e820 = local_8[0u];
-                            if (_e819 < _e820) {
-                                let _e823 = local_8[1u];
-                                let _e825 = local_8[0u];
-                                local_8[0u] = _e823;
-                                local_8[1u] = _e825;
+                            let _e824 = phi_3736_;
+                            let _e826 = -((_e750 + _e824));
+                            local_8[0u] = (_e826 / (_e826 + _e751));
+                            local_8[1u] = (_e749 / (_e749 + _e826));
+                            let _e835 = local_8[1u];
+                            let _e836 = local_8[0u];
+                            if (_e835 < _e836) {
+                                let _e839 = local_8[1u];
+                                let _e841 = local_8[0u];
+                                local_8[0u] = _e839;
+                                local_8[1u] = _e841;
                             }
-                            phi_3695_ = type_28(0u, 2u);
-                            phi_3698_ = 1u;
+                            phi_3761_ = type_28(0u, 2u);
+                            phi_3764_ = 1u;
                             loop {
-                                let _e829 = phi_3695_;
-                                let _e831 = phi_3698_;
-                                local_44 = _e831;
-                                if (_e829.member < _e829.member_1) {
-                                    phi_3696_ = type_28((_e829.member + 1u), _e829.member_1);
-                                    phi_3721_ = type_28(1u, _e829.member);
+                                let _e845 = phi_3761_;
+                                let _e847 = phi_3764_;
+                                local_46 = _e847;
+                                if (_e845.member < _e845.member_1) {
+                                    phi_3762_ = type_28((_e845.member + 1u), _e845.member_1);
+                                    phi_3787_ = type_28(1u, _e845.member);
                                 } else {
-                                    phi_3696_ = _e829;
-                                    phi_3721_ = type_28(0u, type_28().member_1);
+                                    phi_3762_ = _e845;
+                                    phi_3787_ = type_28(0u, type_28().member_1);
                                 }
-                                let _e845 = phi_3696_;
-                                let _e847 = phi_3721_;
-                                let _e851 = (bitcast<i32>(_e847.member) != 0i);
-                                if _e851 {
-                                    if (_e847.member_1 < 2u) {
+                                let _e861 = phi_3762_;
+                                let _e863 = phi_3787_;
+                                let _e867 = (bitcast<i32>(_e863.member) != 0i);
+                                if _e867 {
+                                    if (_e863.member_1 < 2u) {
                                     } else {
                                         return;
                                     }
-                                    let _e854 = local_8[_e847.member_1];
-                                    if (_e854 > 0f) {
-                                        if (_e847.member_1 < 2u) {
+                                    let _e870 = local_8[_e863.member_1];
+                                    if (_e870 > 0f) {
+                                        if (_e863.member_1 < 2u) {
                                         } else {
                                             return;
                                         }
-                                        let _e858 = local_8[_e847.member_1];
-                                        if (_e858 < 1f) {
-                                            if (_e847.member_1 < 2u) {
+                                        let _e874 = local_8[_e863.member_1];
+                                        if (_e874 < 1f) {
+                                            if (_e863.member_1 < 2u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e862 = local_8[_e847.member_1];
-                                            if (_e831 < 4u) {
+                                            let _e878 = local_8[_e863.member_1];
+                                            if (_e847 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            local_7[_e831] = _e862;
-                                            phi_3765_ = (_e831 + 1u);
+                                            local_7[_e847] = _e878;
+                                            phi_3831_ = (_e847 + 1u);
                                         } else {
-                                            phi_3765_ = _e831;
+                                            phi_3831_ = _e847;
                                         }
-                                        let _e867 = phi_3765_;
-                                        phi_3766_ = _e867;
+                                        let _e883 = phi_3831_;
+                                        phi_3832_ = _e883;
                                     } else {
-                                        phi_3766_ = _e831;
+                                        phi_3832_ = _e847;
                                     }
-                                    let _e869 = phi_3766_;
-                                    phi_3699_ = _e869;
+                                    let _e885 = phi_3832_;
+                                    phi_3765_ = _e885;
                                 } else {
-                                    phi_3699_ = u32();
+                                    phi_3765_ = u32();
                                 }
-                                let _e871 = phi_3699_;
+                                let _e887 = phi_3765_;
                                 continue;
                                 continuing {
-                                    phi_3695_ = _e845;
-                                    phi_3698_ = _e871;
-                                    break if !(_e851);
+                                    phi_3761_ = _e861;
+                                    phi_3764_ = _e887;
+                                    break if !(_e867);
                                 }
                             }
-                            let _e4795 = local_44;
-                            phi_3767_ = _e4795;
+                            let _e4938 = local_46;
+                            phi_3833_ = _e4938;
                         } else {
-                            phi_3767_ = 1u;
+                            phi_3833_ = 1u;
                         }
-                        let _e874 = phi_3767_;
-                        if (_e874 < 4u) {
+                        let _e890 = phi_3833_;
+                        if (_e890 < 4u) {
                         } else {
                             return;
                         }
-                        local_7[_e874] = 1f;
-                        let _e877 = local_7;
-                        local_9 = _e877;
-                        phi_3787_ = type_28(0u, _e874);
+                        local_7[_e890] = 1f;
+                        let _e893 = local_7;
+                        local_9 = _e893;
+                        phi_3853_ = type_28(0u, _e890);
                         loop {
-                            let _e880 = phi_3787_;
-                            if (_e880.member < _e880.member_1) {
-                                phi_3788_ = type_28((_e880.member + 1u), _e880.member_1);
-                                phi_3811_ = type_28(1u, _e880.member);
+                            let _e896 = phi_3853_;
+                            if (_e896.member < _e896.member_1) {
+                                phi_3854_ = type_28((_e896.member + 1u), _e896.member_1);
+                                phi_3877_ = type_28(1u, _e896.member);
                             } else {
-                                phi_3788_ = _e880;
-                                phi_3811_ = type_28(0u, type_28().member_1);
+                                phi_3854_ = _e896;
+                                phi_3877_ = type_28(0u, type_28().member_1);
                             }
-                            let _e894 = phi_3788_;
-                            let _e896 = phi_3811_;
-                            if (bitcast<i32>(_e896.member) != 0i) {
-                                if (_e896.member_1 < 4u) {
+                            let _e910 = phi_3854_;
+                            let _e912 = phi_3877_;
+                            if (bitcast<i32>(_e912.member) != 0i) {
+                                if (_e912.member_1 < 4u) {
                                 } else {
                                     return;
                                 }
-                                let _e903 = local_9[_e896.member_1];
-                                let _e904 = (_e896.member_1 + 1u);
-                                if (_e904 < 4u) {
+                                let _e919 = local_9[_e912.member_1];
+                                let _e920 = (_e912.member_1 + 1u);
+                                if (_e920 < 4u) {
                                 } else {
                                     return;
                                 }
-                                let _e907 = local_9[_e904];
-                                let _e908 = (1f - _e903);
-                                let _e919 = ((((_e363 * _e908) + (_e386 * _e903)) * (_e908 * _e908)) + (((_e409 * _e908) + (_e420 * _e903)) * (_e903 * _e903)));
-                                let _e920 = (1f - _e907);
-                                let _e931 = ((((_e363 * _e920) + (_e386 * _e907)) * (_e920 * _e920)) + (((_e409 * _e920) + (_e420 * _e907)) * (_e907 * _e907)));
-                                if (_e919 < 0f) {
-                                    phi_3863_ = -(_e919);
+                                let _e923 = local_9[_e920];
+                                let _e924 = (1f - _e919);
+                                let _e935 = ((((_e365 * _e924) + (_e388 * _e919)) * (_e924 * _e924)) + (((_e411 * _e924) + (_e422 * _e919)) * (_e919 * _e919)));
+                                let _e936 = (1f - _e923);
+                                let _e947 = ((((_e365 * _e936) + (_e388 * _e923)) * (_e936 * _e936)) + (((_e411 * _e936) + (_e422 * _e923)) * (_e923 * _e923)));
+                                if (_e935 < 0f) {
+                                    phi_3929_ = -(_e935);
                                 } else {
-                                    phi_3863_ = _e919;
+                                    phi_3929_ = _e935;
                                 }
-                                let _e935 = phi_3863_;
-                                let _e936 = (_e935 > _e730);
-                                if (_e931 < 0f) {
-                                    phi_3870_ = -(_e931);
+                                let _e951 = phi_3929_;
+                                let _e952 = (_e951 > _e740);
+                                if (_e947 < 0f) {
+                                    phi_3936_ = -(_e947);
                                 } else {
-                                    phi_3870_ = _e931;
+                                    phi_3936_ = _e947;
                                 }
-                                let _e940 = phi_3870_;
-                                let _e941 = (_e940 > _e730);
-                                if _e936 {
-                                    if _e941 {
-                                        phi_3881_ = ((_e919 > 0f) != (_e931 > 0f));
-                                        phi_3882_ = false;
-                                    } else {
-                                        phi_3881_ = bool();
-                                        phi_3882_ = true;
-                                    }
-                                    let _e946 = phi_3881_;
-                                    let _e948 = phi_3882_;
-                                    phi_3883_ = _e946;
-                                    phi_3884_ = _e948;
-                                } else {
-                                    phi_3883_ = bool();
-                                    phi_3884_ = true;
-                                }
-                                let _e950 = phi_3883_;
-                                let _e952 = phi_3884_;
+                                let _e956 = phi_3936_;
+                                let _e957 = (_e956 > _e740);
                                 if _e952 {
-                                    phi_3888_ = false;
-                                } else {
-                                    phi_3888_ = _e950;
-                                }
-                                let _e954 = phi_3888_;
-                                if _e936 {
-                                    if _e941 {
-                                        if _e954 {
-                                            phi_3899_ = type_56();
-                                        } else {
-                                            phi_3899_ = type_56(1f, 0f, _e954);
-                                        }
-                                        let _e957 = phi_3899_;
-                                        phi_3900_ = _e957;
-                                        phi_3901_ = _e954;
+                                    if _e957 {
+                                        phi_3947_ = ((_e935 > 0f) != (_e947 > 0f));
+                                        phi_3948_ = false;
                                     } else {
-                                        phi_3900_ = type_56();
-                                        phi_3901_ = true;
+                                        phi_3947_ = bool();
+                                        phi_3948_ = true;
                                     }
-                                    let _e959 = phi_3900_;
-                                    let _e961 = phi_3901_;
-                                    phi_3902_ = _e959;
-                                    phi_3903_ = _e961;
+                                    let _e962 = phi_3947_;
+                                    let _e964 = phi_3948_;
+                                    phi_3949_ = _e962;
+                                    phi_3950_ = _e964;
                                 } else {
-                                    phi_3902_ = type_56();
-                                    phi_3903_ = true;
+                                    phi_3949_ = bool();
+                                    phi_3950_ = true;
                                 }
-                                let _e963 = phi_3902_;
-                                let _e965 = phi_3903_;
-                                if _e965 {
-                                    if _e936 {
-                                        if (_e919 < 0f) {
-                                            phi_3914_ = -1f;
+                                let _e966 = phi_3949_;
+                                let _e968 = phi_3950_;
+                                if _e968 {
+                                    phi_3954_ = false;
+                                } else {
+                                    phi_3954_ = _e966;
+                                }
+                                let _e970 = phi_3954_;
+                                if _e952 {
+                                    if _e957 {
+                                        if _e970 {
+                                            phi_3965_ = type_56();
                                         } else {
-                                            phi_3914_ = 1f;
+                                            phi_3965_ = type_56(1f, 0f, _e970);
                                         }
-                                        let _e968 = phi_3914_;
-                                        let _e971 = (_e409 - _e386);
-                                        phi_3924_ = type_28(0u, 64u);
-                                        phi_3927_ = _e907;
-                                        phi_3929_ = _e903;
-                                        phi_3931_ = (0.5f * (_e903 + _e907));
+                                        let _e973 = phi_3965_;
+                                        phi_3966_ = _e973;
+                                        phi_3967_ = _e970;
+                                    } else {
+                                        phi_3966_ = type_56();
+                                        phi_3967_ = true;
+                                    }
+                                    let _e975 = phi_3966_;
+                                    let _e977 = phi_3967_;
+                                    phi_3968_ = _e975;
+                                    phi_3969_ = _e977;
+                                } else {
+                                    phi_3968_ = type_56();
+                                    phi_3969_ = true;
+                                }
+                                let _e979 = phi_3968_;
+                                let _e981 = phi_3969_;
+                                if _e981 {
+                                    if _e952 {
+                                        if (_e935 < 0f) {
+                                            phi_3980_ = -1f;
+                                        } else {
+                                            phi_3980_ = 1f;
+                                        }
+                                        let _e984 = phi_3980_;
+                                        let _e987 = (_e411 - _e388);
+                                        phi_3990_ = type_28(0u, 64u);
+                                        phi_3993_ = _e923;
+                                        phi_3995_ = _e919;
+                                        phi_3997_ = (0.5f * (_e919 + _e923));
                                         loop {
-                                            let _e977 = phi_3924_;
-                                            let _e979 = phi_3927_;
-                                            let _e981 = phi_3929_;
-                                            let _e983 = phi_3931_;
-                                            local_46 = _e981;
-                                            if (_e977.member < _e977.member_1) {
-                                                phi_3925_ = type_28((_e977.member + 1u), _e977.member_1);
-                                                phi_3954_ = type_28(1u, _e977.member);
+                                            let _e993 = phi_3990_;
+                                            let _e995 = phi_3993_;
+                                            let _e997 = phi_3995_;
+                                            let _e999 = phi_3997_;
+                                            local_48 = _e997;
+                                            if (_e993.member < _e993.member_1) {
+                                                phi_3991_ = type_28((_e993.member + 1u), _e993.member_1);
+                                                phi_4020_ = type_28(1u, _e993.member);
                                             } else {
-                                                phi_3925_ = _e977;
-                                                phi_3954_ = type_28(0u, type_28().member_1);
+                                                phi_3991_ = _e993;
+                                                phi_4020_ = type_28(0u, type_28().member_1);
                                             }
-                                            let _e997 = phi_3925_;
-                                            let _e999 = phi_3954_;
-                                            if (bitcast<i32>(_e999.member) != 0i) {
-                                                let _e1003 = (1f - _e983);
-                                                let _e1016 = ((_e968 * ((((_e363 * _e1003) + (_e386 * _e983)) * (_e1003 * _e1003)) + (((_e409 * _e1003) + (_e420 * _e983)) * (_e983 * _e983)))) - _e730);
-                                                if (_e1016 > 0f) {
-                                                    phi_3979_ = _e979;
-                                                    phi_3980_ = _e983;
+                                            let _e1013 = phi_3991_;
+                                            let _e1015 = phi_4020_;
+                                            if (bitcast<i32>(_e1015.member) != 0i) {
+                                                let _e1019 = (1f - _e999);
+                                                let _e1032 = ((_e984 * ((((_e365 * _e1019) + (_e388 * _e999)) * (_e1019 * _e1019)) + (((_e411 * _e1019) + (_e422 * _e999)) * (_e999 * _e999)))) - _e740);
+                                                if (_e1032 > 0f) {
+                                                    phi_4045_ = _e995;
+                                                    phi_4046_ = _e999;
                                                 } else {
-                                                    phi_3979_ = _e983;
-                                                    phi_3980_ = _e981;
+                                                    phi_4045_ = _e999;
+                                                    phi_4046_ = _e997;
                                                 }
-                                                let _e1019 = phi_3979_;
-                                                let _e1021 = phi_3980_;
-                                                let _e1023 = ((_e1019 - _e1021) > 0.00000000000022737368f);
-                                                if _e1023 {
-                                                    let _e1024 = (1f - _e983);
-                                                    let _e1036 = (-(_e1016) / (_e968 * (((((_e386 - (3f * _e363)) * _e1024) + (_e971 * _e983)) * _e1024) + (((_e971 * _e1024) + (((3f * _e420) - _e409) * _e983)) * _e983))));
-                                                    if (_e1016 > 0f) {
-                                                        phi_4006_ = (0.5f * 0.00000000000022737368f);
+                                                let _e1035 = phi_4045_;
+                                                let _e1037 = phi_4046_;
+                                                let _e1039 = ((_e1035 - _e1037) > 0.00000000000022737368f);
+                                                if _e1039 {
+                                                    let _e1040 = (1f - _e999);
+                                                    let _e1052 = (-(_e1032) / (_e984 * (((((_e388 - (3f * _e365)) * _e1040) + (_e987 * _e999)) * _e1040) + (((_e987 * _e1040) + (((3f * _e422) - _e411) * _e999)) * _e999))));
+                                                    if (_e1032 > 0f) {
+                                                        phi_4072_ = (0.5f * 0.00000000000022737368f);
                                                     } else {
-                                                        phi_4006_ = -((0.5f * 0.00000000000022737368f));
+                                                        phi_4072_ = -((0.5f * 0.00000000000022737368f));
                                                     }
-                                                    let _e1042 = phi_4006_;
-                                                    let _e1044 = ((_e983 + _e1036) + _e1042);
-                                                    if (_e1044 > _e1021) {
-                                                        if (_e1044 < _e1019) {
-                                                            if (_e1036 < 0f) {
-                                                                phi_4022_ = -(_e1036);
+                                                    let _e1058 = phi_4072_;
+                                                    let _e1060 = ((_e999 + _e1052) + _e1058);
+                                                    if (_e1060 > _e1037) {
+                                                        if (_e1060 < _e1035) {
+                                                            if (_e1052 < 0f) {
+                                                                phi_4088_ = -(_e1052);
                                                             } else {
-                                                                phi_4022_ = _e1036;
+                                                                phi_4088_ = _e1052;
                                                             }
-                                                            let _e1050 = phi_4022_;
-                                                            if (_e1050 < (0.5f * (_e1019 - _e1021))) {
-                                                                phi_4029_ = false;
+                                                            let _e1066 = phi_4088_;
+                                                            if (_e1066 < (0.5f * (_e1035 - _e1037))) {
+                                                                phi_4095_ = false;
                                                             } else {
-                                                                phi_4029_ = true;
+                                                                phi_4095_ = true;
                                                             }
-                                                            let _e1055 = phi_4029_;
-                                                            phi_4030_ = _e1055;
+                                                            let _e1071 = phi_4095_;
+                                                            phi_4096_ = _e1071;
                                                         } else {
-                                                            phi_4030_ = true;
+                                                            phi_4096_ = true;
                                                         }
-                                                        let _e1057 = phi_4030_;
-                                                        phi_4031_ = _e1057;
+                                                        let _e1073 = phi_4096_;
+                                                        phi_4097_ = _e1073;
                                                     } else {
-                                                        phi_4031_ = true;
+                                                        phi_4097_ = true;
                                                     }
-                                                    let _e1059 = phi_4031_;
-                                                    if _e1059 {
-                                                        phi_4037_ = (0.5f * (_e1021 + _e1019));
+                                                    let _e1075 = phi_4097_;
+                                                    if _e1075 {
+                                                        phi_4103_ = (0.5f * (_e1037 + _e1035));
                                                     } else {
-                                                        phi_4037_ = _e1044;
+                                                        phi_4103_ = _e1060;
                                                     }
-                                                    let _e1063 = phi_4037_;
-                                                    phi_4038_ = _e1063;
-                                                    phi_4039_ = false;
+                                                    let _e1079 = phi_4103_;
+                                                    phi_4104_ = _e1079;
+                                                    phi_4105_ = false;
                                                 } else {
-                                                    phi_4038_ = f32();
-                                                    phi_4039_ = true;
+                                                    phi_4104_ = f32();
+                                                    phi_4105_ = true;
                                                 }
-                                                let _e1065 = phi_4038_;
-                                                let _e1067 = phi_4039_;
-                                                phi_3928_ = _e1019;
-                                                phi_3930_ = _e1021;
-                                                phi_3932_ = _e1065;
-                                                phi_4040_ = _e1021;
-                                                phi_4041_ = _e1023;
-                                                phi_4042_ = _e1067;
+                                                let _e1081 = phi_4104_;
+                                                let _e1083 = phi_4105_;
+                                                phi_3994_ = _e1035;
+                                                phi_3996_ = _e1037;
+                                                phi_3998_ = _e1081;
+                                                phi_4106_ = _e1037;
+                                                phi_4107_ = _e1039;
+                                                phi_4108_ = _e1083;
                                             } else {
-                                                phi_3928_ = f32();
-                                                phi_3930_ = f32();
-                                                phi_3932_ = f32();
-                                                phi_4040_ = f32();
-                                                phi_4041_ = false;
-                                                phi_4042_ = false;
+                                                phi_3994_ = f32();
+                                                phi_3996_ = f32();
+                                                phi_3998_ = f32();
+                                                phi_4106_ = f32();
+                                                phi_4107_ = false;
+                                                phi_4108_ = false;
                                             }
-                                            let _e1069 = phi_3928_;
-                                            let _e1071 = phi_3930_;
-                                            let _e1073 = phi_3932_;
-                                            let _e1075 = phi_4040_;
-                                            let _e1077 = phi_4041_;
-                                            let _e1079 = phi_4042_;
-                                            local_17 = _e1079;
-                                            local_45 = _e1075;
+                                            let _e1085 = phi_3994_;
+                                            let _e1087 = phi_3996_;
+                                            let _e1089 = phi_3998_;
+                                            let _e1091 = phi_4106_;
+                                            let _e1093 = phi_4107_;
+                                            let _e1095 = phi_4108_;
+                                            local_17 = _e1095;
+                                            local_47 = _e1091;
                                             continue;
                                             continuing {
-                                                phi_3924_ = _e997;
-                                                phi_3927_ = _e1069;
-                                                phi_3929_ = _e1071;
-                                                phi_3931_ = _e1073;
-                                                break if !(_e1077);
+                                                phi_3990_ = _e1013;
+                                                phi_3993_ = _e1085;
+                                                phi_3995_ = _e1087;
+                                                phi_3997_ = _e1089;
+                                                break if !(_e1093);
                                             }
                                         }
-                                        let _e1082 = local_17;
-                                        if _e1082 {
-                                            let _e4837 = local_45;
-                                            phi_4046_ = _e4837;
+                                        let _e1098 = local_17;
+                                        if _e1098 {
+                                            let _e4980 = local_47;
+                                            phi_4112_ = _e4980;
                                         } else {
-                                            let _e4839 = local_46;
-                                            phi_4046_ = _e4839;
+                                            let _e4982 = local_48;
+                                            phi_4112_ = _e4982;
                                         }
-                                        let _e1084 = phi_4046_;
-                                        phi_4047_ = _e1084;
+                                        let _e1100 = phi_4112_;
+                                        phi_4113_ = _e1100;
                                     } else {
-                                        phi_4047_ = _e903;
+                                        phi_4113_ = _e919;
                                     }
-                                    let _e1086 = phi_4047_;
-                                    if _e941 {
-                                        phi_4054_ = type_28(0u, 64u);
-                                        phi_4057_ = (2f * 0.00000000000022737368f);
+                                    let _e1102 = phi_4113_;
+                                    if _e957 {
+                                        phi_4120_ = type_28(0u, 64u);
+                                        phi_4123_ = (2f * 0.00000000000022737368f);
                                         loop {
-                                            let _e1089 = phi_4054_;
-                                            let _e1091 = phi_4057_;
-                                            if (_e1089.member < _e1089.member_1) {
-                                                phi_4055_ = type_28((_e1089.member + 1u), _e1089.member_1);
-                                                phi_4080_ = type_28(1u, _e1089.member);
+                                            let _e1105 = phi_4120_;
+                                            let _e1107 = phi_4123_;
+                                            if (_e1105.member < _e1105.member_1) {
+                                                phi_4121_ = type_28((_e1105.member + 1u), _e1105.member_1);
+                                                phi_4146_ = type_28(1u, _e1105.member);
                                             } else {
-                                                phi_4055_ = _e1089;
-                                                phi_4080_ = type_28(0u, type_28().member_1);
+                                                phi_4121_ = _e1105;
+                                                phi_4146_ = type_28(0u, type_28().member_1);
                                             }
-                                            let _e1105 = phi_4055_;
-                                            let _e1107 = phi_4080_;
-                                            if (bitcast<i32>(_e1107.member) != 0i) {
-                                                let _e1111 = (_e1086 + _e1091);
-                                                if (_e1111 < _e907) {
-                                                    let _e1113 = (1f - _e1111);
-                                                    let _e1124 = ((((_e363 * _e1113) + (_e386 * _e1111)) * (_e1113 * _e1113)) + (((_e409 * _e1113) + (_e420 * _e1111)) * (_e1111 * _e1111)));
-                                                    let _e1125 = (1f - _e1086);
-                                                    let _e1136 = ((((_e363 * _e1125) + (_e386 * _e1086)) * (_e1125 * _e1125)) + (((_e409 * _e1125) + (_e420 * _e1086)) * (_e1086 * _e1086)));
-                                                    if (_e1124 < 0f) {
-                                                        phi_4121_ = -(_e1124);
+                                            let _e1121 = phi_4121_;
+                                            let _e1123 = phi_4146_;
+                                            if (bitcast<i32>(_e1123.member) != 0i) {
+                                                let _e1127 = (_e1102 + _e1107);
+                                                if (_e1127 < _e923) {
+                                                    let _e1129 = (1f - _e1127);
+                                                    let _e1140 = ((((_e365 * _e1129) + (_e388 * _e1127)) * (_e1129 * _e1129)) + (((_e411 * _e1129) + (_e422 * _e1127)) * (_e1127 * _e1127)));
+                                                    let _e1141 = (1f - _e1102);
+                                                    let _e1152 = ((((_e365 * _e1141) + (_e388 * _e1102)) * (_e1141 * _e1141)) + (((_e411 * _e1141) + (_e422 * _e1102)) * (_e1102 * _e1102)));
+                                                    if (_e1140 < 0f) {
+                                                        phi_4187_ = -(_e1140);
                                                     } else {
-                                                        phi_4121_ = _e1124;
+                                                        phi_4187_ = _e1140;
                                                     }
-                                                    let _e1140 = phi_4121_;
-                                                    if (_e1140 > _e730) {
-                                                        if (_e1136 < 0f) {
-                                                            phi_4131_ = -(_e1136);
+                                                    let _e1156 = phi_4187_;
+                                                    if (_e1156 > _e740) {
+                                                        if (_e1152 < 0f) {
+                                                            phi_4197_ = -(_e1152);
                                                         } else {
-                                                            phi_4131_ = _e1136;
+                                                            phi_4197_ = _e1152;
                                                         }
-                                                        let _e1145 = phi_4131_;
-                                                        if (_e1145 > _e730) {
-                                                            phi_4139_ = ((_e1124 > 0f) == (_e1136 > 0f));
+                                                        let _e1161 = phi_4197_;
+                                                        if (_e1161 > _e740) {
+                                                            phi_4205_ = ((_e1140 > 0f) == (_e1152 > 0f));
                                                         } else {
-                                                            phi_4139_ = false;
+                                                            phi_4205_ = false;
                                                         }
-                                                        let _e1151 = phi_4139_;
-                                                        phi_4141_ = !(_e1151);
+                                                        let _e1167 = phi_4205_;
+                                                        phi_4207_ = !(_e1167);
                                                     } else {
-                                                        phi_4141_ = false;
+                                                        phi_4207_ = false;
                                                     }
-                                                    let _e1154 = phi_4141_;
-                                                    if _e1154 {
-                                                        phi_4146_ = f32();
-                                                        phi_4147_ = false;
+                                                    let _e1170 = phi_4207_;
+                                                    if _e1170 {
+                                                        phi_4212_ = f32();
+                                                        phi_4213_ = false;
                                                     } else {
-                                                        phi_4146_ = (_e1091 + _e1091);
-                                                        phi_4147_ = true;
+                                                        phi_4212_ = (_e1107 + _e1107);
+                                                        phi_4213_ = true;
                                                     }
-                                                    let _e1157 = phi_4146_;
-                                                    let _e1159 = phi_4147_;
-                                                    phi_4148_ = _e1157;
-                                                    phi_4149_ = _e1159;
-                                                    phi_4150_ = _e1154;
-                                                    phi_4151_ = false;
+                                                    let _e1173 = phi_4212_;
+                                                    let _e1175 = phi_4213_;
+                                                    phi_4214_ = _e1173;
+                                                    phi_4215_ = _e1175;
+                                                    phi_4216_ = _e1170;
+                                                    phi_4217_ = false;
                                                 } else {
-                                                    phi_4148_ = f32();
-                                                    phi_4149_ = false;
-                                                    phi_4150_ = false;
-                                                    phi_4151_ = true;
+                                                    phi_4214_ = f32();
+                                                    phi_4215_ = false;
+                                                    phi_4216_ = false;
+                                                    phi_4217_ = true;
                                                 }
-                                                let _e1161 = phi_4148_;
-                                                let _e1163 = phi_4149_;
-                                                let _e1165 = phi_4150_;
-                                                let _e1167 = phi_4151_;
-                                                phi_4152_ = _e1111;
-                                                phi_4058_ = _e1161;
-                                                phi_4153_ = _e1163;
-                                                phi_4154_ = _e1165;
-                                                phi_4155_ = _e1167;
-                                                phi_4156_ = false;
+                                                let _e1177 = phi_4214_;
+                                                let _e1179 = phi_4215_;
+                                                let _e1181 = phi_4216_;
+                                                let _e1183 = phi_4217_;
+                                                phi_4218_ = _e1127;
+                                                phi_4124_ = _e1177;
+                                                phi_4219_ = _e1179;
+                                                phi_4220_ = _e1181;
+                                                phi_4221_ = _e1183;
+                                                phi_4222_ = false;
                                             } else {
-                                                phi_4152_ = f32();
-                                                phi_4058_ = f32();
-                                                phi_4153_ = false;
-                                                phi_4154_ = false;
-                                                phi_4155_ = false;
-                                                phi_4156_ = true;
+                                                phi_4218_ = f32();
+                                                phi_4124_ = f32();
+                                                phi_4219_ = false;
+                                                phi_4220_ = false;
+                                                phi_4221_ = false;
+                                                phi_4222_ = true;
                                             }
-                                            let _e1169 = phi_4152_;
-                                            let _e1171 = phi_4058_;
-                                            let _e1173 = phi_4153_;
-                                            let _e1175 = phi_4154_;
-                                            let _e1177 = phi_4155_;
-                                            let _e1179 = phi_4156_;
-                                            local_18 = _e1175;
-                                            local_47 = _e1177;
-                                            local_48 = _e1179;
-                                            local_49 = _e1169;
+                                            let _e1185 = phi_4218_;
+                                            let _e1187 = phi_4124_;
+                                            let _e1189 = phi_4219_;
+                                            let _e1191 = phi_4220_;
+                                            let _e1193 = phi_4221_;
+                                            let _e1195 = phi_4222_;
+                                            local_18 = _e1191;
+                                            local_49 = _e1193;
+                                            local_50 = _e1195;
+                                            local_51 = _e1185;
                                             continue;
                                             continuing {
-                                                phi_4054_ = _e1105;
-                                                phi_4057_ = _e1171;
-                                                break if !(_e1173);
+                                                phi_4120_ = _e1121;
+                                                phi_4123_ = _e1187;
+                                                break if !(_e1189);
                                             }
                                         }
-                                        let _e1182 = local_18;
-                                        if _e1182 {
-                                            phi_4160_ = false;
-                                            phi_4161_ = false;
+                                        let _e1198 = local_18;
+                                        if _e1198 {
+                                            phi_4226_ = false;
+                                            phi_4227_ = false;
                                         } else {
-                                            let _e4864 = local_47;
-                                            phi_4160_ = _e4864;
-                                            let _e4867 = local_48;
-                                            phi_4161_ = _e4867;
+                                            let _e5007 = local_49;
+                                            phi_4226_ = _e5007;
+                                            let _e5010 = local_50;
+                                            phi_4227_ = _e5010;
                                         }
-                                        let _e1184 = phi_4160_;
-                                        let _e1186 = phi_4161_;
-                                        if _e1184 {
-                                            phi_4165_ = true;
+                                        let _e1200 = phi_4226_;
+                                        let _e1202 = phi_4227_;
+                                        if _e1200 {
+                                            phi_4231_ = true;
                                         } else {
-                                            phi_4165_ = _e1186;
+                                            phi_4231_ = _e1202;
                                         }
-                                        let _e1188 = phi_4165_;
-                                        if _e1188 {
-                                            phi_4169_ = _e907;
+                                        let _e1204 = phi_4231_;
+                                        if _e1204 {
+                                            phi_4235_ = _e923;
                                         } else {
-                                            let _e4871 = local_49;
-                                            phi_4169_ = _e4871;
+                                            let _e5014 = local_51;
+                                            phi_4235_ = _e5014;
                                         }
-                                        let _e1190 = phi_4169_;
-                                        phi_4170_ = _e1190;
+                                        let _e1206 = phi_4235_;
+                                        phi_4236_ = _e1206;
                                     } else {
-                                        phi_4170_ = _e907;
+                                        phi_4236_ = _e923;
                                     }
-                                    let _e1192 = phi_4170_;
-                                    phi_4172_ = type_56(_e1086, _e1192, _e954);
+                                    let _e1208 = phi_4236_;
+                                    phi_4238_ = type_56(_e1102, _e1208, _e970);
                                 } else {
-                                    phi_4172_ = _e963;
+                                    phi_4238_ = _e979;
                                 }
-                                let _e1195 = phi_4172_;
-                                if (_e1195.member > _e1195.member_1) {
-                                    phi_6690_ = f32();
-                                    phi_6691_ = true;
-                                    phi_6692_ = false;
-                                    phi_6693_ = false;
-                                    phi_6694_ = false;
+                                let _e1211 = phi_4238_;
+                                if (_e1211.member > _e1211.member_1) {
+                                    phi_6800_ = f32();
+                                    phi_6801_ = true;
+                                    phi_6802_ = false;
+                                    phi_6803_ = false;
+                                    phi_6804_ = false;
                                 } else {
-                                    let _e1202 = ((_e1195.member_1 - _e1195.member) * 0.5f);
-                                    let _e1203 = (_e1195.member + _e1202);
-                                    let _e1205 = (_e1202 + (0.000000059604645f * 4f));
-                                    let _e1207 = local_15.member_3;
-                                    let _e1210 = local_15.member[0u];
-                                    if (_e1210[0] < 0f) {
-                                        phi_4201_ = -(_e1210[0]);
+                                    let _e1218 = ((_e1211.member_1 - _e1211.member) * 0.5f);
+                                    let _e1219 = (_e1211.member + _e1218);
+                                    let _e1221 = (_e1218 + (0.000000059604645f * 4f));
+                                    let _e1223 = local_15.member_3;
+                                    let _e1226 = local_15.member[0u];
+                                    if (_e1226[0] < 0f) {
+                                        phi_4267_ = -(_e1226[0]);
                                     } else {
-                                        phi_4201_ = _e1210[0];
+                                        phi_4267_ = _e1226[0];
                                     }
-                                    let _e1217 = phi_4201_;
-                                    if (_e1210[1] < 0f) {
-                                        phi_4208_ = -(_e1210[1]);
+                                    let _e1233 = phi_4267_;
+                                    if (_e1226[1] < 0f) {
+                                        phi_4274_ = -(_e1226[1]);
                                     } else {
-                                        phi_4208_ = _e1210[1];
+                                        phi_4274_ = _e1226[1];
                                     }
-                                    let _e1221 = phi_4208_;
-                                    if (_e1217 > _e1221) {
-                                        phi_4213_ = _e1217;
+                                    let _e1237 = phi_4274_;
+                                    if (_e1233 > _e1237) {
+                                        phi_4279_ = _e1233;
                                     } else {
-                                        phi_4213_ = _e1221;
+                                        phi_4279_ = _e1237;
                                     }
-                                    let _e1224 = phi_4213_;
-                                    if (_e1210[2] < 0f) {
-                                        phi_4220_ = -(_e1210[2]);
+                                    let _e1240 = phi_4279_;
+                                    if (_e1226[2] < 0f) {
+                                        phi_4286_ = -(_e1226[2]);
                                     } else {
-                                        phi_4220_ = _e1210[2];
+                                        phi_4286_ = _e1226[2];
                                     }
-                                    let _e1228 = phi_4220_;
-                                    if (_e1224 > _e1228) {
-                                        phi_4225_ = _e1224;
-                                    } else {
-                                        phi_4225_ = _e1228;
-                                    }
-                                    let _e1231 = phi_4225_;
-                                    let _e1233 = local_15.member[1u];
-                                    if (_e1233[0] < 0f) {
-                                        phi_4238_ = -(_e1233[0]);
-                                    } else {
-                                        phi_4238_ = _e1233[0];
-                                    }
-                                    let _e1240 = phi_4238_;
-                                    if (_e1233[1] < 0f) {
-                                        phi_4245_ = -(_e1233[1]);
-                                    } else {
-                                        phi_4245_ = _e1233[1];
-                                    }
-                                    let _e1244 = phi_4245_;
+                                    let _e1244 = phi_4286_;
                                     if (_e1240 > _e1244) {
-                                        phi_4250_ = _e1240;
+                                        phi_4291_ = _e1240;
                                     } else {
-                                        phi_4250_ = _e1244;
+                                        phi_4291_ = _e1244;
                                     }
-                                    let _e1247 = phi_4250_;
-                                    if (_e1233[2] < 0f) {
-                                        phi_4257_ = -(_e1233[2]);
+                                    let _e1247 = phi_4291_;
+                                    let _e1249 = local_15.member[1u];
+                                    if (_e1249[0] < 0f) {
+                                        phi_4304_ = -(_e1249[0]);
                                     } else {
-                                        phi_4257_ = _e1233[2];
+                                        phi_4304_ = _e1249[0];
                                     }
-                                    let _e1251 = phi_4257_;
-                                    if (_e1247 > _e1251) {
-                                        phi_4262_ = _e1247;
+                                    let _e1256 = phi_4304_;
+                                    if (_e1249[1] < 0f) {
+                                        phi_4311_ = -(_e1249[1]);
                                     } else {
-                                        phi_4262_ = _e1251;
+                                        phi_4311_ = _e1249[1];
                                     }
-                                    let _e1254 = phi_4262_;
-                                    if (_e1231 > _e1254) {
-                                        phi_4267_ = _e1231;
+                                    let _e1260 = phi_4311_;
+                                    if (_e1256 > _e1260) {
+                                        phi_4316_ = _e1256;
                                     } else {
-                                        phi_4267_ = _e1254;
+                                        phi_4316_ = _e1260;
                                     }
-                                    let _e1257 = phi_4267_;
-                                    let _e1260 = local_15.member[0u];
-                                    let _e1265 = local_15.member[1u];
-                                    let _e1275 = (_e1260[0] + ((_e1265[0] - _e1260[0]) * _e1203));
-                                    let _e1276 = (_e1260[1] + ((_e1265[1] - _e1260[1]) * _e1203));
-                                    let _e1277 = (_e1260[2] + ((_e1265[2] - _e1260[2]) * _e1203));
-                                    let _e1279 = local_15.member[1u];
-                                    let _e1284 = local_15.member[0u];
-                                    let _e1288 = (_e1279[0] - _e1284[0]);
-                                    let _e1289 = (_e1279[1] - _e1284[1]);
-                                    let _e1290 = (_e1279[2] - _e1284[2]);
-                                    if (_e1288 < 0f) {
-                                        phi_4326_ = -(_e1288);
+                                    let _e1263 = phi_4316_;
+                                    if (_e1249[2] < 0f) {
+                                        phi_4323_ = -(_e1249[2]);
                                     } else {
-                                        phi_4326_ = _e1288;
+                                        phi_4323_ = _e1249[2];
                                     }
-                                    let _e1294 = phi_4326_;
-                                    if (_e1289 < 0f) {
-                                        phi_4332_ = -(_e1289);
+                                    let _e1267 = phi_4323_;
+                                    if (_e1263 > _e1267) {
+                                        phi_4328_ = _e1263;
                                     } else {
-                                        phi_4332_ = _e1289;
+                                        phi_4328_ = _e1267;
                                     }
-                                    let _e1298 = phi_4332_;
-                                    if (_e1294 > _e1298) {
-                                        phi_4337_ = _e1294;
+                                    let _e1270 = phi_4328_;
+                                    if (_e1247 > _e1270) {
+                                        phi_4333_ = _e1247;
                                     } else {
-                                        phi_4337_ = _e1298;
+                                        phi_4333_ = _e1270;
                                     }
-                                    let _e1301 = phi_4337_;
-                                    if (_e1290 < 0f) {
-                                        phi_4343_ = -(_e1290);
+                                    let _e1273 = phi_4333_;
+                                    let _e1276 = local_15.member[0u];
+                                    let _e1281 = local_15.member[1u];
+                                    let _e1291 = (_e1276[0] + ((_e1281[0] - _e1276[0]) * _e1219));
+                                    let _e1292 = (_e1276[1] + ((_e1281[1] - _e1276[1]) * _e1219));
+                                    let _e1293 = (_e1276[2] + ((_e1281[2] - _e1276[2]) * _e1219));
+                                    let _e1295 = local_15.member[1u];
+                                    let _e1300 = local_15.member[0u];
+                                    let _e1304 = (_e1295[0] - _e1300[0]);
+                                    let _e1305 = (_e1295[1] - _e1300[1]);
+                                    let _e1306 = (_e1295[2] - _e1300[2]);
+                                    if (_e1304 < 0f) {
+                                        phi_4392_ = -(_e1304);
                                     } else {
-                                        phi_4343_ = _e1290;
+                                        phi_4392_ = _e1304;
                                     }
-                                    let _e1305 = phi_4343_;
-                                    if (_e1301 > _e1305) {
-                                        phi_4348_ = _e1301;
+                                    let _e1310 = phi_4392_;
+                                    if (_e1305 < 0f) {
+                                        phi_4398_ = -(_e1305);
                                     } else {
-                                        phi_4348_ = _e1305;
+                                        phi_4398_ = _e1305;
                                     }
-                                    let _e1308 = phi_4348_;
-                                    let _e1314 = ((((_e1205 * _e1308) * 1.01f) + ((_e1257 + _e1207) * (0.000000059604645f * 8f))) + _e1207);
-                                    if (_e1275 < 0f) {
-                                        phi_4360_ = -(_e1275);
+                                    let _e1314 = phi_4398_;
+                                    if (_e1310 > _e1314) {
+                                        phi_4403_ = _e1310;
                                     } else {
-                                        phi_4360_ = _e1275;
+                                        phi_4403_ = _e1314;
                                     }
-                                    let _e1318 = phi_4360_;
-                                    if (_e1276 < 0f) {
-                                        phi_4366_ = -(_e1276);
+                                    let _e1317 = phi_4403_;
+                                    if (_e1306 < 0f) {
+                                        phi_4409_ = -(_e1306);
                                     } else {
-                                        phi_4366_ = _e1276;
+                                        phi_4409_ = _e1306;
                                     }
-                                    let _e1322 = phi_4366_;
-                                    if (_e1318 > _e1322) {
-                                        phi_4371_ = _e1318;
+                                    let _e1321 = phi_4409_;
+                                    if (_e1317 > _e1321) {
+                                        phi_4414_ = _e1317;
                                     } else {
-                                        phi_4371_ = _e1322;
+                                        phi_4414_ = _e1321;
                                     }
-                                    let _e1325 = phi_4371_;
-                                    if (_e1277 < 0f) {
-                                        phi_4377_ = -(_e1277);
+                                    let _e1324 = phi_4414_;
+                                    let _e1330 = ((((_e1221 * _e1324) * 1.01f) + ((_e1273 + _e1223) * (0.000000059604645f * 8f))) + _e1223);
+                                    if (_e1291 < 0f) {
+                                        phi_4426_ = -(_e1291);
                                     } else {
-                                        phi_4377_ = _e1277;
+                                        phi_4426_ = _e1291;
                                     }
-                                    let _e1329 = phi_4377_;
-                                    if (_e1325 > _e1329) {
-                                        phi_4382_ = _e1325;
+                                    let _e1334 = phi_4426_;
+                                    if (_e1292 < 0f) {
+                                        phi_4432_ = -(_e1292);
                                     } else {
-                                        phi_4382_ = _e1329;
+                                        phi_4432_ = _e1292;
                                     }
-                                    let _e1332 = phi_4382_;
-                                    local_3 = type_40(array<f32, 3>(_e1275, _e1276, _e1277), _e1314, (_e1332 + _e1314));
-                                    let _e1338 = local_15.member_3;
-                                    let _e1340 = local_15.member_1[0u];
-                                    if (_e1340[0] < 0f) {
-                                        phi_4408_ = -(_e1340[0]);
+                                    let _e1338 = phi_4432_;
+                                    if (_e1334 > _e1338) {
+                                        phi_4437_ = _e1334;
                                     } else {
-                                        phi_4408_ = _e1340[0];
+                                        phi_4437_ = _e1338;
                                     }
-                                    let _e1347 = phi_4408_;
-                                    if (_e1340[1] < 0f) {
-                                        phi_4415_ = -(_e1340[1]);
+                                    let _e1341 = phi_4437_;
+                                    if (_e1293 < 0f) {
+                                        phi_4443_ = -(_e1293);
                                     } else {
-                                        phi_4415_ = _e1340[1];
+                                        phi_4443_ = _e1293;
                                     }
-                                    let _e1351 = phi_4415_;
-                                    if (_e1347 > _e1351) {
-                                        phi_4420_ = _e1347;
+                                    let _e1345 = phi_4443_;
+                                    if (_e1341 > _e1345) {
+                                        phi_4448_ = _e1341;
                                     } else {
-                                        phi_4420_ = _e1351;
+                                        phi_4448_ = _e1345;
                                     }
-                                    let _e1354 = phi_4420_;
-                                    if (_e1340[2] < 0f) {
-                                        phi_4427_ = -(_e1340[2]);
+                                    let _e1348 = phi_4448_;
+                                    local_3 = type_40(array<f32, 3>(_e1291, _e1292, _e1293), _e1330, (_e1348 + _e1330));
+                                    let _e1354 = local_15.member_3;
+                                    let _e1356 = local_15.member_1[0u];
+                                    if (_e1356[0] < 0f) {
+                                        phi_4474_ = -(_e1356[0]);
                                     } else {
-                                        phi_4427_ = _e1340[2];
+                                        phi_4474_ = _e1356[0];
                                     }
-                                    let _e1358 = phi_4427_;
-                                    if (_e1354 > _e1358) {
-                                        phi_4432_ = _e1354;
+                                    let _e1363 = phi_4474_;
+                                    if (_e1356[1] < 0f) {
+                                        phi_4481_ = -(_e1356[1]);
                                     } else {
-                                        phi_4432_ = _e1358;
+                                        phi_4481_ = _e1356[1];
                                     }
-                                    let _e1361 = phi_4432_;
-                                    let _e1363 = local_15.member_1[1u];
-                                    if (_e1363[0] < 0f) {
-                                        phi_4445_ = -(_e1363[0]);
+                                    let _e1367 = phi_4481_;
+                                    if (_e1363 > _e1367) {
+                                        phi_4486_ = _e1363;
                                     } else {
-                                        phi_4445_ = _e1363[0];
+                                        phi_4486_ = _e1367;
                                     }
-                                    let _e1370 = phi_4445_;
-                                    if (_e1363[1] < 0f) {
-                                        phi_4452_ = -(_e1363[1]);
+                                    let _e1370 = phi_4486_;
+                                    if (_e1356[2] < 0f) {
+                                        phi_4493_ = -(_e1356[2]);
                                     } else {
-                                        phi_4452_ = _e1363[1];
+                                        phi_4493_ = _e1356[2];
                                     }
-                                    let _e1374 = phi_4452_;
+                                    let _e1374 = phi_4493_;
                                     if (_e1370 > _e1374) {
-                                        phi_4457_ = _e1370;
+                                        phi_4498_ = _e1370;
                                     } else {
-                                        phi_4457_ = _e1374;
+                                        phi_4498_ = _e1374;
                                     }
-                                    let _e1377 = phi_4457_;
-                                    if (_e1363[2] < 0f) {
-                                        phi_4464_ = -(_e1363[2]);
+                                    let _e1377 = phi_4498_;
+                                    let _e1379 = local_15.member_1[1u];
+                                    if (_e1379[0] < 0f) {
+                                        phi_4511_ = -(_e1379[0]);
                                     } else {
-                                        phi_4464_ = _e1363[2];
+                                        phi_4511_ = _e1379[0];
                                     }
-                                    let _e1381 = phi_4464_;
-                                    if (_e1377 > _e1381) {
-                                        phi_4469_ = _e1377;
+                                    let _e1386 = phi_4511_;
+                                    if (_e1379[1] < 0f) {
+                                        phi_4518_ = -(_e1379[1]);
                                     } else {
-                                        phi_4469_ = _e1381;
+                                        phi_4518_ = _e1379[1];
                                     }
-                                    let _e1384 = phi_4469_;
-                                    if (_e1361 > _e1384) {
-                                        phi_4474_ = _e1361;
+                                    let _e1390 = phi_4518_;
+                                    if (_e1386 > _e1390) {
+                                        phi_4523_ = _e1386;
                                     } else {
-                                        phi_4474_ = _e1384;
+                                        phi_4523_ = _e1390;
                                     }
-                                    let _e1387 = phi_4474_;
-                                    let _e1390 = local_15.member_1[0u];
-                                    let _e1395 = local_15.member_1[1u];
-                                    let _e1405 = (_e1390[0] + ((_e1395[0] - _e1390[0]) * _e1203));
-                                    let _e1406 = (_e1390[1] + ((_e1395[1] - _e1390[1]) * _e1203));
-                                    let _e1407 = (_e1390[2] + ((_e1395[2] - _e1390[2]) * _e1203));
-                                    let _e1409 = local_15.member_1[1u];
-                                    let _e1414 = local_15.member_1[0u];
-                                    let _e1418 = (_e1409[0] - _e1414[0]);
-                                    let _e1419 = (_e1409[1] - _e1414[1]);
-                                    let _e1420 = (_e1409[2] - _e1414[2]);
-                                    if (_e1418 < 0f) {
-                                        phi_4533_ = -(_e1418);
+                                    let _e1393 = phi_4523_;
+                                    if (_e1379[2] < 0f) {
+                                        phi_4530_ = -(_e1379[2]);
                                     } else {
-                                        phi_4533_ = _e1418;
+                                        phi_4530_ = _e1379[2];
                                     }
-                                    let _e1424 = phi_4533_;
-                                    if (_e1419 < 0f) {
-                                        phi_4539_ = -(_e1419);
+                                    let _e1397 = phi_4530_;
+                                    if (_e1393 > _e1397) {
+                                        phi_4535_ = _e1393;
                                     } else {
-                                        phi_4539_ = _e1419;
+                                        phi_4535_ = _e1397;
                                     }
-                                    let _e1428 = phi_4539_;
-                                    if (_e1424 > _e1428) {
-                                        phi_4544_ = _e1424;
+                                    let _e1400 = phi_4535_;
+                                    if (_e1377 > _e1400) {
+                                        phi_4540_ = _e1377;
                                     } else {
-                                        phi_4544_ = _e1428;
+                                        phi_4540_ = _e1400;
                                     }
-                                    let _e1431 = phi_4544_;
-                                    if (_e1420 < 0f) {
-                                        phi_4550_ = -(_e1420);
+                                    let _e1403 = phi_4540_;
+                                    let _e1406 = local_15.member_1[0u];
+                                    let _e1411 = local_15.member_1[1u];
+                                    let _e1421 = (_e1406[0] + ((_e1411[0] - _e1406[0]) * _e1219));
+                                    let _e1422 = (_e1406[1] + ((_e1411[1] - _e1406[1]) * _e1219));
+                                    let _e1423 = (_e1406[2] + ((_e1411[2] - _e1406[2]) * _e1219));
+                                    let _e1425 = local_15.member_1[1u];
+                                    let _e1430 = local_15.member_1[0u];
+                                    let _e1434 = (_e1425[0] - _e1430[0]);
+                                    let _e1435 = (_e1425[1] - _e1430[1]);
+                                    let _e1436 = (_e1425[2] - _e1430[2]);
+                                    if (_e1434 < 0f) {
+                                        phi_4599_ = -(_e1434);
                                     } else {
-                                        phi_4550_ = _e1420;
+                                        phi_4599_ = _e1434;
                                     }
-                                    let _e1435 = phi_4550_;
-                                    if (_e1431 > _e1435) {
-                                        phi_4555_ = _e1431;
+                                    let _e1440 = phi_4599_;
+                                    if (_e1435 < 0f) {
+                                        phi_4605_ = -(_e1435);
                                     } else {
-                                        phi_4555_ = _e1435;
+                                        phi_4605_ = _e1435;
                                     }
-                                    let _e1438 = phi_4555_;
-                                    let _e1444 = ((((_e1205 * _e1438) * 1.01f) + ((_e1387 + _e1338) * (0.000000059604645f * 8f))) + _e1338);
-                                    if (_e1405 < 0f) {
-                                        phi_4567_ = -(_e1405);
+                                    let _e1444 = phi_4605_;
+                                    if (_e1440 > _e1444) {
+                                        phi_4610_ = _e1440;
                                     } else {
-                                        phi_4567_ = _e1405;
+                                        phi_4610_ = _e1444;
                                     }
-                                    let _e1448 = phi_4567_;
-                                    if (_e1406 < 0f) {
-                                        phi_4573_ = -(_e1406);
+                                    let _e1447 = phi_4610_;
+                                    if (_e1436 < 0f) {
+                                        phi_4616_ = -(_e1436);
                                     } else {
-                                        phi_4573_ = _e1406;
+                                        phi_4616_ = _e1436;
                                     }
-                                    let _e1452 = phi_4573_;
-                                    if (_e1448 > _e1452) {
-                                        phi_4578_ = _e1448;
+                                    let _e1451 = phi_4616_;
+                                    if (_e1447 > _e1451) {
+                                        phi_4621_ = _e1447;
                                     } else {
-                                        phi_4578_ = _e1452;
+                                        phi_4621_ = _e1451;
                                     }
-                                    let _e1455 = phi_4578_;
-                                    if (_e1407 < 0f) {
-                                        phi_4584_ = -(_e1407);
+                                    let _e1454 = phi_4621_;
+                                    let _e1460 = ((((_e1221 * _e1454) * 1.01f) + ((_e1403 + _e1354) * (0.000000059604645f * 8f))) + _e1354);
+                                    if (_e1421 < 0f) {
+                                        phi_4633_ = -(_e1421);
                                     } else {
-                                        phi_4584_ = _e1407;
+                                        phi_4633_ = _e1421;
                                     }
-                                    let _e1459 = phi_4584_;
-                                    if (_e1455 > _e1459) {
-                                        phi_4589_ = _e1455;
+                                    let _e1464 = phi_4633_;
+                                    if (_e1422 < 0f) {
+                                        phi_4639_ = -(_e1422);
                                     } else {
-                                        phi_4589_ = _e1459;
+                                        phi_4639_ = _e1422;
                                     }
-                                    let _e1462 = phi_4589_;
-                                    local_4 = type_40(array<f32, 3>(_e1405, _e1406, _e1407), _e1444, (_e1462 + _e1444));
-                                    let _e1468 = local_15.member_3;
-                                    let _e1470 = local_15.member_2[0u];
-                                    if (_e1470[0] < 0f) {
-                                        phi_4615_ = -(_e1470[0]);
+                                    let _e1468 = phi_4639_;
+                                    if (_e1464 > _e1468) {
+                                        phi_4644_ = _e1464;
                                     } else {
-                                        phi_4615_ = _e1470[0];
+                                        phi_4644_ = _e1468;
                                     }
-                                    let _e1477 = phi_4615_;
-                                    if (_e1470[1] < 0f) {
-                                        phi_4622_ = -(_e1470[1]);
+                                    let _e1471 = phi_4644_;
+                                    if (_e1423 < 0f) {
+                                        phi_4650_ = -(_e1423);
                                     } else {
-                                        phi_4622_ = _e1470[1];
+                                        phi_4650_ = _e1423;
                                     }
-                                    let _e1481 = phi_4622_;
-                                    if (_e1477 > _e1481) {
-                                        phi_4627_ = _e1477;
+                                    let _e1475 = phi_4650_;
+                                    if (_e1471 > _e1475) {
+                                        phi_4655_ = _e1471;
                                     } else {
-                                        phi_4627_ = _e1481;
+                                        phi_4655_ = _e1475;
                                     }
-                                    let _e1484 = phi_4627_;
-                                    if (_e1470[2] < 0f) {
-                                        phi_4634_ = -(_e1470[2]);
+                                    let _e1478 = phi_4655_;
+                                    local_4 = type_40(array<f32, 3>(_e1421, _e1422, _e1423), _e1460, (_e1478 + _e1460));
+                                    let _e1484 = local_15.member_3;
+                                    let _e1486 = local_15.member_2[0u];
+                                    if (_e1486[0] < 0f) {
+                                        phi_4681_ = -(_e1486[0]);
                                     } else {
-                                        phi_4634_ = _e1470[2];
+                                        phi_4681_ = _e1486[0];
                                     }
-                                    let _e1488 = phi_4634_;
-                                    if (_e1484 > _e1488) {
-                                        phi_4639_ = _e1484;
+                                    let _e1493 = phi_4681_;
+                                    if (_e1486[1] < 0f) {
+                                        phi_4688_ = -(_e1486[1]);
                                     } else {
-                                        phi_4639_ = _e1488;
+                                        phi_4688_ = _e1486[1];
                                     }
-                                    let _e1491 = phi_4639_;
-                                    let _e1493 = local_15.member_2[1u];
-                                    if (_e1493[0] < 0f) {
-                                        phi_4652_ = -(_e1493[0]);
+                                    let _e1497 = phi_4688_;
+                                    if (_e1493 > _e1497) {
+                                        phi_4693_ = _e1493;
                                     } else {
-                                        phi_4652_ = _e1493[0];
+                                        phi_4693_ = _e1497;
                                     }
-                                    let _e1500 = phi_4652_;
-                                    if (_e1493[1] < 0f) {
-                                        phi_4659_ = -(_e1493[1]);
+                                    let _e1500 = phi_4693_;
+                                    if (_e1486[2] < 0f) {
+                                        phi_4700_ = -(_e1486[2]);
                                     } else {
-                                        phi_4659_ = _e1493[1];
+                                        phi_4700_ = _e1486[2];
                                     }
-                                    let _e1504 = phi_4659_;
+                                    let _e1504 = phi_4700_;
                                     if (_e1500 > _e1504) {
-                                        phi_4664_ = _e1500;
+                                        phi_4705_ = _e1500;
                                     } else {
-                                        phi_4664_ = _e1504;
+                                        phi_4705_ = _e1504;
                                     }
-                                    let _e1507 = phi_4664_;
-                                    if (_e1493[2] < 0f) {
-                                        phi_4671_ = -(_e1493[2]);
+                                    let _e1507 = phi_4705_;
+                                    let _e1509 = local_15.member_2[1u];
+                                    if (_e1509[0] < 0f) {
+                                        phi_4718_ = -(_e1509[0]);
                                     } else {
-                                        phi_4671_ = _e1493[2];
+                                        phi_4718_ = _e1509[0];
                                     }
-                                    let _e1511 = phi_4671_;
-                                    if (_e1507 > _e1511) {
-                                        phi_4676_ = _e1507;
+                                    let _e1516 = phi_4718_;
+                                    if (_e1509[1] < 0f) {
+                                        phi_4725_ = -(_e1509[1]);
                                     } else {
-                                        phi_4676_ = _e1511;
+                                        phi_4725_ = _e1509[1];
                                     }
-                                    let _e1514 = phi_4676_;
-                                    if (_e1491 > _e1514) {
-                                        phi_4681_ = _e1491;
+                                    let _e1520 = phi_4725_;
+                                    if (_e1516 > _e1520) {
+                                        phi_4730_ = _e1516;
                                     } else {
-                                        phi_4681_ = _e1514;
+                                        phi_4730_ = _e1520;
                                     }
-                                    let _e1517 = phi_4681_;
-                                    let _e1520 = local_15.member_2[0u];
-                                    let _e1525 = local_15.member_2[1u];
-                                    let _e1535 = (_e1520[0] + ((_e1525[0] - _e1520[0]) * _e1203));
-                                    let _e1536 = (_e1520[1] + ((_e1525[1] - _e1520[1]) * _e1203));
-                                    let _e1537 = (_e1520[2] + ((_e1525[2] - _e1520[2]) * _e1203));
-                                    let _e1539 = local_15.member_2[1u];
-                                    let _e1544 = local_15.member_2[0u];
-                                    let _e1548 = (_e1539[0] - _e1544[0]);
-                                    let _e1549 = (_e1539[1] - _e1544[1]);
-                                    let _e1550 = (_e1539[2] - _e1544[2]);
-                                    if (_e1548 < 0f) {
-                                        phi_4740_ = -(_e1548);
+                                    let _e1523 = phi_4730_;
+                                    if (_e1509[2] < 0f) {
+                                        phi_4737_ = -(_e1509[2]);
                                     } else {
-                                        phi_4740_ = _e1548;
+                                        phi_4737_ = _e1509[2];
                                     }
-                                    let _e1554 = phi_4740_;
-                                    if (_e1549 < 0f) {
-                                        phi_4746_ = -(_e1549);
+                                    let _e1527 = phi_4737_;
+                                    if (_e1523 > _e1527) {
+                                        phi_4742_ = _e1523;
                                     } else {
-                                        phi_4746_ = _e1549;
+                                        phi_4742_ = _e1527;
                                     }
-                                    let _e1558 = phi_4746_;
-                                    if (_e1554 > _e1558) {
-                                        phi_4751_ = _e1554;
+                                    let _e1530 = phi_4742_;
+                                    if (_e1507 > _e1530) {
+                                        phi_4747_ = _e1507;
                                     } else {
-                                        phi_4751_ = _e1558;
+                                        phi_4747_ = _e1530;
                                     }
-                                    let _e1561 = phi_4751_;
-                                    if (_e1550 < 0f) {
-                                        phi_4757_ = -(_e1550);
+                                    let _e1533 = phi_4747_;
+                                    let _e1536 = local_15.member_2[0u];
+                                    let _e1541 = local_15.member_2[1u];
+                                    let _e1551 = (_e1536[0] + ((_e1541[0] - _e1536[0]) * _e1219));
+                                    let _e1552 = (_e1536[1] + ((_e1541[1] - _e1536[1]) * _e1219));
+                                    let _e1553 = (_e1536[2] + ((_e1541[2] - _e1536[2]) * _e1219));
+                                    let _e1555 = local_15.member_2[1u];
+                                    let _e1560 = local_15.member_2[0u];
+                                    let _e1564 = (_e1555[0] - _e1560[0]);
+                                    let _e1565 = (_e1555[1] - _e1560[1]);
+                                    let _e1566 = (_e1555[2] - _e1560[2]);
+                                    if (_e1564 < 0f) {
+                                        phi_4806_ = -(_e1564);
                                     } else {
-                                        phi_4757_ = _e1550;
+                                        phi_4806_ = _e1564;
                                     }
-                                    let _e1565 = phi_4757_;
-                                    if (_e1561 > _e1565) {
-                                        phi_4762_ = _e1561;
+                                    let _e1570 = phi_4806_;
+                                    if (_e1565 < 0f) {
+                                        phi_4812_ = -(_e1565);
                                     } else {
-                                        phi_4762_ = _e1565;
+                                        phi_4812_ = _e1565;
                                     }
-                                    let _e1568 = phi_4762_;
-                                    let _e1574 = ((((_e1205 * _e1568) * 1.01f) + ((_e1517 + _e1468) * (0.000000059604645f * 8f))) + _e1468);
-                                    if (_e1535 < 0f) {
-                                        phi_4774_ = -(_e1535);
+                                    let _e1574 = phi_4812_;
+                                    if (_e1570 > _e1574) {
+                                        phi_4817_ = _e1570;
                                     } else {
-                                        phi_4774_ = _e1535;
+                                        phi_4817_ = _e1574;
                                     }
-                                    let _e1578 = phi_4774_;
-                                    if (_e1536 < 0f) {
-                                        phi_4780_ = -(_e1536);
+                                    let _e1577 = phi_4817_;
+                                    if (_e1566 < 0f) {
+                                        phi_4823_ = -(_e1566);
                                     } else {
-                                        phi_4780_ = _e1536;
+                                        phi_4823_ = _e1566;
                                     }
-                                    let _e1582 = phi_4780_;
-                                    if (_e1578 > _e1582) {
-                                        phi_4785_ = _e1578;
+                                    let _e1581 = phi_4823_;
+                                    if (_e1577 > _e1581) {
+                                        phi_4828_ = _e1577;
                                     } else {
-                                        phi_4785_ = _e1582;
+                                        phi_4828_ = _e1581;
                                     }
-                                    let _e1585 = phi_4785_;
-                                    if (_e1537 < 0f) {
-                                        phi_4791_ = -(_e1537);
+                                    let _e1584 = phi_4828_;
+                                    let _e1590 = ((((_e1221 * _e1584) * 1.01f) + ((_e1533 + _e1484) * (0.000000059604645f * 8f))) + _e1484);
+                                    if (_e1551 < 0f) {
+                                        phi_4840_ = -(_e1551);
                                     } else {
-                                        phi_4791_ = _e1537;
+                                        phi_4840_ = _e1551;
                                     }
-                                    let _e1589 = phi_4791_;
-                                    if (_e1585 > _e1589) {
-                                        phi_4796_ = _e1585;
+                                    let _e1594 = phi_4840_;
+                                    if (_e1552 < 0f) {
+                                        phi_4846_ = -(_e1552);
                                     } else {
-                                        phi_4796_ = _e1589;
+                                        phi_4846_ = _e1552;
                                     }
-                                    let _e1592 = phi_4796_;
-                                    local_5 = type_40(array<f32, 3>(_e1535, _e1536, _e1537), _e1574, (_e1592 + _e1574));
-                                    let _e1597 = local_4.member;
-                                    let _e1602 = local_5.member;
-                                    let _e1608 = ((_e1597[1] * _e1602[2]) - (_e1597[2] * _e1602[1]));
-                                    let _e1611 = ((_e1597[2] * _e1602[0]) - (_e1597[0] * _e1602[2]));
-                                    let _e1614 = ((_e1597[0] * _e1602[1]) - (_e1597[1] * _e1602[0]));
-                                    if (_e1608 < 0f) {
-                                        phi_4845_ = -(_e1608);
+                                    let _e1598 = phi_4846_;
+                                    if (_e1594 > _e1598) {
+                                        phi_4851_ = _e1594;
                                     } else {
-                                        phi_4845_ = _e1608;
+                                        phi_4851_ = _e1598;
                                     }
-                                    let _e1618 = phi_4845_;
-                                    if (_e1611 < 0f) {
-                                        phi_4851_ = -(_e1611);
+                                    let _e1601 = phi_4851_;
+                                    if (_e1553 < 0f) {
+                                        phi_4857_ = -(_e1553);
                                     } else {
-                                        phi_4851_ = _e1611;
+                                        phi_4857_ = _e1553;
                                     }
-                                    let _e1622 = phi_4851_;
-                                    if (_e1618 > _e1622) {
-                                        if (_e1608 < 0f) {
-                                            phi_4861_ = -(_e1608);
+                                    let _e1605 = phi_4857_;
+                                    if (_e1601 > _e1605) {
+                                        phi_4862_ = _e1601;
+                                    } else {
+                                        phi_4862_ = _e1605;
+                                    }
+                                    let _e1608 = phi_4862_;
+                                    local_5 = type_40(array<f32, 3>(_e1551, _e1552, _e1553), _e1590, (_e1608 + _e1590));
+                                    let _e1613 = local_4.member;
+                                    let _e1618 = local_5.member;
+                                    let _e1624 = ((_e1613[1] * _e1618[2]) - (_e1613[2] * _e1618[1]));
+                                    let _e1627 = ((_e1613[2] * _e1618[0]) - (_e1613[0] * _e1618[2]));
+                                    let _e1630 = ((_e1613[0] * _e1618[1]) - (_e1613[1] * _e1618[0]));
+                                    if (_e1624 < 0f) {
+                                        phi_4911_ = -(_e1624);
+                                    } else {
+                                        phi_4911_ = _e1624;
+                                    }
+                                    let _e1634 = phi_4911_;
+                                    if (_e1627 < 0f) {
+                                        phi_4917_ = -(_e1627);
+                                    } else {
+                                        phi_4917_ = _e1627;
+                                    }
+                                    let _e1638 = phi_4917_;
+                                    if (_e1634 > _e1638) {
+                                        if (_e1624 < 0f) {
+                                            phi_4927_ = -(_e1624);
                                         } else {
-                                            phi_4861_ = _e1608;
+                                            phi_4927_ = _e1624;
                                         }
-                                        let _e1640 = phi_4861_;
-                                        if (_e1614 < 0f) {
-                                            phi_4867_ = -(_e1614);
+                                        let _e1656 = phi_4927_;
+                                        if (_e1630 < 0f) {
+                                            phi_4933_ = -(_e1630);
                                         } else {
-                                            phi_4867_ = _e1614;
+                                            phi_4933_ = _e1630;
                                         }
-                                        let _e1644 = phi_4867_;
-                                        if (_e1640 > _e1644) {
-                                            phi_4872_ = 2u;
-                                            phi_4873_ = 1u;
+                                        let _e1660 = phi_4933_;
+                                        if (_e1656 > _e1660) {
+                                            phi_4938_ = 2u;
+                                            phi_4939_ = 1u;
                                         } else {
-                                            phi_4872_ = 1u;
-                                            phi_4873_ = 0u;
+                                            phi_4938_ = 1u;
+                                            phi_4939_ = 0u;
                                         }
-                                        let _e1647 = phi_4872_;
-                                        let _e1649 = phi_4873_;
-                                        phi_4892_ = _e1647;
-                                        phi_4893_ = _e1649;
+                                        let _e1663 = phi_4938_;
+                                        let _e1665 = phi_4939_;
+                                        phi_4958_ = _e1663;
+                                        phi_4959_ = _e1665;
                                     } else {
-                                        if (_e1611 < 0f) {
-                                            phi_4879_ = -(_e1611);
+                                        if (_e1627 < 0f) {
+                                            phi_4945_ = -(_e1627);
                                         } else {
-                                            phi_4879_ = _e1611;
+                                            phi_4945_ = _e1627;
                                         }
-                                        let _e1627 = phi_4879_;
-                                        if (_e1614 < 0f) {
-                                            phi_4885_ = -(_e1614);
+                                        let _e1643 = phi_4945_;
+                                        if (_e1630 < 0f) {
+                                            phi_4951_ = -(_e1630);
                                         } else {
-                                            phi_4885_ = _e1614;
+                                            phi_4951_ = _e1630;
                                         }
-                                        let _e1631 = phi_4885_;
-                                        if (_e1627 > _e1631) {
-                                            phi_4890_ = 0u;
-                                            phi_4891_ = 2u;
+                                        let _e1647 = phi_4951_;
+                                        if (_e1643 > _e1647) {
+                                            phi_4956_ = 0u;
+                                            phi_4957_ = 2u;
                                         } else {
-                                            phi_4890_ = 1u;
-                                            phi_4891_ = 0u;
+                                            phi_4956_ = 1u;
+                                            phi_4957_ = 0u;
                                         }
-                                        let _e1634 = phi_4890_;
-                                        let _e1636 = phi_4891_;
-                                        phi_4892_ = _e1634;
-                                        phi_4893_ = _e1636;
+                                        let _e1650 = phi_4956_;
+                                        let _e1652 = phi_4957_;
+                                        phi_4958_ = _e1650;
+                                        phi_4959_ = _e1652;
                                     }
-                                    let _e1651 = phi_4892_;
-                                    let _e1653 = phi_4893_;
-                                    if (_e1653 < 3u) {
+                                    let _e1667 = phi_4958_;
+                                    let _e1669 = phi_4959_;
+                                    if (_e1669 < 3u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1657 = local_4.member[_e1653];
-                                    if (_e1651 < 3u) {
+                                    let _e1673 = local_4.member[_e1669];
+                                    if (_e1667 < 3u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1661 = local_5.member[_e1651];
-                                    if (_e1651 < 3u) {
+                                    let _e1677 = local_5.member[_e1667];
+                                    if (_e1667 < 3u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1666 = local_4.member[_e1651];
-                                    if (_e1653 < 3u) {
+                                    let _e1682 = local_4.member[_e1667];
+                                    if (_e1669 < 3u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1670 = local_5.member[_e1653];
-                                    let _e1672 = ((_e1657 * _e1661) - (_e1666 * _e1670));
-                                    let _e1674 = local_4.member_1;
-                                    let _e1676 = local_5.member_2;
-                                    let _e1679 = local_4.member_2;
-                                    let _e1681 = local_5.member_1;
-                                    let _e1686 = local_4.member_2;
-                                    let _e1688 = local_5.member_2;
+                                    let _e1686 = local_5.member[_e1669];
+                                    let _e1688 = ((_e1673 * _e1677) - (_e1682 * _e1686));
+                                    let _e1690 = local_4.member_1;
+                                    let _e1692 = local_5.member_2;
                                     let _e1695 = local_4.member_2;
-                                    let _e1698 = local_5.member_2;
-                                    let _e1702 = (((((_e1674 * _e1676) + (_e1679 * _e1681)) * 2.01f) + ((_e1686 * _e1688) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1695) * (1f + _e1698))));
-                                    if (_e1672 < 0f) {
-                                        phi_4960_ = -(_e1672);
+                                    let _e1697 = local_5.member_1;
+                                    let _e1702 = local_4.member_2;
+                                    let _e1704 = local_5.member_2;
+                                    let _e1711 = local_4.member_2;
+                                    let _e1714 = local_5.member_2;
+                                    let _e1718 = (((((_e1690 * _e1692) + (_e1695 * _e1697)) * 2.01f) + ((_e1702 * _e1704) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1711) * (1f + _e1714))));
+                                    if (_e1688 < 0f) {
+                                        phi_5026_ = -(_e1688);
                                     } else {
-                                        phi_4960_ = _e1672;
+                                        phi_5026_ = _e1688;
                                     }
-                                    let _e1706 = phi_4960_;
-                                    if (_e1706 > _e1702) {
-                                        if (_e1672 < 0f) {
-                                            phi_4969_ = -1f;
+                                    let _e1722 = phi_5026_;
+                                    if (_e1722 > _e1718) {
+                                        if (_e1688 < 0f) {
+                                            phi_5035_ = -1f;
                                         } else {
-                                            phi_4969_ = 1f;
+                                            phi_5035_ = 1f;
                                         }
-                                        let _e1710 = phi_4969_;
-                                        if (_e1653 < 3u) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e1714 = local_3.member[_e1653];
-                                        if (_e1651 < 3u) {
+                                        let _e1726 = phi_5035_;
+                                        if (_e1669 < 3u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1718 = local_5.member[_e1651];
-                                        if (_e1651 < 3u) {
+                                        let _e1730 = local_3.member[_e1669];
+                                        if (_e1667 < 3u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1723 = local_3.member[_e1651];
-                                        if (_e1653 < 3u) {
+                                        let _e1734 = local_5.member[_e1667];
+                                        if (_e1667 < 3u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1727 = local_5.member[_e1653];
-                                        let _e1731 = local_3.member_1;
-                                        let _e1733 = local_5.member_2;
-                                        let _e1736 = local_3.member_2;
-                                        let _e1738 = local_5.member_1;
-                                        let _e1743 = local_3.member_2;
-                                        let _e1745 = local_5.member_2;
+                                        let _e1739 = local_3.member[_e1667];
+                                        if (_e1669 < 3u) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e1743 = local_5.member[_e1669];
+                                        let _e1747 = local_3.member_1;
+                                        let _e1749 = local_5.member_2;
                                         let _e1752 = local_3.member_2;
-                                        let _e1755 = local_5.member_2;
-                                        let _e1759 = (((((_e1731 * _e1733) + (_e1736 * _e1738)) * 2.01f) + ((_e1743 * _e1745) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1752) * (1f + _e1755))));
-                                        if (_e1653 < 3u) {
+                                        let _e1754 = local_5.member_1;
+                                        let _e1759 = local_3.member_2;
+                                        let _e1761 = local_5.member_2;
+                                        let _e1768 = local_3.member_2;
+                                        let _e1771 = local_5.member_2;
+                                        let _e1775 = (((((_e1747 * _e1749) + (_e1752 * _e1754)) * 2.01f) + ((_e1759 * _e1761) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1768) * (1f + _e1771))));
+                                        if (_e1669 < 3u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1763 = local_4.member[_e1653];
-                                        if (_e1651 < 3u) {
+                                        let _e1779 = local_4.member[_e1669];
+                                        if (_e1667 < 3u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1767 = local_3.member[_e1651];
-                                        if (_e1651 < 3u) {
+                                        let _e1783 = local_3.member[_e1667];
+                                        if (_e1667 < 3u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1772 = local_4.member[_e1651];
-                                        if (_e1653 < 3u) {
+                                        let _e1788 = local_4.member[_e1667];
+                                        if (_e1669 < 3u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1776 = local_3.member[_e1653];
-                                        let _e1780 = local_4.member_1;
-                                        let _e1782 = local_3.member_2;
-                                        let _e1785 = local_4.member_2;
-                                        let _e1787 = local_3.member_1;
-                                        let _e1792 = local_4.member_2;
-                                        let _e1794 = local_3.member_2;
+                                        let _e1792 = local_3.member[_e1669];
+                                        let _e1796 = local_4.member_1;
+                                        let _e1798 = local_3.member_2;
                                         let _e1801 = local_4.member_2;
-                                        let _e1804 = local_3.member_2;
-                                        let _e1808 = (((((_e1780 * _e1782) + (_e1785 * _e1787)) * 2.01f) + ((_e1792 * _e1794) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1801) * (1f + _e1804))));
-                                        let _e1809 = (_e1672 * _e1710);
-                                        let _e1810 = (((_e1714 * _e1718) - (_e1723 * _e1727)) * _e1710);
-                                        let _e1811 = (((_e1763 * _e1767) - (_e1772 * _e1776)) * _e1710);
-                                        if (_e1809 < 0f) {
-                                            phi_5100_ = -(_e1809);
+                                        let _e1803 = local_3.member_1;
+                                        let _e1808 = local_4.member_2;
+                                        let _e1810 = local_3.member_2;
+                                        let _e1817 = local_4.member_2;
+                                        let _e1820 = local_3.member_2;
+                                        let _e1824 = (((((_e1796 * _e1798) + (_e1801 * _e1803)) * 2.01f) + ((_e1808 * _e1810) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1817) * (1f + _e1820))));
+                                        let _e1825 = (_e1688 * _e1726);
+                                        let _e1826 = (((_e1730 * _e1734) - (_e1739 * _e1743)) * _e1726);
+                                        let _e1827 = (((_e1779 * _e1783) - (_e1788 * _e1792)) * _e1726);
+                                        if (_e1825 < 0f) {
+                                            phi_5166_ = -(_e1825);
                                         } else {
-                                            phi_5100_ = _e1809;
+                                            phi_5166_ = _e1825;
                                         }
-                                        let _e1815 = phi_5100_;
-                                        if (_e1810 < 0f) {
-                                            phi_5106_ = -(_e1810);
+                                        let _e1831 = phi_5166_;
+                                        if (_e1826 < 0f) {
+                                            phi_5172_ = -(_e1826);
                                         } else {
-                                            phi_5106_ = _e1810;
+                                            phi_5172_ = _e1826;
                                         }
-                                        let _e1819 = phi_5106_;
-                                        if (_e1811 < 0f) {
-                                            phi_5113_ = -(_e1811);
+                                        let _e1835 = phi_5172_;
+                                        if (_e1827 < 0f) {
+                                            phi_5179_ = -(_e1827);
                                         } else {
-                                            phi_5113_ = _e1811;
+                                            phi_5179_ = _e1827;
                                         }
-                                        let _e1824 = phi_5113_;
-                                        let _e1827 = (((_e1815 + _e1819) + _e1824) * (0.000000059604645f * 4f));
-                                        local_6[0u].member = _e1810;
-                                        local_6[0u].member_1 = _e1759;
-                                        local_6[1u].member = _e1811;
-                                        local_6[1u].member_1 = _e1808;
-                                        local_6[2u].member = (_e1809 - _e1810);
-                                        local_6[2u].member_1 = ((_e1702 + _e1759) + _e1827);
-                                        local_6[3u].member = (_e1809 - _e1811);
-                                        local_6[3u].member_1 = ((_e1702 + _e1808) + _e1827);
-                                        phi_5156_ = type_28(0u, 4u);
-                                        phi_5159_ = true;
+                                        let _e1840 = phi_5179_;
+                                        let _e1843 = (((_e1831 + _e1835) + _e1840) * (0.000000059604645f * 4f));
+                                        local_6[0u].member = _e1826;
+                                        local_6[0u].member_1 = _e1775;
+                                        local_6[1u].member = _e1827;
+                                        local_6[1u].member_1 = _e1824;
+                                        local_6[2u].member = (_e1825 - _e1826);
+                                        local_6[2u].member_1 = ((_e1718 + _e1775) + _e1843);
+                                        local_6[3u].member = (_e1825 - _e1827);
+                                        local_6[3u].member_1 = ((_e1718 + _e1824) + _e1843);
+                                        phi_5222_ = type_28(0u, 4u);
+                                        phi_5225_ = true;
                                         loop {
-                                            let _e1848 = phi_5156_;
-                                            let _e1850 = phi_5159_;
-                                            local_20 = _e1850;
-                                            if (_e1848.member < _e1848.member_1) {
-                                                phi_5157_ = type_28((_e1848.member + 1u), _e1848.member_1);
-                                                phi_5182_ = type_28(1u, _e1848.member);
+                                            let _e1864 = phi_5222_;
+                                            let _e1866 = phi_5225_;
+                                            local_20 = _e1866;
+                                            if (_e1864.member < _e1864.member_1) {
+                                                phi_5223_ = type_28((_e1864.member + 1u), _e1864.member_1);
+                                                phi_5248_ = type_28(1u, _e1864.member);
                                             } else {
-                                                phi_5157_ = _e1848;
-                                                phi_5182_ = type_28(0u, type_28().member_1);
+                                                phi_5223_ = _e1864;
+                                                phi_5248_ = type_28(0u, type_28().member_1);
                                             }
-                                            let _e1864 = phi_5157_;
-                                            let _e1866 = phi_5182_;
-                                            if (bitcast<i32>(_e1866.member) != 0i) {
-                                                if (_e1866.member_1 < 4u) {
+                                            let _e1880 = phi_5223_;
+                                            let _e1882 = phi_5248_;
+                                            if (bitcast<i32>(_e1882.member) != 0i) {
+                                                if (_e1882.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1874 = local_6[_e1866.member_1].member;
-                                                let _e1877 = local_6[_e1866.member_1].member_1;
-                                                let _e1879 = (_e1874 < -(_e1877));
-                                                if _e1879 {
-                                                    phi_5209_ = bool();
-                                                    phi_5210_ = false;
+                                                let _e1890 = local_6[_e1882.member_1].member;
+                                                let _e1893 = local_6[_e1882.member_1].member_1;
+                                                let _e1895 = (_e1890 < -(_e1893));
+                                                if _e1895 {
+                                                    phi_5275_ = bool();
+                                                    phi_5276_ = false;
                                                 } else {
-                                                    phi_5209_ = (_e1850 && (_e1874 > _e1877));
-                                                    phi_5210_ = true;
+                                                    phi_5275_ = (_e1866 && (_e1890 > _e1893));
+                                                    phi_5276_ = true;
                                                 }
-                                                let _e1883 = phi_5209_;
-                                                let _e1885 = phi_5210_;
-                                                phi_5160_ = _e1883;
-                                                phi_5211_ = _e1885;
-                                                phi_5212_ = _e1879;
+                                                let _e1899 = phi_5275_;
+                                                let _e1901 = phi_5276_;
+                                                phi_5226_ = _e1899;
+                                                phi_5277_ = _e1901;
+                                                phi_5278_ = _e1895;
                                             } else {
-                                                phi_5160_ = bool();
-                                                phi_5211_ = false;
-                                                phi_5212_ = false;
+                                                phi_5226_ = bool();
+                                                phi_5277_ = false;
+                                                phi_5278_ = false;
                                             }
-                                            let _e1887 = phi_5160_;
-                                            let _e1889 = phi_5211_;
-                                            let _e1891 = phi_5212_;
-                                            local_19 = _e1891;
+                                            let _e1903 = phi_5226_;
+                                            let _e1905 = phi_5277_;
+                                            let _e1907 = phi_5278_;
+                                            local_19 = _e1907;
                                             continue;
                                             continuing {
-                                                phi_5156_ = _e1864;
-                                                phi_5159_ = _e1887;
-                                                break if !(_e1889);
+                                                phi_5222_ = _e1880;
+                                                phi_5225_ = _e1903;
+                                                break if !(_e1905);
                                             }
                                         }
-                                        let _e1894 = local_19;
-                                        if _e1894 {
-                                            phi_5216_ = false;
+                                        let _e1910 = local_19;
+                                        if _e1910 {
+                                            phi_5282_ = false;
                                         } else {
-                                            phi_5216_ = true;
+                                            phi_5282_ = true;
                                         }
-                                        let _e1896 = phi_5216_;
-                                        if _e1896 {
-                                            let _e1898 = local_20;
-                                            if _e1898 {
-                                                phi_5223_ = 1u;
+                                        let _e1912 = phi_5282_;
+                                        if _e1912 {
+                                            let _e1914 = local_20;
+                                            if _e1914 {
+                                                phi_5289_ = 1u;
                                             } else {
-                                                phi_5223_ = 2u;
+                                                phi_5289_ = 2u;
                                             }
-                                            let _e1900 = phi_5223_;
-                                            phi_5224_ = _e1900;
-                                            phi_5225_ = false;
+                                            let _e1916 = phi_5289_;
+                                            phi_5290_ = _e1916;
+                                            phi_5291_ = false;
                                         } else {
-                                            phi_5224_ = u32();
-                                            phi_5225_ = true;
+                                            phi_5290_ = u32();
+                                            phi_5291_ = true;
                                         }
-                                        let _e1902 = phi_5224_;
-                                        let _e1904 = phi_5225_;
-                                        phi_5226_ = _e1902;
-                                        phi_5227_ = 0u;
-                                        phi_5228_ = _e1904;
+                                        let _e1918 = phi_5290_;
+                                        let _e1920 = phi_5291_;
+                                        phi_5292_ = _e1918;
+                                        phi_5293_ = 0u;
+                                        phi_5294_ = _e1920;
                                     } else {
-                                        phi_5226_ = u32();
-                                        phi_5227_ = 2u;
-                                        phi_5228_ = true;
+                                        phi_5292_ = u32();
+                                        phi_5293_ = 2u;
+                                        phi_5294_ = true;
                                     }
-                                    let _e1906 = phi_5226_;
-                                    let _e1908 = phi_5227_;
-                                    let _e1910 = phi_5228_;
-                                    if _e1910 {
-                                        phi_5232_ = _e1908;
+                                    let _e1922 = phi_5292_;
+                                    let _e1924 = phi_5293_;
+                                    let _e1926 = phi_5294_;
+                                    if _e1926 {
+                                        phi_5298_ = _e1924;
                                     } else {
-                                        phi_5232_ = _e1906;
+                                        phi_5298_ = _e1922;
                                     }
-                                    let _e1912 = phi_5232_;
-                                    let _e1913 = (_e1912 == 0u);
-                                    if _e1913 {
-                                        phi_6686_ = f32();
-                                        phi_6687_ = false;
-                                        phi_6688_ = false;
-                                        phi_6689_ = false;
+                                    let _e1928 = phi_5298_;
+                                    let _e1929 = (_e1928 == 0u);
+                                    if _e1929 {
+                                        phi_6796_ = f32();
+                                        phi_6797_ = false;
+                                        phi_6798_ = false;
+                                        phi_6799_ = false;
                                     } else {
-                                        if (_e1912 == 1u) {
-                                            if _e1195.member_2 {
-                                                if ((_e1195.member_1 - _e1195.member) <= 0.0000005f) {
-                                                    phi_5252_ = false;
+                                        if (_e1928 == 1u) {
+                                            if _e1211.member_2 {
+                                                if ((_e1211.member_1 - _e1211.member) <= 0.0000005f) {
+                                                    phi_5318_ = false;
                                                 } else {
-                                                    phi_5252_ = true;
+                                                    phi_5318_ = true;
                                                 }
-                                                let _e1921 = phi_5252_;
-                                                phi_5253_ = _e1921;
+                                                let _e1937 = phi_5318_;
+                                                phi_5319_ = _e1937;
                                             } else {
-                                                phi_5253_ = true;
+                                                phi_5319_ = true;
                                             }
-                                            let _e1923 = phi_5253_;
-                                            phi_5254_ = _e1923;
+                                            let _e1939 = phi_5319_;
+                                            phi_5320_ = _e1939;
                                         } else {
-                                            phi_5254_ = true;
+                                            phi_5320_ = true;
                                         }
-                                        let _e1925 = phi_5254_;
-                                        if _e1925 {
-                                            let _e1930 = local_15.member[0u];
-                                            let _e1936 = local_15.member_1[0u];
-                                            let _e1942 = local_15.member_2[0u];
-                                            let _e1946 = (_e1930[0] - _e1936[0]);
-                                            let _e1947 = (_e1930[1] - _e1936[1]);
-                                            let _e1948 = (_e1930[2] - _e1936[2]);
-                                            local_1 = array<array<f32, 3>, 4>(_e1930, array<f32, 3>(_e1946, _e1947, _e1948), array<f32, 3>((_e1930[0] - _e1942[0]), (_e1930[1] - _e1942[1]), (_e1930[2] - _e1942[2])), array<f32, 3>((_e1946 - _e1942[0]), (_e1947 - _e1942[1]), (_e1948 - _e1942[2])));
-                                            let _e1961 = local_15.member[1u];
-                                            let _e1967 = local_15.member_1[1u];
-                                            let _e1973 = local_15.member_2[1u];
-                                            let _e1977 = (_e1961[0] - _e1967[0]);
-                                            let _e1978 = (_e1961[1] - _e1967[1]);
-                                            let _e1979 = (_e1961[2] - _e1967[2]);
-                                            local_2 = array<array<f32, 3>, 4>(_e1961, array<f32, 3>(_e1977, _e1978, _e1979), array<f32, 3>((_e1961[0] - _e1973[0]), (_e1961[1] - _e1973[1]), (_e1961[2] - _e1973[2])), array<f32, 3>((_e1977 - _e1973[0]), (_e1978 - _e1973[1]), (_e1979 - _e1973[2])));
-                                            let _e1992 = local_15.member[0u];
-                                            if (_e1992[0] < 0f) {
-                                                phi_5450_ = -(_e1992[0]);
+                                        let _e1941 = phi_5320_;
+                                        if _e1941 {
+                                            let _e1946 = local_15.member[0u];
+                                            let _e1952 = local_15.member_1[0u];
+                                            let _e1958 = local_15.member_2[0u];
+                                            let _e1962 = (_e1946[0] - _e1952[0]);
+                                            let _e1963 = (_e1946[1] - _e1952[1]);
+                                            let _e1964 = (_e1946[2] - _e1952[2]);
+                                            local_1 = array<array<f32, 3>, 4>(_e1946, array<f32, 3>(_e1962, _e1963, _e1964), array<f32, 3>((_e1946[0] - _e1958[0]), (_e1946[1] - _e1958[1]), (_e1946[2] - _e1958[2])), array<f32, 3>((_e1962 - _e1958[0]), (_e1963 - _e1958[1]), (_e1964 - _e1958[2])));
+                                            let _e1977 = local_15.member[1u];
+                                            let _e1983 = local_15.member_1[1u];
+                                            let _e1989 = local_15.member_2[1u];
+                                            let _e1993 = (_e1977[0] - _e1983[0]);
+                                            let _e1994 = (_e1977[1] - _e1983[1]);
+                                            let _e1995 = (_e1977[2] - _e1983[2]);
+                                            local_2 = array<array<f32, 3>, 4>(_e1977, array<f32, 3>(_e1993, _e1994, _e1995), array<f32, 3>((_e1977[0] - _e1989[0]), (_e1977[1] - _e1989[1]), (_e1977[2] - _e1989[2])), array<f32, 3>((_e1993 - _e1989[0]), (_e1994 - _e1989[1]), (_e1995 - _e1989[2])));
+                                            let _e2008 = local_15.member[0u];
+                                            if (_e2008[0] < 0f) {
+                                                phi_5516_ = -(_e2008[0]);
                                             } else {
-                                                phi_5450_ = _e1992[0];
+                                                phi_5516_ = _e2008[0];
                                             }
-                                            let _e1999 = phi_5450_;
-                                            if (_e1992[1] < 0f) {
-                                                phi_5457_ = -(_e1992[1]);
+                                            let _e2015 = phi_5516_;
+                                            if (_e2008[1] < 0f) {
+                                                phi_5523_ = -(_e2008[1]);
                                             } else {
-                                                phi_5457_ = _e1992[1];
+                                                phi_5523_ = _e2008[1];
                                             }
-                                            let _e2003 = phi_5457_;
-                                            if (_e1999 > _e2003) {
-                                                phi_5462_ = _e1999;
+                                            let _e2019 = phi_5523_;
+                                            if (_e2015 > _e2019) {
+                                                phi_5528_ = _e2015;
                                             } else {
-                                                phi_5462_ = _e2003;
+                                                phi_5528_ = _e2019;
                                             }
-                                            let _e2006 = phi_5462_;
-                                            if (_e1992[2] < 0f) {
-                                                phi_5469_ = -(_e1992[2]);
+                                            let _e2022 = phi_5528_;
+                                            if (_e2008[2] < 0f) {
+                                                phi_5535_ = -(_e2008[2]);
                                             } else {
-                                                phi_5469_ = _e1992[2];
+                                                phi_5535_ = _e2008[2];
                                             }
-                                            let _e2010 = phi_5469_;
-                                            if (_e2006 > _e2010) {
-                                                phi_5474_ = _e2006;
+                                            let _e2026 = phi_5535_;
+                                            if (_e2022 > _e2026) {
+                                                phi_5540_ = _e2022;
                                             } else {
-                                                phi_5474_ = _e2010;
+                                                phi_5540_ = _e2026;
                                             }
-                                            let _e2013 = phi_5474_;
-                                            let _e2016 = local_15.member[1u];
-                                            if (_e2016[0] < 0f) {
-                                                phi_5487_ = -(_e2016[0]);
+                                            let _e2029 = phi_5540_;
+                                            let _e2032 = local_15.member[1u];
+                                            if (_e2032[0] < 0f) {
+                                                phi_5553_ = -(_e2032[0]);
                                             } else {
-                                                phi_5487_ = _e2016[0];
+                                                phi_5553_ = _e2032[0];
                                             }
-                                            let _e2023 = phi_5487_;
-                                            if (_e2016[1] < 0f) {
-                                                phi_5494_ = -(_e2016[1]);
+                                            let _e2039 = phi_5553_;
+                                            if (_e2032[1] < 0f) {
+                                                phi_5560_ = -(_e2032[1]);
                                             } else {
-                                                phi_5494_ = _e2016[1];
+                                                phi_5560_ = _e2032[1];
                                             }
-                                            let _e2027 = phi_5494_;
-                                            if (_e2023 > _e2027) {
-                                                phi_5499_ = _e2023;
+                                            let _e2043 = phi_5560_;
+                                            if (_e2039 > _e2043) {
+                                                phi_5565_ = _e2039;
                                             } else {
-                                                phi_5499_ = _e2027;
+                                                phi_5565_ = _e2043;
                                             }
-                                            let _e2030 = phi_5499_;
-                                            if (_e2016[2] < 0f) {
-                                                phi_5506_ = -(_e2016[2]);
+                                            let _e2046 = phi_5565_;
+                                            if (_e2032[2] < 0f) {
+                                                phi_5572_ = -(_e2032[2]);
                                             } else {
-                                                phi_5506_ = _e2016[2];
+                                                phi_5572_ = _e2032[2];
                                             }
-                                            let _e2034 = phi_5506_;
-                                            if (_e2030 > _e2034) {
-                                                phi_5511_ = _e2030;
+                                            let _e2050 = phi_5572_;
+                                            if (_e2046 > _e2050) {
+                                                phi_5577_ = _e2046;
                                             } else {
-                                                phi_5511_ = _e2034;
+                                                phi_5577_ = _e2050;
                                             }
-                                            let _e2037 = phi_5511_;
-                                            if (_e2013 > _e2037) {
-                                                phi_5516_ = _e2013;
+                                            let _e2053 = phi_5577_;
+                                            if (_e2029 > _e2053) {
+                                                phi_5582_ = _e2029;
                                             } else {
-                                                phi_5516_ = _e2037;
+                                                phi_5582_ = _e2053;
                                             }
-                                            let _e2040 = phi_5516_;
-                                            let _e2042 = local_15.member_3;
-                                            let _e2046 = local_15.member_1[0u];
-                                            if (_e2046[0] < 0f) {
-                                                phi_5533_ = -(_e2046[0]);
+                                            let _e2056 = phi_5582_;
+                                            let _e2058 = local_15.member_3;
+                                            let _e2062 = local_15.member_1[0u];
+                                            if (_e2062[0] < 0f) {
+                                                phi_5599_ = -(_e2062[0]);
                                             } else {
-                                                phi_5533_ = _e2046[0];
+                                                phi_5599_ = _e2062[0];
                                             }
-                                            let _e2053 = phi_5533_;
-                                            if (_e2046[1] < 0f) {
-                                                phi_5540_ = -(_e2046[1]);
+                                            let _e2069 = phi_5599_;
+                                            if (_e2062[1] < 0f) {
+                                                phi_5606_ = -(_e2062[1]);
                                             } else {
-                                                phi_5540_ = _e2046[1];
+                                                phi_5606_ = _e2062[1];
                                             }
-                                            let _e2057 = phi_5540_;
-                                            if (_e2053 > _e2057) {
-                                                phi_5545_ = _e2053;
+                                            let _e2073 = phi_5606_;
+                                            if (_e2069 > _e2073) {
+                                                phi_5611_ = _e2069;
                                             } else {
-                                                phi_5545_ = _e2057;
+                                                phi_5611_ = _e2073;
                                             }
-                                            let _e2060 = phi_5545_;
-                                            if (_e2046[2] < 0f) {
-                                                phi_5552_ = -(_e2046[2]);
+                                            let _e2076 = phi_5611_;
+                                            if (_e2062[2] < 0f) {
+                                                phi_5618_ = -(_e2062[2]);
                                             } else {
-                                                phi_5552_ = _e2046[2];
+                                                phi_5618_ = _e2062[2];
                                             }
-                                            let _e2064 = phi_5552_;
-                                            if (_e2060 > _e2064) {
-                                                phi_5557_ = _e2060;
+                                            let _e2080 = phi_5618_;
+                                            if (_e2076 > _e2080) {
+                                                phi_5623_ = _e2076;
                                             } else {
-                                                phi_5557_ = _e2064;
+                                                phi_5623_ = _e2080;
                                             }
-                                            let _e2067 = phi_5557_;
-                                            let _e2070 = local_15.member_1[1u];
-                                            if (_e2070[0] < 0f) {
-                                                phi_5571_ = -(_e2070[0]);
+                                            let _e2083 = phi_5623_;
+                                            let _e2086 = local_15.member_1[1u];
+                                            if (_e2086[0] < 0f) {
+                                                phi_5637_ = -(_e2086[0]);
                                             } else {
-                                                phi_5571_ = _e2070[0];
+                                                phi_5637_ = _e2086[0];
                                             }
-                                            let _e2077 = phi_5571_;
-                                            if (_e2070[1] < 0f) {
-                                                phi_5578_ = -(_e2070[1]);
+                                            let _e2093 = phi_5637_;
+                                            if (_e2086[1] < 0f) {
+                                                phi_5644_ = -(_e2086[1]);
                                             } else {
-                                                phi_5578_ = _e2070[1];
+                                                phi_5644_ = _e2086[1];
                                             }
-                                            let _e2081 = phi_5578_;
-                                            if (_e2077 > _e2081) {
-                                                phi_5583_ = _e2077;
+                                            let _e2097 = phi_5644_;
+                                            if (_e2093 > _e2097) {
+                                                phi_5649_ = _e2093;
                                             } else {
-                                                phi_5583_ = _e2081;
+                                                phi_5649_ = _e2097;
                                             }
-                                            let _e2084 = phi_5583_;
-                                            if (_e2070[2] < 0f) {
-                                                phi_5590_ = -(_e2070[2]);
+                                            let _e2100 = phi_5649_;
+                                            if (_e2086[2] < 0f) {
+                                                phi_5656_ = -(_e2086[2]);
                                             } else {
-                                                phi_5590_ = _e2070[2];
+                                                phi_5656_ = _e2086[2];
                                             }
-                                            let _e2088 = phi_5590_;
-                                            if (_e2084 > _e2088) {
-                                                phi_5595_ = _e2084;
+                                            let _e2104 = phi_5656_;
+                                            if (_e2100 > _e2104) {
+                                                phi_5661_ = _e2100;
                                             } else {
-                                                phi_5595_ = _e2088;
+                                                phi_5661_ = _e2104;
                                             }
-                                            let _e2091 = phi_5595_;
-                                            if (_e2067 > _e2091) {
-                                                phi_5600_ = _e2067;
+                                            let _e2107 = phi_5661_;
+                                            if (_e2083 > _e2107) {
+                                                phi_5666_ = _e2083;
                                             } else {
-                                                phi_5600_ = _e2091;
+                                                phi_5666_ = _e2107;
                                             }
-                                            let _e2094 = phi_5600_;
-                                            let _e2096 = local_15.member_3;
-                                            let _e2100 = local_15.member_2[0u];
-                                            if (_e2100[0] < 0f) {
-                                                phi_5617_ = -(_e2100[0]);
+                                            let _e2110 = phi_5666_;
+                                            let _e2112 = local_15.member_3;
+                                            let _e2116 = local_15.member_2[0u];
+                                            if (_e2116[0] < 0f) {
+                                                phi_5683_ = -(_e2116[0]);
                                             } else {
-                                                phi_5617_ = _e2100[0];
+                                                phi_5683_ = _e2116[0];
                                             }
-                                            let _e2107 = phi_5617_;
-                                            if (_e2100[1] < 0f) {
-                                                phi_5624_ = -(_e2100[1]);
+                                            let _e2123 = phi_5683_;
+                                            if (_e2116[1] < 0f) {
+                                                phi_5690_ = -(_e2116[1]);
                                             } else {
-                                                phi_5624_ = _e2100[1];
+                                                phi_5690_ = _e2116[1];
                                             }
-                                            let _e2111 = phi_5624_;
-                                            if (_e2107 > _e2111) {
-                                                phi_5629_ = _e2107;
+                                            let _e2127 = phi_5690_;
+                                            if (_e2123 > _e2127) {
+                                                phi_5695_ = _e2123;
                                             } else {
-                                                phi_5629_ = _e2111;
+                                                phi_5695_ = _e2127;
                                             }
-                                            let _e2114 = phi_5629_;
-                                            if (_e2100[2] < 0f) {
-                                                phi_5636_ = -(_e2100[2]);
+                                            let _e2130 = phi_5695_;
+                                            if (_e2116[2] < 0f) {
+                                                phi_5702_ = -(_e2116[2]);
                                             } else {
-                                                phi_5636_ = _e2100[2];
+                                                phi_5702_ = _e2116[2];
                                             }
-                                            let _e2118 = phi_5636_;
-                                            if (_e2114 > _e2118) {
-                                                phi_5641_ = _e2114;
+                                            let _e2134 = phi_5702_;
+                                            if (_e2130 > _e2134) {
+                                                phi_5707_ = _e2130;
                                             } else {
-                                                phi_5641_ = _e2118;
+                                                phi_5707_ = _e2134;
                                             }
-                                            let _e2121 = phi_5641_;
-                                            let _e2124 = local_15.member_2[1u];
-                                            if (_e2124[0] < 0f) {
-                                                phi_5655_ = -(_e2124[0]);
+                                            let _e2137 = phi_5707_;
+                                            let _e2140 = local_15.member_2[1u];
+                                            if (_e2140[0] < 0f) {
+                                                phi_5721_ = -(_e2140[0]);
                                             } else {
-                                                phi_5655_ = _e2124[0];
+                                                phi_5721_ = _e2140[0];
                                             }
-                                            let _e2131 = phi_5655_;
-                                            if (_e2124[1] < 0f) {
-                                                phi_5662_ = -(_e2124[1]);
+                                            let _e2147 = phi_5721_;
+                                            if (_e2140[1] < 0f) {
+                                                phi_5728_ = -(_e2140[1]);
                                             } else {
-                                                phi_5662_ = _e2124[1];
+                                                phi_5728_ = _e2140[1];
                                             }
-                                            let _e2135 = phi_5662_;
-                                            if (_e2131 > _e2135) {
-                                                phi_5667_ = _e2131;
+                                            let _e2151 = phi_5728_;
+                                            if (_e2147 > _e2151) {
+                                                phi_5733_ = _e2147;
                                             } else {
-                                                phi_5667_ = _e2135;
+                                                phi_5733_ = _e2151;
                                             }
-                                            let _e2138 = phi_5667_;
-                                            if (_e2124[2] < 0f) {
-                                                phi_5674_ = -(_e2124[2]);
+                                            let _e2154 = phi_5733_;
+                                            if (_e2140[2] < 0f) {
+                                                phi_5740_ = -(_e2140[2]);
                                             } else {
-                                                phi_5674_ = _e2124[2];
+                                                phi_5740_ = _e2140[2];
                                             }
-                                            let _e2142 = phi_5674_;
-                                            if (_e2138 > _e2142) {
-                                                phi_5679_ = _e2138;
+                                            let _e2158 = phi_5740_;
+                                            if (_e2154 > _e2158) {
+                                                phi_5745_ = _e2154;
                                             } else {
-                                                phi_5679_ = _e2142;
+                                                phi_5745_ = _e2158;
                                             }
-                                            let _e2145 = phi_5679_;
-                                            if (_e2121 > _e2145) {
-                                                phi_5684_ = _e2121;
+                                            let _e2161 = phi_5745_;
+                                            if (_e2137 > _e2161) {
+                                                phi_5750_ = _e2137;
                                             } else {
-                                                phi_5684_ = _e2145;
+                                                phi_5750_ = _e2161;
                                             }
-                                            let _e2148 = phi_5684_;
-                                            let _e2150 = local_15.member_3;
-                                            let _e2157 = local_15.member_3;
-                                            phi_5700_ = type_28(0u, 48u);
-                                            phi_5703_ = _e1195.member;
+                                            let _e2164 = phi_5750_;
+                                            let _e2166 = local_15.member_3;
+                                            let _e2173 = local_15.member_3;
+                                            phi_5766_ = type_28(0u, 48u);
+                                            phi_5769_ = _e1211.member;
                                             loop {
-                                                let _e2163 = phi_5700_;
-                                                let _e2165 = phi_5703_;
-                                                local_60 = _e2165;
-                                                local_27 = _e2165;
-                                                local_28 = _e2165;
-                                                local_29 = _e2165;
-                                                if (_e2163.member < _e2163.member_1) {
-                                                    phi_5701_ = type_28((_e2163.member + 1u), _e2163.member_1);
-                                                    phi_5726_ = type_28(1u, _e2163.member);
+                                                let _e2179 = phi_5766_;
+                                                let _e2181 = phi_5769_;
+                                                local_65 = _e2181;
+                                                local_27 = _e2181;
+                                                local_28 = _e2181;
+                                                local_29 = _e2181;
+                                                local_30 = _e2181;
+                                                if (_e2179.member < _e2179.member_1) {
+                                                    phi_5767_ = type_28((_e2179.member + 1u), _e2179.member_1);
+                                                    phi_5792_ = type_28(1u, _e2179.member);
                                                 } else {
-                                                    phi_5701_ = _e2163;
-                                                    phi_5726_ = type_28(0u, type_28().member_1);
+                                                    phi_5767_ = _e2179;
+                                                    phi_5792_ = type_28(0u, type_28().member_1);
                                                 }
-                                                let _e2179 = phi_5701_;
-                                                let _e2181 = phi_5726_;
-                                                if (bitcast<i32>(_e2181.member) != 0i) {
-                                                    let _e2187 = local_15.member[0u];
-                                                    let _e2193 = local_15.member[1u];
-                                                    let _e2203 = (_e2187[0] + ((_e2193[0] - _e2187[0]) * _e2165));
-                                                    let _e2204 = (_e2187[1] + ((_e2193[1] - _e2187[1]) * _e2165));
-                                                    let _e2205 = (_e2187[2] + ((_e2193[2] - _e2187[2]) * _e2165));
-                                                    let _e2208 = local_15.member_1[0u];
-                                                    let _e2214 = local_15.member_1[1u];
-                                                    let _e2224 = (_e2208[0] + ((_e2214[0] - _e2208[0]) * _e2165));
-                                                    let _e2225 = (_e2208[1] + ((_e2214[1] - _e2208[1]) * _e2165));
-                                                    let _e2226 = (_e2208[2] + ((_e2214[2] - _e2208[2]) * _e2165));
-                                                    let _e2229 = local_15.member_2[0u];
-                                                    let _e2235 = local_15.member_2[1u];
-                                                    let _e2245 = (_e2229[0] + ((_e2235[0] - _e2229[0]) * _e2165));
-                                                    let _e2246 = (_e2229[1] + ((_e2235[1] - _e2229[1]) * _e2165));
-                                                    let _e2247 = (_e2229[2] + ((_e2235[2] - _e2229[2]) * _e2165));
-                                                    let _e2252 = (((_e2224 * _e2224) + (_e2225 * _e2225)) + (_e2226 * _e2226));
-                                                    let _e2257 = (((_e2224 * _e2245) + (_e2225 * _e2246)) + (_e2226 * _e2247));
-                                                    let _e2262 = (((_e2245 * _e2245) + (_e2246 * _e2246)) + (_e2247 * _e2247));
-                                                    let _e2267 = (((_e2203 * _e2224) + (_e2204 * _e2225)) + (_e2205 * _e2226));
-                                                    let _e2272 = (((_e2203 * _e2245) + (_e2204 * _e2246)) + (_e2205 * _e2247));
-                                                    let _e2275 = ((_e2252 * _e2262) - (_e2257 * _e2257));
-                                                    let _e2279 = (((_e2267 * _e2262) - (_e2272 * _e2257)) / _e2275);
-                                                    let _e2283 = (((_e2272 * _e2252) - (_e2267 * _e2257)) / _e2275);
-                                                    if (_e2279 >= 0f) {
-                                                        if (_e2283 >= 0f) {
-                                                            if (_e2279 <= 1f) {
-                                                                phi_5880_ = (_e2283 <= 1f);
-                                                                phi_5881_ = false;
+                                                let _e2195 = phi_5767_;
+                                                let _e2197 = phi_5792_;
+                                                if (bitcast<i32>(_e2197.member) != 0i) {
+                                                    let _e2203 = local_15.member[0u];
+                                                    let _e2209 = local_15.member[1u];
+                                                    let _e2219 = (_e2203[0] + ((_e2209[0] - _e2203[0]) * _e2181));
+                                                    let _e2220 = (_e2203[1] + ((_e2209[1] - _e2203[1]) * _e2181));
+                                                    let _e2221 = (_e2203[2] + ((_e2209[2] - _e2203[2]) * _e2181));
+                                                    let _e2224 = local_15.member_1[0u];
+                                                    let _e2230 = local_15.member_1[1u];
+                                                    let _e2240 = (_e2224[0] + ((_e2230[0] - _e2224[0]) * _e2181));
+                                                    let _e2241 = (_e2224[1] + ((_e2230[1] - _e2224[1]) * _e2181));
+                                                    let _e2242 = (_e2224[2] + ((_e2230[2] - _e2224[2]) * _e2181));
+                                                    let _e2245 = local_15.member_2[0u];
+                                                    let _e2251 = local_15.member_2[1u];
+                                                    let _e2261 = (_e2245[0] + ((_e2251[0] - _e2245[0]) * _e2181));
+                                                    let _e2262 = (_e2245[1] + ((_e2251[1] - _e2245[1]) * _e2181));
+                                                    let _e2263 = (_e2245[2] + ((_e2251[2] - _e2245[2]) * _e2181));
+                                                    let _e2268 = (((_e2240 * _e2240) + (_e2241 * _e2241)) + (_e2242 * _e2242));
+                                                    let _e2273 = (((_e2240 * _e2261) + (_e2241 * _e2262)) + (_e2242 * _e2263));
+                                                    let _e2278 = (((_e2261 * _e2261) + (_e2262 * _e2262)) + (_e2263 * _e2263));
+                                                    let _e2283 = (((_e2219 * _e2240) + (_e2220 * _e2241)) + (_e2221 * _e2242));
+                                                    let _e2288 = (((_e2219 * _e2261) + (_e2220 * _e2262)) + (_e2221 * _e2263));
+                                                    let _e2291 = ((_e2268 * _e2278) - (_e2273 * _e2273));
+                                                    let _e2295 = (((_e2283 * _e2278) - (_e2288 * _e2273)) / _e2291);
+                                                    let _e2299 = (((_e2288 * _e2268) - (_e2283 * _e2273)) / _e2291);
+                                                    if (_e2295 >= 0f) {
+                                                        if (_e2299 >= 0f) {
+                                                            if (_e2295 <= 1f) {
+                                                                phi_5946_ = (_e2299 <= 1f);
+                                                                phi_5947_ = false;
                                                             } else {
-                                                                phi_5880_ = bool();
-                                                                phi_5881_ = true;
+                                                                phi_5946_ = bool();
+                                                                phi_5947_ = true;
                                                             }
-                                                            let _e2289 = phi_5880_;
-                                                            let _e2291 = phi_5881_;
-                                                            phi_5882_ = _e2289;
-                                                            phi_5883_ = _e2291;
+                                                            let _e2305 = phi_5946_;
+                                                            let _e2307 = phi_5947_;
+                                                            phi_5948_ = _e2305;
+                                                            phi_5949_ = _e2307;
                                                         } else {
-                                                            phi_5882_ = bool();
-                                                            phi_5883_ = true;
+                                                            phi_5948_ = bool();
+                                                            phi_5949_ = true;
                                                         }
-                                                        let _e2293 = phi_5882_;
-                                                        let _e2295 = phi_5883_;
-                                                        phi_5884_ = _e2293;
-                                                        phi_5885_ = _e2295;
+                                                        let _e2309 = phi_5948_;
+                                                        let _e2311 = phi_5949_;
+                                                        phi_5950_ = _e2309;
+                                                        phi_5951_ = _e2311;
                                                     } else {
-                                                        phi_5884_ = bool();
-                                                        phi_5885_ = true;
+                                                        phi_5950_ = bool();
+                                                        phi_5951_ = true;
                                                     }
-                                                    let _e2297 = phi_5884_;
-                                                    let _e2299 = phi_5885_;
-                                                    if _e2299 {
-                                                        phi_5889_ = false;
+                                                    let _e2313 = phi_5950_;
+                                                    let _e2315 = phi_5951_;
+                                                    if _e2315 {
+                                                        phi_5955_ = false;
                                                     } else {
-                                                        phi_5889_ = _e2297;
+                                                        phi_5955_ = _e2313;
                                                     }
-                                                    let _e2301 = phi_5889_;
-                                                    if (_e2275 > 0f) {
-                                                        if _e2301 {
-                                                            phi_5929_ = array<f32, 3>((_e2203 - ((_e2224 * _e2279) + (_e2245 * _e2283))), (_e2204 - ((_e2225 * _e2279) + (_e2246 * _e2283))), (_e2205 - ((_e2226 * _e2279) + (_e2247 * _e2283))));
-                                                            phi_5930_ = false;
+                                                    let _e2317 = phi_5955_;
+                                                    if (_e2291 > 0f) {
+                                                        if _e2317 {
+                                                            phi_5995_ = array<f32, 3>((_e2219 - ((_e2240 * _e2295) + (_e2261 * _e2299))), (_e2220 - ((_e2241 * _e2295) + (_e2262 * _e2299))), (_e2221 - ((_e2242 * _e2295) + (_e2263 * _e2299))));
+                                                            phi_5996_ = false;
                                                         } else {
-                                                            phi_5929_ = array<f32, 3>();
-                                                            phi_5930_ = true;
+                                                            phi_5995_ = array<f32, 3>();
+                                                            phi_5996_ = true;
                                                         }
-                                                        let _e2317 = phi_5929_;
-                                                        let _e2319 = phi_5930_;
-                                                        phi_5931_ = _e2317;
-                                                        phi_5932_ = _e2319;
+                                                        let _e2333 = phi_5995_;
+                                                        let _e2335 = phi_5996_;
+                                                        phi_5997_ = _e2333;
+                                                        phi_5998_ = _e2335;
                                                     } else {
-                                                        phi_5931_ = array<f32, 3>();
-                                                        phi_5932_ = true;
+                                                        phi_5997_ = array<f32, 3>();
+                                                        phi_5998_ = true;
                                                     }
-                                                    let _e2321 = phi_5931_;
-                                                    let _e2323 = phi_5932_;
-                                                    if _e2323 {
-                                                        let _e2324 = (_e2203 - _e2224);
-                                                        let _e2325 = (_e2204 - _e2225);
-                                                        let _e2326 = (_e2205 - _e2226);
-                                                        let _e2337 = ((((_e2203 * _e2224) + (_e2204 * _e2225)) + (_e2205 * _e2226)) / (((_e2224 * _e2224) + (_e2225 * _e2225)) + (_e2226 * _e2226)));
-                                                        if (_e2337 > 0f) {
-                                                            if (_e2337 < 1f) {
-                                                                phi_5962_ = _e2337;
+                                                    let _e2337 = phi_5997_;
+                                                    let _e2339 = phi_5998_;
+                                                    if _e2339 {
+                                                        let _e2340 = (_e2219 - _e2240);
+                                                        let _e2341 = (_e2220 - _e2241);
+                                                        let _e2342 = (_e2221 - _e2242);
+                                                        let _e2353 = ((((_e2219 * _e2240) + (_e2220 * _e2241)) + (_e2221 * _e2242)) / (((_e2240 * _e2240) + (_e2241 * _e2241)) + (_e2242 * _e2242)));
+                                                        if (_e2353 > 0f) {
+                                                            if (_e2353 < 1f) {
+                                                                phi_6028_ = _e2353;
                                                             } else {
-                                                                phi_5962_ = 1f;
+                                                                phi_6028_ = 1f;
                                                             }
-                                                            let _e2341 = phi_5962_;
-                                                            phi_5963_ = _e2341;
+                                                            let _e2357 = phi_6028_;
+                                                            phi_6029_ = _e2357;
                                                         } else {
-                                                            phi_5963_ = 0f;
+                                                            phi_6029_ = 0f;
                                                         }
-                                                        let _e2343 = phi_5963_;
-                                                        let _e2360 = ((((_e2203 * _e2245) + (_e2204 * _e2246)) + (_e2205 * _e2247)) / (((_e2245 * _e2245) + (_e2246 * _e2246)) + (_e2247 * _e2247)));
-                                                        if (_e2360 > 0f) {
-                                                            if (_e2360 < 1f) {
-                                                                phi_5990_ = _e2360;
+                                                        let _e2359 = phi_6029_;
+                                                        let _e2376 = ((((_e2219 * _e2261) + (_e2220 * _e2262)) + (_e2221 * _e2263)) / (((_e2261 * _e2261) + (_e2262 * _e2262)) + (_e2263 * _e2263)));
+                                                        if (_e2376 > 0f) {
+                                                            if (_e2376 < 1f) {
+                                                                phi_6056_ = _e2376;
                                                             } else {
-                                                                phi_5990_ = 1f;
+                                                                phi_6056_ = 1f;
                                                             }
-                                                            let _e2364 = phi_5990_;
-                                                            phi_5991_ = _e2364;
+                                                            let _e2380 = phi_6056_;
+                                                            phi_6057_ = _e2380;
                                                         } else {
-                                                            phi_5991_ = 0f;
+                                                            phi_6057_ = 0f;
                                                         }
-                                                        let _e2366 = phi_5991_;
-                                                        let _e2383 = ((((_e2324 * _e2245) + (_e2325 * _e2246)) + (_e2326 * _e2247)) / (((_e2245 * _e2245) + (_e2246 * _e2246)) + (_e2247 * _e2247)));
-                                                        if (_e2383 > 0f) {
-                                                            if (_e2383 < 1f) {
-                                                                phi_6018_ = _e2383;
+                                                        let _e2382 = phi_6057_;
+                                                        let _e2399 = ((((_e2340 * _e2261) + (_e2341 * _e2262)) + (_e2342 * _e2263)) / (((_e2261 * _e2261) + (_e2262 * _e2262)) + (_e2263 * _e2263)));
+                                                        if (_e2399 > 0f) {
+                                                            if (_e2399 < 1f) {
+                                                                phi_6084_ = _e2399;
                                                             } else {
-                                                                phi_6018_ = 1f;
+                                                                phi_6084_ = 1f;
                                                             }
-                                                            let _e2387 = phi_6018_;
-                                                            phi_6019_ = _e2387;
+                                                            let _e2403 = phi_6084_;
+                                                            phi_6085_ = _e2403;
                                                         } else {
-                                                            phi_6019_ = 0f;
+                                                            phi_6085_ = 0f;
                                                         }
-                                                        let _e2389 = phi_6019_;
-                                                        let _e2396 = (_e2203 - _e2245);
-                                                        let _e2397 = (_e2204 - _e2246);
-                                                        let _e2398 = (_e2205 - _e2247);
-                                                        let _e2409 = ((((_e2396 * _e2224) + (_e2397 * _e2225)) + (_e2398 * _e2226)) / (((_e2224 * _e2224) + (_e2225 * _e2225)) + (_e2226 * _e2226)));
-                                                        if (_e2409 > 0f) {
-                                                            if (_e2409 < 1f) {
-                                                                phi_6049_ = _e2409;
+                                                        let _e2405 = phi_6085_;
+                                                        let _e2412 = (_e2219 - _e2261);
+                                                        let _e2413 = (_e2220 - _e2262);
+                                                        let _e2414 = (_e2221 - _e2263);
+                                                        let _e2425 = ((((_e2412 * _e2240) + (_e2413 * _e2241)) + (_e2414 * _e2242)) / (((_e2240 * _e2240) + (_e2241 * _e2241)) + (_e2242 * _e2242)));
+                                                        if (_e2425 > 0f) {
+                                                            if (_e2425 < 1f) {
+                                                                phi_6115_ = _e2425;
                                                             } else {
-                                                                phi_6049_ = 1f;
+                                                                phi_6115_ = 1f;
                                                             }
-                                                            let _e2413 = phi_6049_;
-                                                            phi_6050_ = _e2413;
+                                                            let _e2429 = phi_6115_;
+                                                            phi_6116_ = _e2429;
                                                         } else {
-                                                            phi_6050_ = 0f;
+                                                            phi_6116_ = 0f;
                                                         }
-                                                        let _e2415 = phi_6050_;
-                                                        local[0u] = array<f32, 3>((_e2203 - (_e2224 * _e2343)), (_e2204 - (_e2225 * _e2343)), (_e2205 - (_e2226 * _e2343)));
-                                                        local[1u] = array<f32, 3>((_e2203 - (_e2245 * _e2366)), (_e2204 - (_e2246 * _e2366)), (_e2205 - (_e2247 * _e2366)));
-                                                        local[2u] = array<f32, 3>((_e2324 - (_e2245 * _e2389)), (_e2325 - (_e2246 * _e2389)), (_e2326 - (_e2247 * _e2389)));
-                                                        local[3u] = array<f32, 3>((_e2396 - (_e2224 * _e2415)), (_e2397 - (_e2225 * _e2415)), (_e2398 - (_e2226 * _e2415)));
-                                                        let _e2431 = local[0u];
-                                                        phi_6193_ = type_28(1u, 4u);
-                                                        phi_6196_ = array<f32, 3>(_e2431[0], _e2431[1], _e2431[2]);
+                                                        let _e2431 = phi_6116_;
+                                                        local[0u] = array<f32, 3>((_e2219 - (_e2240 * _e2359)), (_e2220 - (_e2241 * _e2359)), (_e2221 - (_e2242 * _e2359)));
+                                                        local[1u] = array<f32, 3>((_e2219 - (_e2261 * _e2382)), (_e2220 - (_e2262 * _e2382)), (_e2221 - (_e2263 * _e2382)));
+                                                        local[2u] = array<f32, 3>((_e2340 - (_e2261 * _e2405)), (_e2341 - (_e2262 * _e2405)), (_e2342 - (_e2263 * _e2405)));
+                                                        local[3u] = array<f32, 3>((_e2412 - (_e2240 * _e2431)), (_e2413 - (_e2241 * _e2431)), (_e2414 - (_e2242 * _e2431)));
+                                                        let _e2447 = local[0u];
+                                                        phi_6259_ = type_28(1u, 4u);
+                                                        phi_6262_ = array<f32, 3>(_e2447[0], _e2447[1], _e2447[2]);
                                                         loop {
-                                                            let _e2437 = phi_6193_;
-                                                            let _e2439 = phi_6196_;
-                                                            local_50 = _e2439;
-                                                            if (_e2437.member < _e2437.member_1) {
-                                                                phi_6194_ = type_28((_e2437.member + 1u), _e2437.member_1);
-                                                                phi_6219_ = type_28(1u, _e2437.member);
+                                                            let _e2453 = phi_6259_;
+                                                            let _e2455 = phi_6262_;
+                                                            local_52 = _e2455;
+                                                            if (_e2453.member < _e2453.member_1) {
+                                                                phi_6260_ = type_28((_e2453.member + 1u), _e2453.member_1);
+                                                                phi_6285_ = type_28(1u, _e2453.member);
                                                             } else {
-                                                                phi_6194_ = _e2437;
-                                                                phi_6219_ = type_28(0u, type_28().member_1);
+                                                                phi_6260_ = _e2453;
+                                                                phi_6285_ = type_28(0u, type_28().member_1);
                                                             }
-                                                            let _e2453 = phi_6194_;
-                                                            let _e2455 = phi_6219_;
-                                                            let _e2459 = (bitcast<i32>(_e2455.member) != 0i);
-                                                            if _e2459 {
-                                                                if (_e2455.member_1 < 4u) {
+                                                            let _e2469 = phi_6260_;
+                                                            let _e2471 = phi_6285_;
+                                                            let _e2475 = (bitcast<i32>(_e2471.member) != 0i);
+                                                            if _e2475 {
+                                                                if (_e2471.member_1 < 4u) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e2462 = local[_e2455.member_1];
-                                                                if (_e2455.member_1 < 4u) {
+                                                                let _e2478 = local[_e2471.member_1];
+                                                                if (_e2471.member_1 < 4u) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e2468 = local[_e2455.member_1];
-                                                                if ((((_e2462[0] * _e2468[0]) + (_e2462[1] * _e2468[1])) + (_e2462[2] * _e2468[2])) < (((_e2439[0] * _e2439[0]) + (_e2439[1] * _e2439[1])) + (_e2439[2] * _e2439[2]))) {
-                                                                    if (_e2455.member_1 < 4u) {
+                                                                let _e2484 = local[_e2471.member_1];
+                                                                if ((((_e2478[0] * _e2484[0]) + (_e2478[1] * _e2484[1])) + (_e2478[2] * _e2484[2])) < (((_e2455[0] * _e2455[0]) + (_e2455[1] * _e2455[1])) + (_e2455[2] * _e2455[2]))) {
+                                                                    if (_e2471.member_1 < 4u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2491 = local[_e2455.member_1];
-                                                                    phi_6286_ = array<f32, 3>(_e2491[0], _e2491[1], _e2491[2]);
+                                                                    let _e2507 = local[_e2471.member_1];
+                                                                    phi_6352_ = array<f32, 3>(_e2507[0], _e2507[1], _e2507[2]);
                                                                 } else {
-                                                                    phi_6286_ = _e2439;
+                                                                    phi_6352_ = _e2455;
                                                                 }
-                                                                let _e2497 = phi_6286_;
-                                                                phi_6197_ = _e2497;
+                                                                let _e2513 = phi_6352_;
+                                                                phi_6263_ = _e2513;
                                                             } else {
-                                                                phi_6197_ = array<f32, 3>();
+                                                                phi_6263_ = array<f32, 3>();
                                                             }
-                                                            let _e2499 = phi_6197_;
+                                                            let _e2515 = phi_6263_;
                                                             continue;
                                                             continuing {
-                                                                phi_6193_ = _e2453;
-                                                                phi_6196_ = _e2499;
-                                                                break if !(_e2459);
+                                                                phi_6259_ = _e2469;
+                                                                phi_6262_ = _e2515;
+                                                                break if !(_e2475);
                                                             }
                                                         }
-                                                        let _e5040 = local_50;
-                                                        phi_6287_ = _e5040;
+                                                        let _e5183 = local_52;
+                                                        phi_6353_ = _e5183;
                                                     } else {
-                                                        phi_6287_ = _e2321;
+                                                        phi_6353_ = _e2337;
                                                     }
-                                                    let _e2502 = phi_6287_;
-                                                    if (_e2502[0] < 0f) {
-                                                        phi_6294_ = -(_e2502[0]);
+                                                    let _e2518 = phi_6353_;
+                                                    if (_e2518[0] < 0f) {
+                                                        phi_6360_ = -(_e2518[0]);
                                                     } else {
-                                                        phi_6294_ = _e2502[0];
+                                                        phi_6360_ = _e2518[0];
                                                     }
-                                                    let _e2507 = phi_6294_;
-                                                    if (_e2502[1] < 0f) {
-                                                        phi_6301_ = -(_e2502[1]);
+                                                    let _e2523 = phi_6360_;
+                                                    if (_e2518[1] < 0f) {
+                                                        phi_6367_ = -(_e2518[1]);
                                                     } else {
-                                                        phi_6301_ = _e2502[1];
+                                                        phi_6367_ = _e2518[1];
                                                     }
-                                                    let _e2512 = phi_6301_;
-                                                    if (_e2502[2] < 0f) {
-                                                        phi_6309_ = -(_e2502[2]);
+                                                    let _e2528 = phi_6367_;
+                                                    if (_e2518[2] < 0f) {
+                                                        phi_6375_ = -(_e2518[2]);
                                                     } else {
-                                                        phi_6309_ = _e2502[2];
+                                                        phi_6375_ = _e2518[2];
                                                     }
-                                                    let _e2518 = phi_6309_;
-                                                    let _e2519 = ((_e2507 + _e2512) + _e2518);
-                                                    if (_e2519 > 0f) {
-                                                        if ((bitcast<u32>(_e2519) & 2139095040u) != 2139095040u) {
-                                                            let _e2524 = (1f / _e2519);
-                                                            let _e2526 = (_e2502[0] * _e2524);
-                                                            let _e2528 = (_e2502[1] * _e2524);
-                                                            let _e2530 = (_e2502[2] * _e2524);
-                                                            let _e2535 = (((_e2526 * _e2526) + (_e2528 * _e2528)) + (_e2530 * _e2530));
-                                                            if (_e2535 <= 0.000000000000000000000000000000000000011754944f) {
-                                                                if (_e2535 > 0f) {
-                                                                    phi_6346_ = (0.000000000000000000106433627f * 2f);
+                                                    let _e2534 = phi_6375_;
+                                                    let _e2535 = ((_e2523 + _e2528) + _e2534);
+                                                    if (_e2535 > 0f) {
+                                                        if ((bitcast<u32>(_e2535) & 2139095040u) != 2139095040u) {
+                                                            let _e2540 = (1f / _e2535);
+                                                            let _e2542 = (_e2518[0] * _e2540);
+                                                            let _e2544 = (_e2518[1] * _e2540);
+                                                            let _e2546 = (_e2518[2] * _e2540);
+                                                            let _e2551 = (((_e2542 * _e2542) + (_e2544 * _e2544)) + (_e2546 * _e2546));
+                                                            if (_e2551 <= 0.000000000000000000000000000000000000011754944f) {
+                                                                if (_e2551 > 0f) {
+                                                                    phi_6412_ = (0.000000000000000000106433627f * 2f);
                                                                 } else {
-                                                                    phi_6346_ = 0f;
+                                                                    phi_6412_ = 0f;
                                                                 }
-                                                                let _e2594 = phi_6346_;
-                                                                phi_6410_ = _e2594;
+                                                                let _e2610 = phi_6412_;
+                                                                phi_6476_ = _e2610;
                                                             } else {
-                                                                phi_6353_ = type_26(0i, 5i);
-                                                                phi_6356_ = bitcast<f32>(((bitcast<u32>(_e2535) >> bitcast<u32>(1i)) + 532369198u));
+                                                                phi_6419_ = type_26(0i, 5i);
+                                                                phi_6422_ = bitcast<f32>(((bitcast<u32>(_e2551) >> bitcast<u32>(1i)) + 532369198u));
                                                                 loop {
-                                                                    let _e2543 = phi_6353_;
-                                                                    let _e2545 = phi_6356_;
-                                                                    local_21 = _e2545;
-                                                                    if (_e2543.member < _e2543.member_1) {
-                                                                        let _e2553 = (_e2543.member + 1i);
-                                                                        if ((false == (_e2553 > _e2543.member)) != false) {
-                                                                            phi_6377_ = true;
+                                                                    let _e2559 = phi_6419_;
+                                                                    let _e2561 = phi_6422_;
+                                                                    local_21 = _e2561;
+                                                                    if (_e2559.member < _e2559.member_1) {
+                                                                        let _e2569 = (_e2559.member + 1i);
+                                                                        if ((false == (_e2569 > _e2559.member)) != false) {
+                                                                            phi_6443_ = true;
                                                                         } else {
-                                                                            phi_6377_ = false;
+                                                                            phi_6443_ = false;
                                                                         }
-                                                                        let _e2558 = phi_6377_;
-                                                                        if _e2558 {
-                                                                            phi_6383_ = type_27(0u, type_27().member_1);
+                                                                        let _e2574 = phi_6443_;
+                                                                        if _e2574 {
+                                                                            phi_6449_ = type_27(0u, type_27().member_1);
                                                                         } else {
-                                                                            phi_6383_ = type_27(1u, _e2553);
+                                                                            phi_6449_ = type_27(1u, _e2569);
                                                                         }
-                                                                        let _e2564 = phi_6383_;
-                                                                        if (bitcast<i32>(_e2564.member) != 0i) {
+                                                                        let _e2580 = phi_6449_;
+                                                                        if (bitcast<i32>(_e2580.member) != 0i) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        phi_6354_ = type_26(_e2564.member_1, _e2543.member_1);
-                                                                        phi_6397_ = type_27(1u, _e2543.member);
+                                                                        phi_6420_ = type_26(_e2580.member_1, _e2559.member_1);
+                                                                        phi_6463_ = type_27(1u, _e2559.member);
                                                                     } else {
-                                                                        phi_6354_ = _e2543;
-                                                                        phi_6397_ = type_27(0u, type_27().member_1);
+                                                                        phi_6420_ = _e2559;
+                                                                        phi_6463_ = type_27(0u, type_27().member_1);
                                                                     }
-                                                                    let _e2574 = phi_6354_;
-                                                                    let _e2576 = phi_6397_;
-                                                                    let _e2579 = (bitcast<i32>(_e2576.member) != 0i);
-                                                                    if _e2579 {
-                                                                        phi_6357_ = (0.5f * (_e2545 + (_e2535 / _e2545)));
+                                                                    let _e2590 = phi_6420_;
+                                                                    let _e2592 = phi_6463_;
+                                                                    let _e2595 = (bitcast<i32>(_e2592.member) != 0i);
+                                                                    if _e2595 {
+                                                                        phi_6423_ = (0.5f * (_e2561 + (_e2551 / _e2561)));
                                                                     } else {
-                                                                        phi_6357_ = f32();
+                                                                        phi_6423_ = f32();
                                                                     }
-                                                                    let _e2584 = phi_6357_;
+                                                                    let _e2600 = phi_6423_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_6353_ = _e2574;
-                                                                        phi_6356_ = _e2584;
-                                                                        break if !(_e2579);
+                                                                        phi_6419_ = _e2590;
+                                                                        phi_6422_ = _e2600;
+                                                                        break if !(_e2595);
                                                                     }
                                                                 }
-                                                                let _e2589 = local_21;
-                                                                phi_6410_ = (_e2589 * (1f + (4f * 0.000000059604645f)));
+                                                                let _e2605 = local_21;
+                                                                phi_6476_ = (_e2605 * (1f + (8f * 0.000000059604645f)));
                                                             }
-                                                            let _e2596 = phi_6410_;
-                                                            phi_6419_ = type_28(0u, 4u);
-                                                            phi_6422_ = 2f;
+                                                            let _e2612 = phi_6476_;
+                                                            phi_6485_ = type_28(0u, 4u);
+                                                            phi_6488_ = 2f;
                                                             loop {
-                                                                let _e2604 = phi_6419_;
-                                                                let _e2606 = phi_6422_;
-                                                                local_23 = _e2606;
-                                                                local_24 = _e2606;
-                                                                local_25 = _e2606;
-                                                                local_51 = _e2606;
-                                                                local_52 = _e2606;
-                                                                if (_e2604.member < _e2604.member_1) {
-                                                                    phi_6420_ = type_28((_e2604.member + 1u), _e2604.member_1);
-                                                                    phi_6445_ = type_28(1u, _e2604.member);
+                                                                let _e2620 = phi_6485_;
+                                                                let _e2622 = phi_6488_;
+                                                                local_23 = _e2622;
+                                                                local_24 = _e2622;
+                                                                local_25 = _e2622;
+                                                                local_55 = _e2622;
+                                                                local_56 = _e2622;
+                                                                if (_e2620.member < _e2620.member_1) {
+                                                                    phi_6486_ = type_28((_e2620.member + 1u), _e2620.member_1);
+                                                                    phi_6511_ = type_28(1u, _e2620.member);
                                                                 } else {
-                                                                    phi_6420_ = _e2604;
-                                                                    phi_6445_ = type_28(0u, type_28().member_1);
+                                                                    phi_6486_ = _e2620;
+                                                                    phi_6511_ = type_28(0u, type_28().member_1);
                                                                 }
-                                                                let _e2620 = phi_6420_;
-                                                                let _e2622 = phi_6445_;
-                                                                if (bitcast<i32>(_e2622.member) != 0i) {
-                                                                    if (_e2622.member_1 < 4u) {
+                                                                let _e2636 = phi_6486_;
+                                                                let _e2638 = phi_6511_;
+                                                                if (bitcast<i32>(_e2638.member) != 0i) {
+                                                                    if (_e2638.member_1 < 4u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2629 = local_1[_e2622.member_1];
-                                                                    let _e2637 = (((_e2526 * _e2629[0]) + (_e2528 * _e2629[1])) + (_e2530 * _e2629[2]));
-                                                                    if (_e2622.member_1 < 4u) {
+                                                                    let _e2645 = local_1[_e2638.member_1];
+                                                                    let _e2653 = (((_e2542 * _e2645[0]) + (_e2544 * _e2645[1])) + (_e2546 * _e2645[2]));
+                                                                    if (_e2638.member_1 < 4u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2640 = local_2[_e2622.member_1];
-                                                                    let _e2648 = (((_e2526 * _e2640[0]) + (_e2528 * _e2640[1])) + (_e2530 * _e2640[2]));
-                                                                    if (_e2637 < 0f) {
-                                                                        phi_6496_ = -(_e2637);
+                                                                    let _e2656 = local_2[_e2638.member_1];
+                                                                    let _e2664 = (((_e2542 * _e2656[0]) + (_e2544 * _e2656[1])) + (_e2546 * _e2656[2]));
+                                                                    if (_e2653 < 0f) {
+                                                                        phi_6562_ = -(_e2653);
                                                                     } else {
-                                                                        phi_6496_ = _e2637;
+                                                                        phi_6562_ = _e2653;
                                                                     }
-                                                                    let _e2652 = phi_6496_;
-                                                                    if (_e2648 < 0f) {
-                                                                        phi_6502_ = -(_e2648);
+                                                                    let _e2668 = phi_6562_;
+                                                                    if (_e2664 < 0f) {
+                                                                        phi_6568_ = -(_e2664);
                                                                     } else {
-                                                                        phi_6502_ = _e2648;
+                                                                        phi_6568_ = _e2664;
                                                                     }
-                                                                    let _e2656 = phi_6502_;
-                                                                    let _e2660 = (((((((((_e2040 + _e2042) + (_e2094 + _e2096)) + (_e2148 + _e2150)) * (0.000000059604645f * 16f)) + (_e2157 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e2596) * (1f + (0.000000059604645f * 8f)))) + ((_e2652 + _e2656) * (0.000000059604645f * 8f)));
-                                                                    if (_e2637 > _e2660) {
-                                                                        if (_e2648 > _e2660) {
-                                                                            phi_6515_ = false;
+                                                                    let _e2672 = phi_6568_;
+                                                                    let _e2676 = (((((((((_e2056 + _e2058) + (_e2110 + _e2112)) + (_e2164 + _e2166)) * (0.000000059604645f * 16f)) + (_e2173 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e2612) * (1f + (0.000000059604645f * 8f)))) + ((_e2668 + _e2672) * (0.000000059604645f * 8f)));
+                                                                    if (_e2653 > _e2676) {
+                                                                        if (_e2664 > _e2676) {
+                                                                            phi_6581_ = false;
                                                                         } else {
-                                                                            phi_6515_ = true;
+                                                                            phi_6581_ = true;
                                                                         }
-                                                                        let _e2664 = phi_6515_;
-                                                                        phi_6516_ = _e2664;
+                                                                        let _e2680 = phi_6581_;
+                                                                        phi_6582_ = _e2680;
                                                                     } else {
-                                                                        phi_6516_ = true;
+                                                                        phi_6582_ = true;
                                                                     }
-                                                                    let _e2666 = phi_6516_;
-                                                                    if _e2666 {
-                                                                        let _e2670 = ((_e2637 + ((_e2648 - _e2637) * _e2165)) > _e2660);
-                                                                        if _e2670 {
-                                                                            if (_e2648 < _e2637) {
-                                                                                let _e2677 = (((_e2637 - _e2660) / (_e2637 - _e2648)) * (1f - (0.000000059604645f * 16f)));
-                                                                                if (_e2606 < _e2677) {
-                                                                                    phi_6541_ = _e2606;
+                                                                    let _e2682 = phi_6582_;
+                                                                    if _e2682 {
+                                                                        if ((_e2653 + ((_e2664 - _e2653) * _e2181)) > _e2676) {
+                                                                            if (_e2664 < _e2653) {
+                                                                                let _e2690 = ((_e2653 - _e2664) <= (0.25f / 0.000000000000000000000000000000000000011754944f));
+                                                                                if _e2690 {
+                                                                                    let _e2696 = (((_e2653 - _e2676) / (_e2653 - _e2664)) * (1f - (0.000000059604645f * 16f)));
+                                                                                    if (_e2622 < _e2696) {
+                                                                                        phi_6613_ = _e2622;
+                                                                                    } else {
+                                                                                        phi_6613_ = _e2696;
+                                                                                    }
+                                                                                    let _e2699 = phi_6613_;
+                                                                                    phi_6614_ = _e2699;
                                                                                 } else {
-                                                                                    phi_6541_ = _e2677;
+                                                                                    phi_6614_ = f32();
                                                                                 }
-                                                                                let _e2680 = phi_6541_;
-                                                                                phi_6542_ = _e2680;
+                                                                                let _e2701 = phi_6614_;
+                                                                                phi_6615_ = _e2701;
+                                                                                phi_6616_ = _e2690;
                                                                             } else {
-                                                                                phi_6542_ = _e2606;
+                                                                                phi_6615_ = _e2622;
+                                                                                phi_6616_ = true;
                                                                             }
-                                                                            let _e2682 = phi_6542_;
-                                                                            phi_6543_ = _e2682;
+                                                                            let _e2703 = phi_6615_;
+                                                                            let _e2705 = phi_6616_;
+                                                                            if _e2705 {
+                                                                                phi_6620_ = false;
+                                                                            } else {
+                                                                                phi_6620_ = true;
+                                                                            }
+                                                                            let _e2707 = phi_6620_;
+                                                                            phi_6621_ = _e2703;
+                                                                            phi_6622_ = _e2705;
+                                                                            phi_6623_ = _e2707;
+                                                                            phi_6624_ = false;
                                                                         } else {
-                                                                            phi_6543_ = f32();
+                                                                            phi_6621_ = f32();
+                                                                            phi_6622_ = false;
+                                                                            phi_6623_ = false;
+                                                                            phi_6624_ = true;
                                                                         }
-                                                                        let _e2684 = phi_6543_;
-                                                                        phi_6544_ = _e2684;
-                                                                        phi_6545_ = _e2670;
+                                                                        let _e2709 = phi_6621_;
+                                                                        let _e2711 = phi_6622_;
+                                                                        let _e2713 = phi_6623_;
+                                                                        let _e2715 = phi_6624_;
+                                                                        phi_6625_ = _e2709;
+                                                                        phi_6626_ = _e2711;
+                                                                        phi_6627_ = _e2713;
+                                                                        phi_6628_ = _e2715;
                                                                     } else {
-                                                                        phi_6544_ = _e2606;
-                                                                        phi_6545_ = true;
+                                                                        phi_6625_ = _e2622;
+                                                                        phi_6626_ = true;
+                                                                        phi_6627_ = false;
+                                                                        phi_6628_ = false;
                                                                     }
-                                                                    let _e2686 = phi_6544_;
-                                                                    let _e2688 = phi_6545_;
-                                                                    phi_6423_ = _e2686;
-                                                                    phi_6546_ = _e2688;
-                                                                    phi_6547_ = false;
+                                                                    let _e2717 = phi_6625_;
+                                                                    let _e2719 = phi_6626_;
+                                                                    let _e2721 = phi_6627_;
+                                                                    let _e2723 = phi_6628_;
+                                                                    phi_6489_ = _e2717;
+                                                                    phi_6629_ = _e2719;
+                                                                    phi_6630_ = false;
+                                                                    phi_6631_ = _e2721;
+                                                                    phi_6632_ = _e2723;
                                                                 } else {
-                                                                    phi_6423_ = f32();
-                                                                    phi_6546_ = false;
-                                                                    phi_6547_ = true;
+                                                                    phi_6489_ = f32();
+                                                                    phi_6629_ = false;
+                                                                    phi_6630_ = true;
+                                                                    phi_6631_ = false;
+                                                                    phi_6632_ = false;
                                                                 }
-                                                                let _e2690 = phi_6423_;
-                                                                let _e2692 = phi_6546_;
-                                                                let _e2694 = phi_6547_;
-                                                                local_22 = _e2694;
+                                                                let _e2725 = phi_6489_;
+                                                                let _e2727 = phi_6629_;
+                                                                let _e2729 = phi_6630_;
+                                                                let _e2731 = phi_6631_;
+                                                                let _e2733 = phi_6632_;
+                                                                local_22 = _e2729;
+                                                                local_53 = _e2731;
+                                                                local_54 = _e2733;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_6419_ = _e2620;
-                                                                    phi_6422_ = _e2690;
-                                                                    break if !(_e2692);
+                                                                    phi_6485_ = _e2636;
+                                                                    phi_6488_ = _e2725;
+                                                                    break if !(_e2727);
                                                                 }
                                                             }
-                                                            let _e2697 = local_22;
-                                                            if _e2697 {
-                                                                let _e2699 = local_23;
-                                                                let _e2700 = (_e2699 > _e1195.member_1);
-                                                                if _e2700 {
-                                                                    phi_6568_ = false;
-                                                                    phi_6569_ = false;
-                                                                    phi_6570_ = false;
+                                                            let _e2736 = local_22;
+                                                            if _e2736 {
+                                                                let _e2738 = local_23;
+                                                                let _e2739 = (_e2738 > _e1211.member_1);
+                                                                if _e2739 {
+                                                                    phi_6653_ = false;
+                                                                    phi_6654_ = false;
+                                                                    phi_6655_ = false;
                                                                 } else {
-                                                                    let _e2702 = local_24;
-                                                                    if (_e2702 > _e2165) {
-                                                                        let _e2705 = local_25;
-                                                                        let _e2707 = ((_e2705 - _e2165) < 0.00000000023283064f);
-                                                                        if _e2707 {
-                                                                            phi_6564_ = false;
+                                                                    let _e2741 = local_24;
+                                                                    if (_e2741 > _e2181) {
+                                                                        let _e2744 = local_25;
+                                                                        let _e2746 = ((_e2744 - _e2181) < 0.00000000023283064f);
+                                                                        if _e2746 {
+                                                                            phi_6649_ = false;
                                                                         } else {
-                                                                            phi_6564_ = true;
+                                                                            phi_6649_ = true;
                                                                         }
-                                                                        let _e2709 = phi_6564_;
-                                                                        phi_6565_ = _e2709;
-                                                                        phi_6566_ = _e2707;
-                                                                        phi_6567_ = false;
+                                                                        let _e2748 = phi_6649_;
+                                                                        phi_6650_ = _e2748;
+                                                                        phi_6651_ = _e2746;
+                                                                        phi_6652_ = false;
                                                                     } else {
-                                                                        phi_6565_ = false;
-                                                                        phi_6566_ = false;
-                                                                        phi_6567_ = true;
+                                                                        phi_6650_ = false;
+                                                                        phi_6651_ = false;
+                                                                        phi_6652_ = true;
                                                                     }
-                                                                    let _e2711 = phi_6565_;
-                                                                    let _e2713 = phi_6566_;
-                                                                    let _e2715 = phi_6567_;
-                                                                    phi_6568_ = _e2711;
-                                                                    phi_6569_ = _e2713;
-                                                                    phi_6570_ = _e2715;
+                                                                    let _e2750 = phi_6650_;
+                                                                    let _e2752 = phi_6651_;
+                                                                    let _e2754 = phi_6652_;
+                                                                    phi_6653_ = _e2750;
+                                                                    phi_6654_ = _e2752;
+                                                                    phi_6655_ = _e2754;
                                                                 }
-                                                                let _e2717 = phi_6568_;
-                                                                let _e2719 = phi_6569_;
-                                                                let _e2721 = phi_6570_;
-                                                                phi_6571_ = _e2717;
-                                                                phi_6572_ = _e2700;
-                                                                phi_6573_ = _e2719;
-                                                                phi_6574_ = _e2721;
-                                                                phi_6575_ = false;
+                                                                let _e2756 = phi_6653_;
+                                                                let _e2758 = phi_6654_;
+                                                                let _e2760 = phi_6655_;
+                                                                phi_6656_ = _e2756;
+                                                                phi_6657_ = _e2739;
+                                                                phi_6658_ = _e2758;
+                                                                phi_6659_ = _e2760;
+                                                                phi_6660_ = false;
+                                                                phi_6661_ = false;
                                                             } else {
-                                                                phi_6571_ = false;
-                                                                phi_6572_ = false;
-                                                                phi_6573_ = false;
-                                                                phi_6574_ = false;
-                                                                phi_6575_ = true;
+                                                                phi_6656_ = false;
+                                                                phi_6657_ = false;
+                                                                phi_6658_ = false;
+                                                                phi_6659_ = false;
+                                                                let _e5240 = local_53;
+                                                                phi_6660_ = _e5240;
+                                                                let _e5243 = local_54;
+                                                                phi_6661_ = _e5243;
                                                             }
-                                                            let _e2723 = phi_6571_;
-                                                            let _e2725 = phi_6572_;
-                                                            let _e2727 = phi_6573_;
-                                                            let _e2729 = phi_6574_;
-                                                            let _e2731 = phi_6575_;
-                                                            let _e5088 = local_51;
-                                                            phi_6576_ = _e5088;
-                                                            let _e5091 = local_52;
-                                                            phi_6577_ = _e5091;
-                                                            phi_6578_ = _e2723;
-                                                            phi_6579_ = _e2725;
-                                                            phi_6580_ = _e2727;
-                                                            phi_6581_ = _e2729;
-                                                            phi_6582_ = _e2731;
-                                                            phi_6583_ = false;
+                                                            let _e2762 = phi_6656_;
+                                                            let _e2764 = phi_6657_;
+                                                            let _e2766 = phi_6658_;
+                                                            let _e2768 = phi_6659_;
+                                                            let _e2770 = phi_6660_;
+                                                            let _e2772 = phi_6661_;
+                                                            let _e5246 = local_55;
+                                                            phi_6662_ = _e5246;
+                                                            let _e5249 = local_56;
+                                                            phi_6663_ = _e5249;
+                                                            phi_6664_ = _e2762;
+                                                            phi_6665_ = _e2764;
+                                                            phi_6666_ = _e2766;
+                                                            phi_6667_ = _e2768;
+                                                            phi_6668_ = _e2770;
+                                                            phi_6669_ = _e2772;
+                                                            phi_6670_ = false;
                                                         } else {
-                                                            phi_6576_ = f32();
-                                                            phi_6577_ = f32();
-                                                            phi_6578_ = false;
-                                                            phi_6579_ = false;
-                                                            phi_6580_ = false;
-                                                            phi_6581_ = false;
-                                                            phi_6582_ = false;
-                                                            phi_6583_ = true;
+                                                            phi_6662_ = f32();
+                                                            phi_6663_ = f32();
+                                                            phi_6664_ = false;
+                                                            phi_6665_ = false;
+                                                            phi_6666_ = false;
+                                                            phi_6667_ = false;
+                                                            phi_6668_ = false;
+                                                            phi_6669_ = false;
+                                                            phi_6670_ = true;
                                                         }
-                                                        let _e2733 = phi_6576_;
-                                                        let _e2735 = phi_6577_;
-                                                        let _e2737 = phi_6578_;
-                                                        let _e2739 = phi_6579_;
-                                                        let _e2741 = phi_6580_;
-                                                        let _e2743 = phi_6581_;
-                                                        let _e2745 = phi_6582_;
-                                                        let _e2747 = phi_6583_;
-                                                        phi_6584_ = _e2733;
-                                                        phi_6585_ = _e2735;
-                                                        phi_6586_ = _e2737;
-                                                        phi_6587_ = _e2739;
-                                                        phi_6588_ = _e2741;
-                                                        phi_6589_ = _e2743;
-                                                        phi_6590_ = _e2745;
-                                                        phi_6591_ = _e2747;
-                                                        phi_6592_ = false;
+                                                        let _e2774 = phi_6662_;
+                                                        let _e2776 = phi_6663_;
+                                                        let _e2778 = phi_6664_;
+                                                        let _e2780 = phi_6665_;
+                                                        let _e2782 = phi_6666_;
+                                                        let _e2784 = phi_6667_;
+                                                        let _e2786 = phi_6668_;
+                                                        let _e2788 = phi_6669_;
+                                                        let _e2790 = phi_6670_;
+                                                        phi_6671_ = _e2774;
+                                                        phi_6672_ = _e2776;
+                                                        phi_6673_ = _e2778;
+                                                        phi_6674_ = _e2780;
+                                                        phi_6675_ = _e2782;
+                                                        phi_6676_ = _e2784;
+                                                        phi_6677_ = _e2786;
+                                                        phi_6678_ = _e2788;
+                                                        phi_6679_ = _e2790;
+                                                        phi_6680_ = false;
                                                     } else {
-                                                        phi_6584_ = f32();
-                                                        phi_6585_ = f32();
-                                                        phi_6586_ = false;
-                                                        phi_6587_ = false;
-                                                        phi_6588_ = false;
-                                                        phi_6589_ = false;
-                                                        phi_6590_ = false;
-                                                        phi_6591_ = false;
-                                                        phi_6592_ = true;
+                                                        phi_6671_ = f32();
+                                                        phi_6672_ = f32();
+                                                        phi_6673_ = false;
+                                                        phi_6674_ = false;
+                                                        phi_6675_ = false;
+                                                        phi_6676_ = false;
+                                                        phi_6677_ = false;
+                                                        phi_6678_ = false;
+                                                        phi_6679_ = false;
+                                                        phi_6680_ = true;
                                                     }
-                                                    let _e2749 = phi_6584_;
-                                                    let _e2751 = phi_6585_;
-                                                    let _e2753 = phi_6586_;
-                                                    let _e2755 = phi_6587_;
-                                                    let _e2757 = phi_6588_;
-                                                    let _e2759 = phi_6589_;
-                                                    let _e2761 = phi_6590_;
-                                                    let _e2763 = phi_6591_;
-                                                    let _e2765 = phi_6592_;
-                                                    phi_6593_ = _e2749;
-                                                    phi_5704_ = _e2751;
-                                                    phi_6594_ = _e2753;
-                                                    phi_6595_ = _e2755;
-                                                    phi_6596_ = _e2757;
-                                                    phi_6597_ = false;
-                                                    phi_6598_ = _e2759;
-                                                    phi_6599_ = _e2761;
-                                                    phi_6600_ = _e2763;
-                                                    phi_6601_ = _e2765;
+                                                    let _e2792 = phi_6671_;
+                                                    let _e2794 = phi_6672_;
+                                                    let _e2796 = phi_6673_;
+                                                    let _e2798 = phi_6674_;
+                                                    let _e2800 = phi_6675_;
+                                                    let _e2802 = phi_6676_;
+                                                    let _e2804 = phi_6677_;
+                                                    let _e2806 = phi_6678_;
+                                                    let _e2808 = phi_6679_;
+                                                    let _e2810 = phi_6680_;
+                                                    phi_6681_ = _e2792;
+                                                    phi_5770_ = _e2794;
+                                                    phi_6682_ = _e2796;
+                                                    phi_6683_ = _e2798;
+                                                    phi_6684_ = _e2800;
+                                                    phi_6685_ = false;
+                                                    phi_6686_ = _e2802;
+                                                    phi_6687_ = _e2804;
+                                                    phi_6688_ = _e2806;
+                                                    phi_6689_ = _e2808;
+                                                    phi_6690_ = _e2810;
                                                 } else {
-                                                    phi_6593_ = f32();
-                                                    phi_5704_ = f32();
-                                                    phi_6594_ = false;
-                                                    phi_6595_ = false;
-                                                    phi_6596_ = false;
-                                                    phi_6597_ = true;
-                                                    phi_6598_ = false;
-                                                    phi_6599_ = false;
-                                                    phi_6600_ = false;
-                                                    phi_6601_ = false;
+                                                    phi_6681_ = f32();
+                                                    phi_5770_ = f32();
+                                                    phi_6682_ = false;
+                                                    phi_6683_ = false;
+                                                    phi_6684_ = false;
+                                                    phi_6685_ = true;
+                                                    phi_6686_ = false;
+                                                    phi_6687_ = false;
+                                                    phi_6688_ = false;
+                                                    phi_6689_ = false;
+                                                    phi_6690_ = false;
                                                 }
-                                                let _e2767 = phi_6593_;
-                                                let _e2769 = phi_5704_;
-                                                let _e2771 = phi_6594_;
-                                                let _e2773 = phi_6595_;
-                                                let _e2775 = phi_6596_;
-                                                let _e2777 = phi_6597_;
-                                                let _e2779 = phi_6598_;
-                                                let _e2781 = phi_6599_;
-                                                let _e2783 = phi_6600_;
-                                                let _e2785 = phi_6601_;
-                                                local_26 = _e2773;
-                                                local_53 = _e2775;
-                                                local_54 = _e2777;
-                                                local_55 = _e2779;
-                                                local_56 = _e2781;
-                                                local_57 = _e2783;
-                                                local_58 = _e2785;
-                                                local_59 = _e2767;
-                                                local_61 = _e2773;
+                                                let _e2812 = phi_6681_;
+                                                let _e2814 = phi_5770_;
+                                                let _e2816 = phi_6682_;
+                                                let _e2818 = phi_6683_;
+                                                let _e2820 = phi_6684_;
+                                                let _e2822 = phi_6685_;
+                                                let _e2824 = phi_6686_;
+                                                let _e2826 = phi_6687_;
+                                                let _e2828 = phi_6688_;
+                                                let _e2830 = phi_6689_;
+                                                let _e2832 = phi_6690_;
+                                                local_26 = _e2818;
+                                                local_57 = _e2820;
+                                                local_58 = _e2822;
+                                                local_59 = _e2824;
+                                                local_60 = _e2826;
+                                                local_61 = _e2828;
+                                                local_62 = _e2830;
+                                                local_63 = _e2832;
+                                                local_64 = _e2812;
+                                                local_66 = _e2818;
                                                 continue;
                                                 continuing {
-                                                    phi_5700_ = _e2179;
-                                                    phi_5703_ = _e2769;
-                                                    break if !(_e2771);
+                                                    phi_5766_ = _e2195;
+                                                    phi_5769_ = _e2814;
+                                                    break if !(_e2816);
                                                 }
                                             }
-                                            let _e2788 = local_26;
-                                            if _e2788 {
-                                                phi_6606_ = type_55(0u, type_55().member_1);
-                                                phi_6607_ = false;
-                                                phi_6608_ = false;
-                                                phi_6609_ = false;
-                                                phi_6610_ = false;
-                                                phi_6611_ = false;
-                                                phi_6612_ = false;
+                                            let _e2835 = local_26;
+                                            if _e2835 {
+                                                phi_6695_ = type_55(0u, type_55().member_1);
+                                                phi_6696_ = false;
+                                                phi_6697_ = false;
+                                                phi_6698_ = false;
+                                                phi_6699_ = false;
+                                                phi_6700_ = false;
+                                                phi_6701_ = false;
+                                                phi_6702_ = false;
                                             } else {
-                                                phi_6606_ = type_55();
-                                                let _e5121 = local_53;
-                                                phi_6607_ = _e5121;
-                                                let _e5124 = local_54;
-                                                phi_6608_ = _e5124;
-                                                let _e5127 = local_55;
-                                                phi_6609_ = _e5127;
-                                                let _e5130 = local_56;
-                                                phi_6610_ = _e5130;
-                                                let _e5133 = local_57;
-                                                phi_6611_ = _e5133;
-                                                let _e5136 = local_58;
-                                                phi_6612_ = _e5136;
+                                                phi_6695_ = type_55();
+                                                let _e5282 = local_57;
+                                                phi_6696_ = _e5282;
+                                                let _e5285 = local_58;
+                                                phi_6697_ = _e5285;
+                                                let _e5288 = local_59;
+                                                phi_6698_ = _e5288;
+                                                let _e5291 = local_60;
+                                                phi_6699_ = _e5291;
+                                                let _e5294 = local_61;
+                                                phi_6700_ = _e5294;
+                                                let _e5297 = local_62;
+                                                phi_6701_ = _e5297;
+                                                let _e5300 = local_63;
+                                                phi_6702_ = _e5300;
                                             }
-                                            let _e2793 = phi_6606_;
-                                            let _e2795 = phi_6607_;
-                                            let _e2797 = phi_6608_;
-                                            let _e2799 = phi_6609_;
-                                            let _e2801 = phi_6610_;
-                                            let _e2803 = phi_6611_;
-                                            let _e2805 = phi_6612_;
-                                            if _e2795 {
-                                                let _e5139 = local_59;
-                                                phi_6616_ = _e5139;
-                                                phi_6617_ = true;
-                                                phi_6618_ = false;
-                                                phi_6619_ = false;
-                                                phi_6620_ = false;
-                                                phi_6621_ = false;
-                                                phi_6622_ = false;
+                                            let _e2840 = phi_6695_;
+                                            let _e2842 = phi_6696_;
+                                            let _e2844 = phi_6697_;
+                                            let _e2846 = phi_6698_;
+                                            let _e2848 = phi_6699_;
+                                            let _e2850 = phi_6700_;
+                                            let _e2852 = phi_6701_;
+                                            let _e2854 = phi_6702_;
+                                            if _e2842 {
+                                                let _e5303 = local_64;
+                                                phi_6706_ = _e5303;
+                                                phi_6707_ = true;
+                                                phi_6708_ = false;
+                                                phi_6709_ = false;
+                                                phi_6710_ = false;
+                                                phi_6711_ = false;
+                                                phi_6712_ = false;
+                                                phi_6713_ = false;
                                             } else {
-                                                let _e5141 = local_60;
-                                                phi_6616_ = _e5141;
-                                                phi_6617_ = _e2797;
-                                                phi_6618_ = _e2799;
-                                                phi_6619_ = _e2801;
-                                                let _e5147 = local_61;
-                                                phi_6620_ = _e5147;
-                                                phi_6621_ = _e2803;
-                                                phi_6622_ = _e2805;
+                                                let _e5305 = local_65;
+                                                phi_6706_ = _e5305;
+                                                phi_6707_ = _e2844;
+                                                phi_6708_ = _e2846;
+                                                phi_6709_ = _e2848;
+                                                phi_6710_ = _e2850;
+                                                let _e5312 = local_66;
+                                                phi_6711_ = _e5312;
+                                                phi_6712_ = _e2852;
+                                                phi_6713_ = _e2854;
                                             }
-                                            let _e2807 = phi_6616_;
-                                            let _e2809 = phi_6617_;
-                                            let _e2811 = phi_6618_;
-                                            let _e2813 = phi_6619_;
-                                            let _e2815 = phi_6620_;
-                                            let _e2817 = phi_6621_;
-                                            let _e2819 = phi_6622_;
-                                            if _e2809 {
-                                                phi_6627_ = type_55(1u, _e2807);
-                                                phi_6628_ = false;
-                                                phi_6629_ = false;
-                                                phi_6630_ = false;
-                                                phi_6631_ = false;
-                                                phi_6632_ = false;
-                                            } else {
-                                                phi_6627_ = type_55();
-                                                phi_6628_ = _e2811;
-                                                phi_6629_ = _e2813;
-                                                phi_6630_ = _e2815;
-                                                phi_6631_ = _e2817;
-                                                phi_6632_ = _e2819;
-                                            }
-                                            let _e2822 = phi_6627_;
-                                            let _e2824 = phi_6628_;
-                                            let _e2826 = phi_6629_;
-                                            let _e2828 = phi_6630_;
-                                            let _e2830 = phi_6631_;
-                                            let _e2832 = phi_6632_;
-                                            if _e2824 {
-                                                let _e2834 = local_27;
-                                                phi_6637_ = type_55(1u, _e2834);
-                                                phi_6638_ = false;
-                                                phi_6639_ = true;
-                                                phi_6640_ = false;
-                                                phi_6641_ = false;
-                                            } else {
-                                                phi_6637_ = _e2793;
-                                                phi_6638_ = _e2826;
-                                                phi_6639_ = _e2828;
-                                                phi_6640_ = _e2830;
-                                                phi_6641_ = _e2832;
-                                            }
-                                            let _e2837 = phi_6637_;
-                                            let _e2839 = phi_6638_;
-                                            let _e2841 = phi_6639_;
-                                            let _e2843 = phi_6640_;
-                                            let _e2845 = phi_6641_;
-                                            if _e2839 {
-                                                let _e2847 = local_28;
-                                                phi_6646_ = type_55(1u, _e2847);
-                                                phi_6647_ = true;
-                                                phi_6648_ = false;
-                                                phi_6649_ = false;
-                                            } else {
-                                                phi_6646_ = _e2837;
-                                                phi_6647_ = _e2841;
-                                                phi_6648_ = _e2843;
-                                                phi_6649_ = _e2845;
-                                            }
-                                            let _e2850 = phi_6646_;
-                                            let _e2852 = phi_6647_;
-                                            let _e2854 = phi_6648_;
-                                            let _e2856 = phi_6649_;
-                                            if _e2852 {
-                                                phi_6653_ = false;
-                                                phi_6654_ = false;
-                                            } else {
-                                                phi_6653_ = _e2854;
-                                                phi_6654_ = _e2856;
-                                            }
-                                            let _e2858 = phi_6653_;
-                                            let _e2860 = phi_6654_;
+                                            let _e2856 = phi_6706_;
+                                            let _e2858 = phi_6707_;
+                                            let _e2860 = phi_6708_;
+                                            let _e2862 = phi_6709_;
+                                            let _e2864 = phi_6710_;
+                                            let _e2866 = phi_6711_;
+                                            let _e2868 = phi_6712_;
+                                            let _e2870 = phi_6713_;
                                             if _e2858 {
-                                                phi_6658_ = false;
-                                                phi_6659_ = false;
+                                                phi_6718_ = type_55(1u, _e2856);
+                                                phi_6719_ = false;
+                                                phi_6720_ = false;
+                                                phi_6721_ = false;
+                                                phi_6722_ = false;
+                                                phi_6723_ = false;
+                                                phi_6724_ = false;
                                             } else {
-                                                phi_6658_ = _e2860;
-                                                phi_6659_ = _e2852;
+                                                phi_6718_ = type_55();
+                                                phi_6719_ = _e2860;
+                                                phi_6720_ = _e2862;
+                                                phi_6721_ = _e2864;
+                                                phi_6722_ = _e2866;
+                                                phi_6723_ = _e2868;
+                                                phi_6724_ = _e2870;
                                             }
-                                            let _e2862 = phi_6658_;
-                                            let _e2864 = phi_6659_;
-                                            if _e2862 {
-                                                phi_6663_ = true;
-                                                phi_6664_ = false;
-                                            } else {
-                                                phi_6663_ = _e2858;
-                                                phi_6664_ = _e2864;
-                                            }
-                                            let _e2866 = phi_6663_;
-                                            let _e2868 = phi_6664_;
-                                            if _e2866 {
-                                                let _e2870 = local_29;
-                                                phi_6669_ = type_55(1u, _e2870);
-                                                phi_6670_ = true;
-                                            } else {
-                                                phi_6669_ = _e2850;
-                                                phi_6670_ = _e2868;
-                                            }
-                                            let _e2873 = phi_6669_;
-                                            let _e2875 = phi_6670_;
+                                            let _e2873 = phi_6718_;
+                                            let _e2875 = phi_6719_;
+                                            let _e2877 = phi_6720_;
+                                            let _e2879 = phi_6721_;
+                                            let _e2881 = phi_6722_;
+                                            let _e2883 = phi_6723_;
+                                            let _e2885 = phi_6724_;
                                             if _e2875 {
-                                                phi_6674_ = _e2873;
+                                                let _e2887 = local_27;
+                                                phi_6729_ = type_55(1u, _e2887);
+                                                phi_6730_ = false;
+                                                phi_6731_ = false;
+                                                phi_6732_ = true;
+                                                phi_6733_ = false;
+                                                phi_6734_ = false;
                                             } else {
-                                                phi_6674_ = _e2822;
+                                                phi_6729_ = _e2840;
+                                                phi_6730_ = _e2877;
+                                                phi_6731_ = _e2879;
+                                                phi_6732_ = _e2881;
+                                                phi_6733_ = _e2883;
+                                                phi_6734_ = _e2885;
                                             }
-                                            let _e2877 = phi_6674_;
-                                            let _e2880 = (_e2877.member != 0u);
-                                            if _e2880 {
-                                                phi_6681_ = false;
+                                            let _e2890 = phi_6729_;
+                                            let _e2892 = phi_6730_;
+                                            let _e2894 = phi_6731_;
+                                            let _e2896 = phi_6732_;
+                                            let _e2898 = phi_6733_;
+                                            let _e2900 = phi_6734_;
+                                            if _e2892 {
+                                                let _e2902 = local_28;
+                                                phi_6739_ = type_55(1u, _e2902);
+                                                phi_6740_ = false;
+                                                phi_6741_ = false;
+                                                phi_6742_ = false;
+                                                phi_6743_ = false;
                                             } else {
-                                                phi_6681_ = true;
+                                                phi_6739_ = type_55();
+                                                phi_6740_ = _e2894;
+                                                phi_6741_ = _e2896;
+                                                phi_6742_ = _e2898;
+                                                phi_6743_ = _e2900;
                                             }
-                                            let _e2882 = phi_6681_;
-                                            phi_6682_ = _e2877.member_1;
-                                            phi_6683_ = _e2882;
-                                            phi_6684_ = _e2880;
-                                            phi_6685_ = false;
+                                            let _e2905 = phi_6739_;
+                                            let _e2907 = phi_6740_;
+                                            let _e2909 = phi_6741_;
+                                            let _e2911 = phi_6742_;
+                                            let _e2913 = phi_6743_;
+                                            if _e2907 {
+                                                let _e2915 = local_29;
+                                                phi_6748_ = type_55(1u, _e2915);
+                                                phi_6749_ = true;
+                                                phi_6750_ = false;
+                                                phi_6751_ = false;
+                                                phi_6752_ = false;
+                                            } else {
+                                                phi_6748_ = _e2905;
+                                                phi_6749_ = _e2892;
+                                                phi_6750_ = _e2909;
+                                                phi_6751_ = _e2911;
+                                                phi_6752_ = _e2913;
+                                            }
+                                            let _e2918 = phi_6748_;
+                                            let _e2920 = phi_6749_;
+                                            let _e2922 = phi_6750_;
+                                            let _e2924 = phi_6751_;
+                                            let _e2926 = phi_6752_;
+                                            if _e2920 {
+                                                phi_6756_ = _e2918;
+                                                phi_6757_ = true;
+                                                phi_6758_ = false;
+                                                phi_6759_ = false;
+                                            } else {
+                                                phi_6756_ = _e2890;
+                                                phi_6757_ = _e2922;
+                                                phi_6758_ = _e2924;
+                                                phi_6759_ = _e2926;
+                                            }
+                                            let _e2928 = phi_6756_;
+                                            let _e2930 = phi_6757_;
+                                            let _e2932 = phi_6758_;
+                                            let _e2934 = phi_6759_;
+                                            if _e2930 {
+                                                phi_6763_ = false;
+                                                phi_6764_ = false;
+                                            } else {
+                                                phi_6763_ = _e2932;
+                                                phi_6764_ = _e2934;
+                                            }
+                                            let _e2936 = phi_6763_;
+                                            let _e2938 = phi_6764_;
+                                            if _e2936 {
+                                                phi_6768_ = false;
+                                                phi_6769_ = false;
+                                            } else {
+                                                phi_6768_ = _e2938;
+                                                phi_6769_ = _e2930;
+                                            }
+                                            let _e2940 = phi_6768_;
+                                            let _e2942 = phi_6769_;
+                                            if _e2940 {
+                                                phi_6773_ = true;
+                                                phi_6774_ = false;
+                                            } else {
+                                                phi_6773_ = _e2936;
+                                                phi_6774_ = _e2942;
+                                            }
+                                            let _e2944 = phi_6773_;
+                                            let _e2946 = phi_6774_;
+                                            if _e2944 {
+                                                let _e2948 = local_30;
+                                                phi_6779_ = type_55(1u, _e2948);
+                                                phi_6780_ = true;
+                                            } else {
+                                                phi_6779_ = _e2928;
+                                                phi_6780_ = _e2946;
+                                            }
+                                            let _e2951 = phi_6779_;
+                                            let _e2953 = phi_6780_;
+                                            if _e2953 {
+                                                phi_6784_ = _e2951;
+                                            } else {
+                                                phi_6784_ = _e2873;
+                                            }
+                                            let _e2955 = phi_6784_;
+                                            let _e2958 = (_e2955.member != 0u);
+                                            if _e2958 {
+                                                phi_6791_ = false;
+                                            } else {
+                                                phi_6791_ = true;
+                                            }
+                                            let _e2960 = phi_6791_;
+                                            phi_6792_ = _e2955.member_1;
+                                            phi_6793_ = _e2960;
+                                            phi_6794_ = _e2958;
+                                            phi_6795_ = false;
                                         } else {
-                                            phi_6682_ = f32();
-                                            phi_6683_ = false;
-                                            phi_6684_ = false;
-                                            phi_6685_ = true;
+                                            phi_6792_ = f32();
+                                            phi_6793_ = false;
+                                            phi_6794_ = false;
+                                            phi_6795_ = true;
                                         }
-                                        let _e2884 = phi_6682_;
-                                        let _e2886 = phi_6683_;
-                                        let _e2888 = phi_6684_;
-                                        let _e2890 = phi_6685_;
-                                        phi_6686_ = _e2884;
-                                        phi_6687_ = _e2886;
-                                        phi_6688_ = _e2888;
-                                        phi_6689_ = _e2890;
+                                        let _e2962 = phi_6792_;
+                                        let _e2964 = phi_6793_;
+                                        let _e2966 = phi_6794_;
+                                        let _e2968 = phi_6795_;
+                                        phi_6796_ = _e2962;
+                                        phi_6797_ = _e2964;
+                                        phi_6798_ = _e2966;
+                                        phi_6799_ = _e2968;
                                     }
-                                    let _e2892 = phi_6686_;
-                                    let _e2894 = phi_6687_;
-                                    let _e2896 = phi_6688_;
-                                    let _e2898 = phi_6689_;
-                                    phi_6690_ = _e2892;
-                                    phi_6691_ = _e1913;
-                                    phi_6692_ = _e2894;
-                                    phi_6693_ = _e2896;
-                                    phi_6694_ = _e2898;
+                                    let _e2970 = phi_6796_;
+                                    let _e2972 = phi_6797_;
+                                    let _e2974 = phi_6798_;
+                                    let _e2976 = phi_6799_;
+                                    phi_6800_ = _e2970;
+                                    phi_6801_ = _e1929;
+                                    phi_6802_ = _e2972;
+                                    phi_6803_ = _e2974;
+                                    phi_6804_ = _e2976;
                                 }
-                                let _e2900 = phi_6690_;
-                                let _e2902 = phi_6691_;
-                                let _e2904 = phi_6692_;
-                                let _e2906 = phi_6693_;
-                                let _e2908 = phi_6694_;
-                                if _e2902 {
-                                    phi_6698_ = true;
-                                    phi_6699_ = false;
-                                    phi_6700_ = false;
+                                let _e2978 = phi_6800_;
+                                let _e2980 = phi_6801_;
+                                let _e2982 = phi_6802_;
+                                let _e2984 = phi_6803_;
+                                let _e2986 = phi_6804_;
+                                if _e2980 {
+                                    phi_6808_ = true;
+                                    phi_6809_ = false;
+                                    phi_6810_ = false;
                                 } else {
-                                    phi_6698_ = _e2904;
-                                    phi_6699_ = _e2906;
-                                    phi_6700_ = _e2908;
+                                    phi_6808_ = _e2982;
+                                    phi_6809_ = _e2984;
+                                    phi_6810_ = _e2986;
                                 }
-                                let _e2910 = phi_6698_;
-                                let _e2912 = phi_6699_;
-                                let _e2914 = phi_6700_;
-                                phi_6701_ = _e2900;
-                                phi_6702_ = _e1195;
-                                phi_6703_ = _e2910;
-                                phi_6704_ = false;
-                                phi_6705_ = _e2912;
-                                phi_6706_ = _e2914;
+                                let _e2988 = phi_6808_;
+                                let _e2990 = phi_6809_;
+                                let _e2992 = phi_6810_;
+                                phi_6811_ = _e2978;
+                                phi_6812_ = _e1211;
+                                phi_6813_ = _e2988;
+                                phi_6814_ = false;
+                                phi_6815_ = _e2990;
+                                phi_6816_ = _e2992;
                             } else {
-                                phi_6701_ = f32();
-                                phi_6702_ = type_56();
-                                phi_6703_ = false;
-                                phi_6704_ = true;
-                                phi_6705_ = false;
-                                phi_6706_ = false;
+                                phi_6811_ = f32();
+                                phi_6812_ = type_56();
+                                phi_6813_ = false;
+                                phi_6814_ = true;
+                                phi_6815_ = false;
+                                phi_6816_ = false;
                             }
-                            let _e2916 = phi_6701_;
-                            let _e2918 = phi_6702_;
-                            let _e2920 = phi_6703_;
-                            let _e2922 = phi_6704_;
-                            let _e2924 = phi_6705_;
-                            let _e2926 = phi_6706_;
-                            local_30 = _e2922;
-                            local_62 = _e2924;
-                            local_63 = _e2926;
-                            local_31 = _e2916;
-                            local_32 = _e2918;
+                            let _e2994 = phi_6811_;
+                            let _e2996 = phi_6812_;
+                            let _e2998 = phi_6813_;
+                            let _e3000 = phi_6814_;
+                            let _e3002 = phi_6815_;
+                            let _e3004 = phi_6816_;
+                            local_31 = _e3000;
+                            local_67 = _e3002;
+                            local_68 = _e3004;
+                            local_32 = _e2994;
+                            local_33 = _e2996;
                             continue;
                             continuing {
-                                phi_3787_ = _e894;
-                                break if !(_e2920);
+                                phi_3853_ = _e910;
+                                break if !(_e2998);
                             }
                         }
-                        let _e2929 = local_30;
-                        if _e2929 {
-                            phi_6711_ = type_55(0u, type_55().member_1);
-                            phi_6712_ = false;
-                            phi_6713_ = false;
+                        let _e3007 = local_31;
+                        if _e3007 {
+                            phi_6821_ = type_55(0u, type_55().member_1);
+                            phi_6822_ = false;
+                            phi_6823_ = false;
                         } else {
-                            phi_6711_ = type_55();
-                            let _e5204 = local_62;
-                            phi_6712_ = _e5204;
-                            let _e5207 = local_63;
-                            phi_6713_ = _e5207;
+                            phi_6821_ = type_55();
+                            let _e5382 = local_67;
+                            phi_6822_ = _e5382;
+                            let _e5385 = local_68;
+                            phi_6823_ = _e5385;
                         }
-                        let _e2934 = phi_6711_;
-                        let _e2936 = phi_6712_;
-                        let _e2938 = phi_6713_;
-                        if _e2936 {
-                            let _e2940 = local_31;
-                            phi_6718_ = type_55(2u, _e2940);
-                            phi_6719_ = false;
+                        let _e3012 = phi_6821_;
+                        let _e3014 = phi_6822_;
+                        let _e3016 = phi_6823_;
+                        if _e3014 {
+                            let _e3018 = local_32;
+                            phi_6828_ = type_55(2u, _e3018);
+                            phi_6829_ = false;
                         } else {
-                            phi_6718_ = type_55();
-                            phi_6719_ = _e2938;
+                            phi_6828_ = type_55();
+                            phi_6829_ = _e3016;
                         }
-                        let _e2943 = phi_6718_;
-                        let _e2945 = phi_6719_;
-                        if _e2945 {
-                            let _e2947 = local_32;
-                            phi_6725_ = type_55(1u, _e2947.member);
-                            phi_6726_ = true;
+                        let _e3021 = phi_6828_;
+                        let _e3023 = phi_6829_;
+                        if _e3023 {
+                            let _e3025 = local_33;
+                            phi_6835_ = type_55(1u, _e3025.member);
+                            phi_6836_ = true;
                         } else {
-                            phi_6725_ = _e2943;
-                            phi_6726_ = _e2936;
+                            phi_6835_ = _e3021;
+                            phi_6836_ = _e3014;
                         }
-                        let _e2951 = phi_6725_;
-                        let _e2953 = phi_6726_;
-                        if _e2953 {
-                            phi_6730_ = _e2951;
+                        let _e3029 = phi_6835_;
+                        let _e3031 = phi_6836_;
+                        if _e3031 {
+                            phi_6840_ = _e3029;
                         } else {
-                            phi_6730_ = _e2934;
+                            phi_6840_ = _e3012;
                         }
-                        let _e2955 = phi_6730_;
-                        phi_6734_ = _e2955;
+                        let _e3033 = phi_6840_;
+                        phi_6844_ = _e3033;
                     }
-                    let _e4542 = phi_6734_;
-                    phi_6735_ = _e4542;
+                    let _e4682 = phi_6844_;
+                    phi_6845_ = _e4682;
                 }
-                let _e4547 = phi_6735_;
-                switch bitcast<i32>(_e4547.member) {
+                let _e4687 = phi_6845_;
+                switch bitcast<i32>(_e4687.member) {
                     case 0: {
-                        phi_6796_ = type_58(0u, array<u32, 2>(0u, 0u), false);
+                        phi_6906_ = type_58(0u, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e4577 = bitcast<u32>(_e4547.member_1);
-                        if (_e4577 < 8388608u) {
-                            phi_6763_ = array<u32, 2>();
-                            phi_6764_ = true;
+                        let _e4717 = bitcast<u32>(_e4687.member_1);
+                        if (_e4717 < 8388608u) {
+                            phi_6873_ = array<u32, 2>();
+                            phi_6874_ = true;
                         } else {
-                            let _e4581 = ((_e4577 >> bitcast<u32>(31i)) == 1u);
-                            if _e4581 {
-                                phi_6762_ = array<u32, 2>();
+                            let _e4721 = ((_e4717 >> bitcast<u32>(31i)) == 1u);
+                            if _e4721 {
+                                phi_6872_ = array<u32, 2>();
                             } else {
-                                phi_6762_ = array<u32, 2>((_e4577 << bitcast<u32>(29i)), ((((_e4577 >> bitcast<u32>(23i)) + 896u) << bitcast<u32>(20i)) | ((_e4577 & 8388607u) >> bitcast<u32>(3i))));
+                                phi_6872_ = array<u32, 2>((_e4717 << bitcast<u32>(29i)), ((((_e4717 >> bitcast<u32>(23i)) + 896u) << bitcast<u32>(20i)) | ((_e4717 & 8388607u) >> bitcast<u32>(3i))));
                             }
-                            let _e4595 = phi_6762_;
-                            phi_6763_ = _e4595;
-                            phi_6764_ = _e4581;
+                            let _e4735 = phi_6872_;
+                            phi_6873_ = _e4735;
+                            phi_6874_ = _e4721;
                         }
-                        let _e4597 = phi_6763_;
-                        let _e4599 = phi_6764_;
-                        if _e4599 {
-                            phi_6768_ = array<u32, 2>(0u, 0u);
+                        let _e4737 = phi_6873_;
+                        let _e4739 = phi_6874_;
+                        if _e4739 {
+                            phi_6878_ = array<u32, 2>(0u, 0u);
                         } else {
-                            phi_6768_ = _e4597;
+                            phi_6878_ = _e4737;
                         }
-                        let _e4601 = phi_6768_;
-                        phi_6796_ = type_58(0u, _e4601, true);
+                        let _e4741 = phi_6878_;
+                        phi_6906_ = type_58(0u, _e4741, true);
                         break;
                     }
                     case 2: {
-                        let _e4551 = bitcast<u32>(_e4547.member_1);
-                        if (_e4551 < 8388608u) {
-                            phi_6789_ = array<u32, 2>();
-                            phi_6790_ = true;
+                        let _e4691 = bitcast<u32>(_e4687.member_1);
+                        if (_e4691 < 8388608u) {
+                            phi_6899_ = array<u32, 2>();
+                            phi_6900_ = true;
                         } else {
-                            let _e4555 = ((_e4551 >> bitcast<u32>(31i)) == 1u);
-                            if _e4555 {
-                                phi_6788_ = array<u32, 2>();
+                            let _e4695 = ((_e4691 >> bitcast<u32>(31i)) == 1u);
+                            if _e4695 {
+                                phi_6898_ = array<u32, 2>();
                             } else {
-                                phi_6788_ = array<u32, 2>((_e4551 << bitcast<u32>(29i)), ((((_e4551 >> bitcast<u32>(23i)) + 896u) << bitcast<u32>(20i)) | ((_e4551 & 8388607u) >> bitcast<u32>(3i))));
+                                phi_6898_ = array<u32, 2>((_e4691 << bitcast<u32>(29i)), ((((_e4691 >> bitcast<u32>(23i)) + 896u) << bitcast<u32>(20i)) | ((_e4691 & 8388607u) >> bitcast<u32>(3i))));
                             }
-                            let _e4569 = phi_6788_;
-                            phi_6789_ = _e4569;
-                            phi_6790_ = _e4555;
+                            let _e4709 = phi_6898_;
+                            phi_6899_ = _e4709;
+                            phi_6900_ = _e4695;
                         }
-                        let _e4571 = phi_6789_;
-                        let _e4573 = phi_6790_;
-                        if _e4573 {
-                            phi_6794_ = array<u32, 2>(0u, 0u);
+                        let _e4711 = phi_6899_;
+                        let _e4713 = phi_6900_;
+                        if _e4713 {
+                            phi_6904_ = array<u32, 2>(0u, 0u);
                         } else {
-                            phi_6794_ = _e4571;
+                            phi_6904_ = _e4711;
                         }
-                        let _e4575 = phi_6794_;
-                        phi_6796_ = type_58(1u, _e4575, true);
+                        let _e4715 = phi_6904_;
+                        phi_6906_ = type_58(1u, _e4715, true);
                         break;
                     }
                     default: {
-                        phi_6796_ = type_58();
+                        phi_6906_ = type_58();
                         break;
                     }
                 }
-                let _e4604 = phi_6796_;
-                if _e4604.member_2 {
-                    phi_6803_ = (_e4604.member == 0u);
+                let _e4744 = phi_6906_;
+                if _e4744.member_2 {
+                    phi_6913_ = (_e4744.member == 0u);
                 } else {
-                    phi_6803_ = false;
+                    phi_6913_ = false;
                 }
-                let _e4609 = phi_6803_;
-                if _e4609 {
-                    let _e4617 = (_e4604.member_1[1] >> bitcast<u32>(20i));
-                    if (_e4617 <= 896u) {
-                        phi_6827_ = 0u;
+                let _e4749 = phi_6913_;
+                if _e4749 {
+                    let _e4757 = (_e4744.member_1[1] >> bitcast<u32>(20i));
+                    if (_e4757 <= 896u) {
+                        phi_6937_ = 0u;
                     } else {
-                        phi_6827_ = ((((_e4617 - 896u) << bitcast<u32>(23i)) | ((_e4604.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e4604.member_1[0] >> bitcast<u32>(29i)));
+                        phi_6937_ = ((((_e4757 - 896u) << bitcast<u32>(23i)) | ((_e4744.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e4744.member_1[0] >> bitcast<u32>(29i)));
                     }
-                    let _e4632 = phi_6827_;
-                    let _e4634 = atomicMin((&earliest.member[0u]), _e4632);
+                    let _e4772 = phi_6937_;
+                    let _e4774 = atomicMin((&earliest.member[0u]), _e4772);
                 }
-                phi_6831_ = type_48(_e175, 0u, _e181, _e184, _e4604.member_1);
-                phi_6832_ = _e4609;
-                phi_6833_ = (_e4604.member != 0u);
+                phi_6941_ = type_48(_e177, 0u, _e183, _e186, _e4744.member_1);
+                phi_6942_ = _e4749;
+                phi_6943_ = (_e4744.member != 0u);
             } else {
-                phi_6831_ = type_48(_e175, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
-                phi_6832_ = false;
-                phi_6833_ = false;
+                phi_6941_ = type_48(_e177, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
+                phi_6942_ = false;
+                phi_6943_ = false;
             }
-            let _e4636 = phi_6831_;
-            let _e4638 = phi_6832_;
-            let _e4640 = phi_6833_;
-            let _e4642 = params.member.member_1;
-            if ((_e4642 & 16u) != 0u) {
-                if (_e106 == 0u) {
+            let _e4776 = phi_6941_;
+            let _e4778 = phi_6942_;
+            let _e4780 = phi_6943_;
+            let _e4782 = params.member.member_1;
+            if ((_e4782 & 16u) != 0u) {
+                if (_e108 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e4638 {
-                    let _e4648 = atomicAdd((&counters[0u]), 1u);
-                    phi_6851_ = _e4648;
+                if _e4778 {
+                    let _e4788 = atomicAdd((&counters[0u]), 1u);
+                    phi_6961_ = _e4788;
                 } else {
-                    phi_6851_ = 0u;
+                    phi_6961_ = 0u;
                 }
-                let _e4650 = phi_6851_;
+                let _e4790 = phi_6961_;
                 workgroupBarrier();
-                if (_e106 == 0u) {
-                    let _e4653 = atomicLoad((&counters[0u]));
-                    if (_e4653 > 0u) {
-                        let _e4656 = atomicAdd((&contacts.member[0u]), _e4653);
-                        atomicStore((&counters[1u]), _e4656);
+                if (_e108 == 0u) {
+                    let _e4793 = atomicLoad((&counters[0u]));
+                    if (_e4793 > 0u) {
+                        let _e4796 = atomicAdd((&contacts.member[0u]), _e4793);
+                        atomicStore((&counters[1u]), _e4796);
                     }
                 }
                 workgroupBarrier();
-                let _e4659 = atomicLoad((&counters[1u]));
-                let _e4660 = (_e4659 + _e4650);
-                if _e4638 {
-                    let _e4662 = params.member.member_16;
-                    if (_e4660 < _e4662) {
-                        let _e4664 = (6u * _e4660);
-                        atomicStore((&contacts.member[(4u + _e4664)]), _e4636.member);
-                        atomicStore((&contacts.member[(_e4664 + 5u)]), _e4636.member_1);
-                        atomicStore((&contacts.member[(_e4664 + 6u)]), _e4636.member_2);
-                        atomicStore((&contacts.member[(_e4664 + 7u)]), _e4636.member_3);
-                        atomicStore((&contacts.member[(_e4664 + 8u)]), _e4636.member_4[0]);
-                        atomicStore((&contacts.member[(_e4664 + 9u)]), _e4636.member_4[1]);
+                let _e4799 = atomicLoad((&counters[1u]));
+                let _e4800 = (_e4799 + _e4790);
+                if _e4778 {
+                    let _e4802 = params.member.member_16;
+                    if (_e4800 < _e4802) {
+                        let _e4804 = (6u * _e4800);
+                        atomicStore((&contacts.member[(4u + _e4804)]), _e4776.member);
+                        atomicStore((&contacts.member[(_e4804 + 5u)]), _e4776.member_1);
+                        atomicStore((&contacts.member[(_e4804 + 6u)]), _e4776.member_2);
+                        atomicStore((&contacts.member[(_e4804 + 7u)]), _e4776.member_3);
+                        atomicStore((&contacts.member[(_e4804 + 8u)]), _e4776.member_4[0]);
+                        atomicStore((&contacts.member[(_e4804 + 9u)]), _e4776.member_4[1]);
                     }
                 }
             }
             workgroupBarrier();
-            if (_e106 == 0u) {
+            if (_e108 == 0u) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e4640 {
-                let _e4688 = atomicAdd((&counters[0u]), 1u);
-                phi_6913_ = _e4688;
+            if _e4780 {
+                let _e4828 = atomicAdd((&counters[0u]), 1u);
+                phi_7023_ = _e4828;
             } else {
-                phi_6913_ = 0u;
+                phi_7023_ = 0u;
             }
-            let _e4690 = phi_6913_;
+            let _e4830 = phi_7023_;
             workgroupBarrier();
-            if (_e106 == 0u) {
-                let _e4693 = atomicLoad((&counters[0u]));
-                if (_e4693 > 0u) {
-                    let _e4696 = atomicAdd((&undecided.member[0u]), _e4693);
-                    atomicStore((&counters[1u]), _e4696);
+            if (_e108 == 0u) {
+                let _e4833 = atomicLoad((&counters[0u]));
+                if (_e4833 > 0u) {
+                    let _e4836 = atomicAdd((&undecided.member[0u]), _e4833);
+                    atomicStore((&counters[1u]), _e4836);
                 }
             }
             workgroupBarrier();
-            let _e4699 = atomicLoad((&counters[1u]));
-            let _e4700 = (_e4699 + _e4690);
-            if _e4640 {
-                atomicStore((&undecided.member[(4u + (2u * _e4700))]), _e4636.member_2);
-                atomicStore((&undecided.member[((2u * _e4700) + 5u)]), _e4636.member_3);
+            let _e4839 = atomicLoad((&counters[1u]));
+            let _e4840 = (_e4839 + _e4830);
+            if _e4780 {
+                atomicStore((&undecided.member[(4u + (2u * _e4840))]), _e4776.member_2);
+                atomicStore((&undecided.member[((2u * _e4840) + 5u)]), _e4776.member_3);
             }
         }
         continue;
         continuing {
-            phi_242_ = _e163;
-            break if !(_e169);
+            phi_244_ = _e165;
+            break if !(_e171);
         }
     }
     return;

@@ -139,581 +139,602 @@ fn function_() {
     var local_13: array<array<f32, 3>, 4>;
     var local_14: array<f32, 3>;
     var local_15: type_45;
-    var phi_201_: u32;
-    var phi_217_: u32;
-    var phi_238_: u32;
-    var phi_239_: u32;
-    var phi_242_: type_28;
-    var phi_243_: type_28;
-    var phi_266_: type_28;
-    var phi_705_: f32;
-    var phi_712_: f32;
-    var phi_717_: f32;
-    var phi_724_: f32;
-    var phi_729_: f32;
-    var phi_742_: f32;
-    var phi_749_: f32;
-    var phi_754_: f32;
-    var phi_761_: f32;
-    var phi_766_: f32;
-    var phi_771_: f32;
-    var phi_788_: f32;
-    var phi_795_: f32;
-    var phi_800_: f32;
-    var phi_807_: f32;
-    var phi_812_: f32;
-    var phi_826_: f32;
-    var phi_833_: f32;
-    var phi_838_: f32;
-    var phi_845_: f32;
-    var phi_850_: f32;
-    var phi_855_: f32;
-    var phi_872_: f32;
-    var phi_879_: f32;
-    var phi_884_: f32;
-    var phi_891_: f32;
-    var phi_896_: f32;
-    var phi_910_: f32;
-    var phi_917_: f32;
-    var phi_922_: f32;
-    var phi_929_: f32;
-    var phi_934_: f32;
-    var phi_939_: f32;
-    var phi_970_: f32;
-    var phi_976_: f32;
-    var phi_983_: f32;
-    var phi_990_: f32;
-    var phi_996_: f32;
-    var phi_1003_: f32;
-    var phi_1009_: f32;
-    var phi_1015_: f32;
-    var phi_1021_: f32;
-    var phi_1028_: f32;
-    var phi_1035_: f32;
-    var phi_1059_: f32;
-    var phi_1064_: f32;
-    var phi_1069_: f32;
-    var phi_1074_: f32;
-    var phi_1079_: f32;
-    var phi_1084_: f32;
-    var phi_1094_: f32;
-    var phi_3523_: f32;
-    var phi_3529_: f32;
-    var phi_3534_: f32;
-    var phi_3540_: f32;
-    var phi_3546_: f32;
-    var phi_3551_: f32;
-    var phi_3556_: f32;
-    var phi_3596_: type_26;
-    var phi_3599_: f32;
-    var phi_3620_: bool;
-    var phi_3626_: type_27;
-    var phi_3597_: type_26;
-    var phi_3640_: type_27;
-    var phi_3600_: f32;
+    var phi_203_: u32;
+    var phi_219_: u32;
+    var phi_240_: u32;
+    var phi_241_: u32;
+    var phi_244_: type_28;
+    var phi_245_: type_28;
+    var phi_268_: type_28;
+    var phi_707_: f32;
+    var phi_714_: f32;
+    var phi_719_: f32;
+    var phi_726_: f32;
+    var phi_731_: f32;
+    var phi_744_: f32;
+    var phi_751_: f32;
+    var phi_756_: f32;
+    var phi_763_: f32;
+    var phi_768_: f32;
+    var phi_773_: f32;
+    var phi_790_: f32;
+    var phi_797_: f32;
+    var phi_802_: f32;
+    var phi_809_: f32;
+    var phi_814_: f32;
+    var phi_828_: f32;
+    var phi_835_: f32;
+    var phi_840_: f32;
+    var phi_847_: f32;
+    var phi_852_: f32;
+    var phi_857_: f32;
+    var phi_874_: f32;
+    var phi_881_: f32;
+    var phi_886_: f32;
+    var phi_893_: f32;
+    var phi_898_: f32;
+    var phi_912_: f32;
+    var phi_919_: f32;
+    var phi_924_: f32;
+    var phi_931_: f32;
+    var phi_936_: f32;
+    var phi_941_: f32;
+    var phi_972_: f32;
+    var phi_978_: f32;
+    var phi_985_: f32;
+    var phi_992_: f32;
+    var phi_998_: f32;
+    var phi_1005_: f32;
+    var phi_1011_: f32;
+    var phi_1017_: f32;
+    var phi_1023_: f32;
+    var phi_1030_: f32;
+    var phi_1037_: f32;
+    var phi_1061_: f32;
+    var phi_1066_: f32;
+    var phi_1071_: f32;
+    var phi_1076_: f32;
+    var phi_1081_: f32;
+    var phi_1086_: f32;
+    var phi_1096_: f32;
+    var phi_3569_: f32;
+    var phi_3575_: f32;
+    var phi_3580_: f32;
+    var phi_3586_: f32;
+    var phi_3592_: f32;
+    var phi_3597_: f32;
+    var phi_3602_: f32;
+    var phi_3610_: bool;
+    var phi_3615_: f32;
+    var phi_3622_: f32;
+    var phi_3662_: type_26;
+    var phi_3665_: f32;
+    var phi_3686_: bool;
+    var phi_3692_: type_27;
+    var phi_3663_: type_26;
+    var phi_3706_: type_27;
+    var phi_3666_: f32;
     var local_16: f32;
-    var phi_3589_: f32;
-    var phi_3653_: f32;
-    var phi_3659_: f32;
-    var phi_3684_: type_28;
-    var phi_3687_: u32;
-    var phi_3685_: type_28;
-    var phi_3710_: type_28;
-    var phi_3754_: u32;
-    var phi_3755_: u32;
-    var phi_3688_: u32;
-    var phi_3756_: u32;
+    var phi_3655_: f32;
+    var phi_3719_: f32;
+    var phi_3725_: f32;
+    var phi_3750_: type_28;
+    var phi_3753_: u32;
+    var phi_3751_: type_28;
     var phi_3776_: type_28;
-    var phi_3777_: type_28;
-    var phi_3800_: type_28;
-    var phi_3852_: f32;
-    var phi_3859_: f32;
-    var phi_3870_: bool;
-    var phi_3871_: bool;
-    var phi_3872_: bool;
-    var phi_3873_: bool;
-    var phi_3877_: bool;
-    var phi_3888_: type_56;
-    var phi_3889_: type_56;
-    var phi_3890_: bool;
-    var phi_3891_: type_56;
-    var phi_3892_: bool;
-    var phi_3903_: f32;
-    var phi_3913_: type_28;
-    var phi_3916_: f32;
+    var phi_3820_: u32;
+    var phi_3821_: u32;
+    var phi_3754_: u32;
+    var phi_3822_: u32;
+    var phi_3842_: type_28;
+    var phi_3843_: type_28;
+    var phi_3866_: type_28;
     var phi_3918_: f32;
-    var phi_3920_: f32;
-    var phi_3914_: type_28;
-    var phi_3943_: type_28;
-    var phi_3968_: f32;
+    var phi_3925_: f32;
+    var phi_3936_: bool;
+    var phi_3937_: bool;
+    var phi_3938_: bool;
+    var phi_3939_: bool;
+    var phi_3943_: bool;
+    var phi_3954_: type_56;
+    var phi_3955_: type_56;
+    var phi_3956_: bool;
+    var phi_3957_: type_56;
+    var phi_3958_: bool;
     var phi_3969_: f32;
-    var phi_3995_: f32;
-    var phi_4011_: f32;
-    var phi_4018_: bool;
-    var phi_4019_: bool;
-    var phi_4020_: bool;
-    var phi_4026_: f32;
-    var phi_4027_: f32;
-    var phi_4028_: bool;
-    var phi_3917_: f32;
-    var phi_3919_: f32;
-    var phi_3921_: f32;
-    var phi_4029_: f32;
-    var phi_4030_: bool;
-    var phi_4031_: bool;
-    var local_17: bool;
+    var phi_3979_: type_28;
+    var phi_3982_: f32;
+    var phi_3984_: f32;
+    var phi_3986_: f32;
+    var phi_3980_: type_28;
+    var phi_4009_: type_28;
+    var phi_4034_: f32;
     var phi_4035_: f32;
-    var phi_4036_: f32;
-    var phi_4043_: type_28;
-    var phi_4046_: f32;
-    var phi_4044_: type_28;
-    var phi_4069_: type_28;
-    var phi_4110_: f32;
-    var phi_4120_: f32;
-    var phi_4128_: bool;
-    var phi_4130_: bool;
-    var phi_4135_: f32;
-    var phi_4136_: bool;
-    var phi_4137_: f32;
-    var phi_4138_: bool;
-    var phi_4139_: bool;
-    var phi_4140_: bool;
-    var phi_4141_: f32;
-    var phi_4047_: f32;
-    var phi_4142_: bool;
-    var phi_4143_: bool;
-    var phi_4144_: bool;
-    var phi_4145_: bool;
+    var phi_4061_: f32;
+    var phi_4077_: f32;
+    var phi_4084_: bool;
+    var phi_4085_: bool;
+    var phi_4086_: bool;
+    var phi_4092_: f32;
+    var phi_4093_: f32;
+    var phi_4094_: bool;
+    var phi_3983_: f32;
+    var phi_3985_: f32;
+    var phi_3987_: f32;
+    var phi_4095_: f32;
+    var phi_4096_: bool;
+    var phi_4097_: bool;
+    var local_17: bool;
+    var phi_4101_: f32;
+    var phi_4102_: f32;
+    var phi_4109_: type_28;
+    var phi_4112_: f32;
+    var phi_4110_: type_28;
+    var phi_4135_: type_28;
+    var phi_4176_: f32;
+    var phi_4186_: f32;
+    var phi_4194_: bool;
+    var phi_4196_: bool;
+    var phi_4201_: f32;
+    var phi_4202_: bool;
+    var phi_4203_: f32;
+    var phi_4204_: bool;
+    var phi_4205_: bool;
+    var phi_4206_: bool;
+    var phi_4207_: f32;
+    var phi_4113_: f32;
+    var phi_4208_: bool;
+    var phi_4209_: bool;
+    var phi_4210_: bool;
+    var phi_4211_: bool;
     var local_18: bool;
-    var phi_4149_: bool;
-    var phi_4150_: bool;
-    var phi_4154_: bool;
-    var phi_4158_: f32;
-    var phi_4159_: f32;
-    var phi_4161_: type_56;
-    var phi_4190_: f32;
-    var phi_4197_: f32;
-    var phi_4202_: f32;
-    var phi_4209_: f32;
-    var phi_4214_: f32;
-    var phi_4227_: f32;
-    var phi_4234_: f32;
-    var phi_4239_: f32;
-    var phi_4246_: f32;
-    var phi_4251_: f32;
+    var phi_4215_: bool;
+    var phi_4216_: bool;
+    var phi_4220_: bool;
+    var phi_4224_: f32;
+    var phi_4225_: f32;
+    var phi_4227_: type_56;
     var phi_4256_: f32;
-    var phi_4315_: f32;
-    var phi_4321_: f32;
-    var phi_4326_: f32;
-    var phi_4332_: f32;
-    var phi_4337_: f32;
-    var phi_4349_: f32;
-    var phi_4355_: f32;
-    var phi_4360_: f32;
-    var phi_4366_: f32;
-    var phi_4371_: f32;
-    var phi_4397_: f32;
-    var phi_4404_: f32;
-    var phi_4409_: f32;
-    var phi_4416_: f32;
+    var phi_4263_: f32;
+    var phi_4268_: f32;
+    var phi_4275_: f32;
+    var phi_4280_: f32;
+    var phi_4293_: f32;
+    var phi_4300_: f32;
+    var phi_4305_: f32;
+    var phi_4312_: f32;
+    var phi_4317_: f32;
+    var phi_4322_: f32;
+    var phi_4381_: f32;
+    var phi_4387_: f32;
+    var phi_4392_: f32;
+    var phi_4398_: f32;
+    var phi_4403_: f32;
+    var phi_4415_: f32;
     var phi_4421_: f32;
-    var phi_4434_: f32;
-    var phi_4441_: f32;
-    var phi_4446_: f32;
-    var phi_4453_: f32;
-    var phi_4458_: f32;
+    var phi_4426_: f32;
+    var phi_4432_: f32;
+    var phi_4437_: f32;
     var phi_4463_: f32;
-    var phi_4522_: f32;
-    var phi_4528_: f32;
-    var phi_4533_: f32;
-    var phi_4539_: f32;
-    var phi_4544_: f32;
-    var phi_4556_: f32;
-    var phi_4562_: f32;
-    var phi_4567_: f32;
-    var phi_4573_: f32;
-    var phi_4578_: f32;
-    var phi_4604_: f32;
-    var phi_4611_: f32;
-    var phi_4616_: f32;
-    var phi_4623_: f32;
+    var phi_4470_: f32;
+    var phi_4475_: f32;
+    var phi_4482_: f32;
+    var phi_4487_: f32;
+    var phi_4500_: f32;
+    var phi_4507_: f32;
+    var phi_4512_: f32;
+    var phi_4519_: f32;
+    var phi_4524_: f32;
+    var phi_4529_: f32;
+    var phi_4588_: f32;
+    var phi_4594_: f32;
+    var phi_4599_: f32;
+    var phi_4605_: f32;
+    var phi_4610_: f32;
+    var phi_4622_: f32;
     var phi_4628_: f32;
-    var phi_4641_: f32;
-    var phi_4648_: f32;
-    var phi_4653_: f32;
-    var phi_4660_: f32;
-    var phi_4665_: f32;
+    var phi_4633_: f32;
+    var phi_4639_: f32;
+    var phi_4644_: f32;
     var phi_4670_: f32;
-    var phi_4729_: f32;
-    var phi_4735_: f32;
-    var phi_4740_: f32;
-    var phi_4746_: f32;
-    var phi_4751_: f32;
-    var phi_4763_: f32;
-    var phi_4769_: f32;
-    var phi_4774_: f32;
-    var phi_4780_: f32;
-    var phi_4785_: f32;
-    var phi_4834_: f32;
+    var phi_4677_: f32;
+    var phi_4682_: f32;
+    var phi_4689_: f32;
+    var phi_4694_: f32;
+    var phi_4707_: f32;
+    var phi_4714_: f32;
+    var phi_4719_: f32;
+    var phi_4726_: f32;
+    var phi_4731_: f32;
+    var phi_4736_: f32;
+    var phi_4795_: f32;
+    var phi_4801_: f32;
+    var phi_4806_: f32;
+    var phi_4812_: f32;
+    var phi_4817_: f32;
+    var phi_4829_: f32;
+    var phi_4835_: f32;
     var phi_4840_: f32;
-    var phi_4868_: f32;
-    var phi_4874_: f32;
-    var phi_4879_: u32;
-    var phi_4880_: u32;
-    var phi_4850_: f32;
-    var phi_4856_: f32;
-    var phi_4861_: u32;
-    var phi_4862_: u32;
-    var phi_4881_: u32;
-    var phi_4882_: u32;
-    var phi_4949_: f32;
-    var phi_4958_: f32;
-    var phi_5089_: f32;
-    var phi_5095_: f32;
-    var phi_5102_: f32;
-    var phi_5145_: type_28;
-    var phi_5148_: bool;
-    var phi_5146_: type_28;
-    var phi_5171_: type_28;
-    var phi_5198_: bool;
-    var phi_5199_: bool;
-    var phi_5149_: bool;
-    var phi_5200_: bool;
-    var phi_5201_: bool;
-    var local_19: bool;
-    var phi_5205_: bool;
-    var local_20: bool;
-    var phi_5212_: u32;
-    var phi_5213_: u32;
+    var phi_4846_: f32;
+    var phi_4851_: f32;
+    var phi_4900_: f32;
+    var phi_4906_: f32;
+    var phi_4934_: f32;
+    var phi_4940_: f32;
+    var phi_4945_: u32;
+    var phi_4946_: u32;
+    var phi_4916_: f32;
+    var phi_4922_: f32;
+    var phi_4927_: u32;
+    var phi_4928_: u32;
+    var phi_4947_: u32;
+    var phi_4948_: u32;
+    var phi_5015_: f32;
+    var phi_5024_: f32;
+    var phi_5155_: f32;
+    var phi_5161_: f32;
+    var phi_5168_: f32;
+    var phi_5211_: type_28;
     var phi_5214_: bool;
-    var phi_5215_: u32;
-    var phi_5216_: u32;
-    var phi_5217_: bool;
-    var phi_5221_: u32;
-    var phi_5241_: bool;
-    var phi_5242_: bool;
-    var phi_5243_: bool;
-    var phi_5439_: f32;
-    var phi_5446_: f32;
-    var phi_5451_: f32;
-    var phi_5458_: f32;
-    var phi_5463_: f32;
-    var phi_5476_: f32;
-    var phi_5483_: f32;
-    var phi_5488_: f32;
-    var phi_5495_: f32;
-    var phi_5500_: f32;
+    var phi_5212_: type_28;
+    var phi_5237_: type_28;
+    var phi_5264_: bool;
+    var phi_5265_: bool;
+    var phi_5215_: bool;
+    var phi_5266_: bool;
+    var phi_5267_: bool;
+    var local_19: bool;
+    var phi_5271_: bool;
+    var local_20: bool;
+    var phi_5278_: u32;
+    var phi_5279_: u32;
+    var phi_5280_: bool;
+    var phi_5281_: u32;
+    var phi_5282_: u32;
+    var phi_5283_: bool;
+    var phi_5287_: u32;
+    var phi_5307_: bool;
+    var phi_5308_: bool;
+    var phi_5309_: bool;
     var phi_5505_: f32;
-    var phi_5522_: f32;
+    var phi_5512_: f32;
+    var phi_5517_: f32;
+    var phi_5524_: f32;
     var phi_5529_: f32;
-    var phi_5534_: f32;
-    var phi_5541_: f32;
-    var phi_5546_: f32;
-    var phi_5560_: f32;
-    var phi_5567_: f32;
-    var phi_5572_: f32;
-    var phi_5579_: f32;
-    var phi_5584_: f32;
-    var phi_5589_: f32;
-    var phi_5606_: f32;
-    var phi_5613_: f32;
-    var phi_5618_: f32;
-    var phi_5625_: f32;
-    var phi_5630_: f32;
-    var phi_5644_: f32;
-    var phi_5651_: f32;
-    var phi_5656_: f32;
-    var phi_5663_: f32;
-    var phi_5668_: f32;
-    var phi_5673_: f32;
-    var phi_5689_: type_28;
-    var phi_5692_: f32;
-    var phi_5690_: type_28;
-    var phi_5715_: type_28;
-    var phi_5889_: bool;
-    var phi_5890_: bool;
-    var phi_5891_: bool;
-    var phi_5892_: bool;
-    var phi_5896_: bool;
-    var phi_5918_: array<f32, 3>;
-    var phi_5919_: bool;
-    var phi_5920_: array<f32, 3>;
-    var phi_5921_: bool;
-    var phi_6089_: f32;
-    var phi_6090_: f32;
-    var phi_6117_: f32;
-    var phi_6118_: f32;
-    var phi_6145_: f32;
-    var phi_6146_: f32;
-    var phi_6182_: type_28;
-    var phi_6185_: array<f32, 3>;
-    var phi_6183_: type_28;
-    var phi_6208_: type_28;
-    var phi_6275_: array<f32, 3>;
-    var phi_6186_: array<f32, 3>;
-    var phi_6276_: array<f32, 3>;
-    var phi_6283_: f32;
-    var phi_6290_: f32;
-    var phi_6298_: f32;
-    var phi_6342_: type_26;
-    var phi_6345_: f32;
-    var phi_6366_: bool;
-    var phi_6372_: type_27;
-    var phi_6343_: type_26;
-    var phi_6386_: type_27;
-    var phi_6346_: f32;
-    var local_21: f32;
-    var phi_6335_: f32;
-    var phi_6399_: f32;
-    var phi_6408_: type_28;
+    var phi_5542_: f32;
+    var phi_5549_: f32;
+    var phi_5554_: f32;
+    var phi_5561_: f32;
+    var phi_5566_: f32;
+    var phi_5571_: f32;
+    var phi_5588_: f32;
+    var phi_5595_: f32;
+    var phi_5600_: f32;
+    var phi_5607_: f32;
+    var phi_5612_: f32;
+    var phi_5626_: f32;
+    var phi_5633_: f32;
+    var phi_5638_: f32;
+    var phi_5645_: f32;
+    var phi_5650_: f32;
+    var phi_5655_: f32;
+    var phi_5672_: f32;
+    var phi_5679_: f32;
+    var phi_5684_: f32;
+    var phi_5691_: f32;
+    var phi_5696_: f32;
+    var phi_5710_: f32;
+    var phi_5717_: f32;
+    var phi_5722_: f32;
+    var phi_5729_: f32;
+    var phi_5734_: f32;
+    var phi_5739_: f32;
+    var phi_5755_: type_28;
+    var phi_5758_: f32;
+    var phi_5756_: type_28;
+    var phi_5781_: type_28;
+    var phi_5955_: bool;
+    var phi_5956_: bool;
+    var phi_5957_: bool;
+    var phi_5958_: bool;
+    var phi_5962_: bool;
+    var phi_5984_: array<f32, 3>;
+    var phi_5985_: bool;
+    var phi_5986_: array<f32, 3>;
+    var phi_5987_: bool;
+    var phi_6155_: f32;
+    var phi_6156_: f32;
+    var phi_6183_: f32;
+    var phi_6184_: f32;
+    var phi_6211_: f32;
+    var phi_6212_: f32;
+    var phi_6248_: type_28;
+    var phi_6251_: array<f32, 3>;
+    var phi_6249_: type_28;
+    var phi_6274_: type_28;
+    var phi_6341_: array<f32, 3>;
+    var phi_6252_: array<f32, 3>;
+    var phi_6342_: array<f32, 3>;
+    var phi_6349_: f32;
+    var phi_6356_: f32;
+    var phi_6364_: f32;
+    var phi_6408_: type_26;
     var phi_6411_: f32;
-    var phi_6409_: type_28;
-    var phi_6434_: type_28;
-    var phi_6485_: f32;
-    var phi_6491_: f32;
-    var phi_6504_: bool;
-    var phi_6505_: bool;
-    var phi_6530_: f32;
-    var phi_6531_: f32;
-    var phi_6532_: f32;
-    var phi_6533_: f32;
-    var phi_6534_: bool;
+    var phi_6432_: bool;
+    var phi_6438_: type_27;
+    var phi_6409_: type_26;
+    var phi_6452_: type_27;
     var phi_6412_: f32;
-    var phi_6535_: bool;
-    var phi_6536_: bool;
-    var local_22: bool;
-    var local_23: f32;
-    var local_24: f32;
-    var local_25: f32;
-    var phi_6553_: bool;
-    var phi_6554_: bool;
-    var phi_6555_: bool;
-    var phi_6556_: bool;
-    var phi_6557_: bool;
-    var phi_6558_: bool;
-    var phi_6559_: bool;
-    var phi_6560_: bool;
-    var phi_6561_: bool;
-    var phi_6562_: bool;
-    var phi_6563_: bool;
-    var phi_6564_: bool;
-    var phi_6565_: f32;
-    var phi_6566_: f32;
-    var phi_6567_: bool;
-    var phi_6568_: bool;
-    var phi_6569_: bool;
+    var local_21: f32;
+    var phi_6401_: f32;
+    var phi_6465_: f32;
+    var phi_6474_: type_28;
+    var phi_6477_: f32;
+    var phi_6475_: type_28;
+    var phi_6500_: type_28;
+    var phi_6551_: f32;
+    var phi_6557_: f32;
     var phi_6570_: bool;
     var phi_6571_: bool;
-    var phi_6572_: bool;
-    var phi_6573_: f32;
-    var phi_6574_: f32;
-    var phi_6575_: bool;
-    var phi_6576_: bool;
-    var phi_6577_: bool;
-    var phi_6578_: bool;
-    var phi_6579_: bool;
-    var phi_6580_: bool;
-    var phi_6581_: bool;
-    var phi_6582_: f32;
-    var phi_5693_: f32;
-    var phi_6583_: bool;
-    var phi_6584_: bool;
-    var phi_6585_: bool;
-    var phi_6586_: bool;
-    var phi_6587_: bool;
-    var phi_6588_: bool;
-    var phi_6589_: bool;
-    var phi_6590_: bool;
-    var local_26: bool;
-    var phi_6595_: type_55;
-    var phi_6596_: bool;
-    var phi_6597_: bool;
-    var phi_6598_: bool;
-    var phi_6599_: bool;
-    var phi_6600_: bool;
-    var phi_6601_: bool;
-    var phi_6605_: f32;
-    var phi_6606_: bool;
-    var phi_6607_: bool;
-    var phi_6608_: bool;
+    var phi_6602_: f32;
+    var phi_6603_: f32;
+    var phi_6604_: f32;
+    var phi_6605_: bool;
     var phi_6609_: bool;
-    var phi_6610_: bool;
+    var phi_6610_: f32;
     var phi_6611_: bool;
-    var phi_6616_: type_55;
+    var phi_6612_: bool;
+    var phi_6613_: bool;
+    var phi_6614_: f32;
+    var phi_6615_: bool;
+    var phi_6616_: bool;
     var phi_6617_: bool;
+    var phi_6478_: f32;
     var phi_6618_: bool;
     var phi_6619_: bool;
     var phi_6620_: bool;
     var phi_6621_: bool;
-    var local_27: f32;
-    var phi_6626_: type_55;
-    var phi_6627_: bool;
-    var phi_6628_: bool;
-    var phi_6629_: bool;
-    var phi_6630_: bool;
-    var local_28: f32;
-    var phi_6635_: type_55;
-    var phi_6636_: bool;
-    var phi_6637_: bool;
+    var local_22: bool;
+    var local_23: f32;
+    var local_24: f32;
+    var local_25: f32;
     var phi_6638_: bool;
+    var phi_6639_: bool;
+    var phi_6640_: bool;
+    var phi_6641_: bool;
     var phi_6642_: bool;
     var phi_6643_: bool;
+    var phi_6644_: bool;
+    var phi_6645_: bool;
+    var phi_6646_: bool;
     var phi_6647_: bool;
     var phi_6648_: bool;
-    var phi_6652_: bool;
+    var phi_6649_: bool;
+    var phi_6650_: bool;
+    var phi_6651_: f32;
+    var phi_6652_: f32;
     var phi_6653_: bool;
-    var local_29: f32;
-    var phi_6658_: type_55;
+    var phi_6654_: bool;
+    var phi_6655_: bool;
+    var phi_6656_: bool;
+    var phi_6657_: bool;
+    var phi_6658_: bool;
     var phi_6659_: bool;
-    var phi_6663_: type_55;
-    var phi_6670_: bool;
-    var phi_6671_: f32;
+    var phi_6660_: f32;
+    var phi_6661_: f32;
+    var phi_6662_: bool;
+    var phi_6663_: bool;
+    var phi_6664_: bool;
+    var phi_6665_: bool;
+    var phi_6666_: bool;
+    var phi_6667_: bool;
+    var phi_6668_: bool;
+    var phi_6669_: bool;
+    var phi_6670_: f32;
+    var phi_5759_: f32;
+    var phi_6671_: bool;
     var phi_6672_: bool;
     var phi_6673_: bool;
     var phi_6674_: bool;
-    var phi_6675_: f32;
+    var phi_6675_: bool;
     var phi_6676_: bool;
     var phi_6677_: bool;
     var phi_6678_: bool;
-    var phi_6679_: f32;
-    var phi_6680_: bool;
-    var phi_6681_: bool;
-    var phi_6682_: bool;
-    var phi_6683_: bool;
+    var phi_6679_: bool;
+    var local_26: bool;
+    var phi_6684_: type_55;
+    var phi_6685_: bool;
+    var phi_6686_: bool;
     var phi_6687_: bool;
     var phi_6688_: bool;
     var phi_6689_: bool;
-    var phi_6690_: f32;
-    var phi_6691_: type_56;
-    var phi_6692_: bool;
-    var phi_6693_: bool;
-    var phi_6694_: bool;
-    var phi_6695_: bool;
-    var local_30: bool;
-    var phi_6700_: type_55;
+    var phi_6690_: bool;
+    var phi_6691_: bool;
+    var phi_6695_: f32;
+    var phi_6696_: bool;
+    var phi_6697_: bool;
+    var phi_6698_: bool;
+    var phi_6699_: bool;
+    var phi_6700_: bool;
     var phi_6701_: bool;
     var phi_6702_: bool;
-    var local_31: f32;
     var phi_6707_: type_55;
     var phi_6708_: bool;
-    var local_32: type_56;
-    var phi_6714_: type_55;
-    var phi_6715_: bool;
-    var phi_6719_: type_55;
-    var phi_1295_: f32;
-    var phi_1302_: f32;
-    var phi_1307_: f32;
-    var phi_1314_: f32;
-    var phi_1319_: f32;
-    var phi_1332_: f32;
-    var phi_1339_: f32;
-    var phi_1344_: f32;
-    var phi_1351_: f32;
-    var phi_1356_: f32;
-    var phi_1361_: f32;
-    var phi_1378_: f32;
-    var phi_1385_: f32;
-    var phi_1390_: f32;
-    var phi_1397_: f32;
-    var phi_1402_: f32;
-    var phi_1416_: f32;
-    var phi_1423_: f32;
-    var phi_1428_: f32;
-    var phi_1435_: f32;
-    var phi_1440_: f32;
-    var phi_1445_: f32;
-    var phi_1462_: f32;
-    var phi_1469_: f32;
-    var phi_1474_: f32;
-    var phi_1481_: f32;
-    var phi_1486_: f32;
-    var phi_1500_: f32;
-    var phi_1507_: f32;
-    var phi_1512_: f32;
-    var phi_1519_: f32;
-    var phi_1524_: f32;
-    var phi_1529_: f32;
-    var phi_1545_: type_28;
-    var phi_1548_: f32;
-    var phi_1546_: type_28;
-    var phi_1571_: type_28;
-    var phi_1745_: bool;
-    var phi_1746_: bool;
+    var phi_6709_: bool;
+    var phi_6710_: bool;
+    var phi_6711_: bool;
+    var phi_6712_: bool;
+    var phi_6713_: bool;
+    var local_27: f32;
+    var phi_6718_: type_55;
+    var phi_6719_: bool;
+    var phi_6720_: bool;
+    var phi_6721_: bool;
+    var phi_6722_: bool;
+    var phi_6723_: bool;
+    var local_28: f32;
+    var phi_6728_: type_55;
+    var phi_6729_: bool;
+    var phi_6730_: bool;
+    var phi_6731_: bool;
+    var phi_6732_: bool;
+    var local_29: f32;
+    var phi_6737_: type_55;
+    var phi_6738_: bool;
+    var phi_6739_: bool;
+    var phi_6740_: bool;
+    var phi_6741_: bool;
+    var phi_6745_: type_55;
+    var phi_6746_: bool;
+    var phi_6747_: bool;
+    var phi_6748_: bool;
+    var phi_6752_: bool;
+    var phi_6753_: bool;
+    var phi_6757_: bool;
+    var phi_6758_: bool;
+    var phi_6762_: bool;
+    var phi_6763_: bool;
+    var local_30: f32;
+    var phi_6768_: type_55;
+    var phi_6769_: bool;
+    var phi_6773_: type_55;
+    var phi_6780_: bool;
+    var phi_6781_: f32;
+    var phi_6782_: bool;
+    var phi_6783_: bool;
+    var phi_6784_: bool;
+    var phi_6785_: f32;
+    var phi_6786_: bool;
+    var phi_6787_: bool;
+    var phi_6788_: bool;
+    var phi_6789_: f32;
+    var phi_6790_: bool;
+    var phi_6791_: bool;
+    var phi_6792_: bool;
+    var phi_6793_: bool;
+    var phi_6797_: bool;
+    var phi_6798_: bool;
+    var phi_6799_: bool;
+    var phi_6800_: f32;
+    var phi_6801_: type_56;
+    var phi_6802_: bool;
+    var phi_6803_: bool;
+    var phi_6804_: bool;
+    var phi_6805_: bool;
+    var local_31: bool;
+    var phi_6810_: type_55;
+    var phi_6811_: bool;
+    var phi_6812_: bool;
+    var local_32: f32;
+    var phi_6817_: type_55;
+    var phi_6818_: bool;
+    var local_33: type_56;
+    var phi_6824_: type_55;
+    var phi_6825_: bool;
+    var phi_6829_: type_55;
+    var phi_1297_: f32;
+    var phi_1304_: f32;
+    var phi_1309_: f32;
+    var phi_1316_: f32;
+    var phi_1321_: f32;
+    var phi_1334_: f32;
+    var phi_1341_: f32;
+    var phi_1346_: f32;
+    var phi_1353_: f32;
+    var phi_1358_: f32;
+    var phi_1363_: f32;
+    var phi_1380_: f32;
+    var phi_1387_: f32;
+    var phi_1392_: f32;
+    var phi_1399_: f32;
+    var phi_1404_: f32;
+    var phi_1418_: f32;
+    var phi_1425_: f32;
+    var phi_1430_: f32;
+    var phi_1437_: f32;
+    var phi_1442_: f32;
+    var phi_1447_: f32;
+    var phi_1464_: f32;
+    var phi_1471_: f32;
+    var phi_1476_: f32;
+    var phi_1483_: f32;
+    var phi_1488_: f32;
+    var phi_1502_: f32;
+    var phi_1509_: f32;
+    var phi_1514_: f32;
+    var phi_1521_: f32;
+    var phi_1526_: f32;
+    var phi_1531_: f32;
+    var phi_1547_: type_28;
+    var phi_1550_: f32;
+    var phi_1548_: type_28;
+    var phi_1573_: type_28;
     var phi_1747_: bool;
     var phi_1748_: bool;
-    var phi_1752_: bool;
-    var phi_1774_: array<f32, 3>;
-    var phi_1775_: bool;
+    var phi_1749_: bool;
+    var phi_1750_: bool;
+    var phi_1754_: bool;
     var phi_1776_: array<f32, 3>;
     var phi_1777_: bool;
-    var phi_1945_: f32;
-    var phi_1946_: f32;
-    var phi_1973_: f32;
-    var phi_1974_: f32;
-    var phi_2001_: f32;
-    var phi_2002_: f32;
-    var phi_2038_: type_28;
-    var phi_2041_: array<f32, 3>;
-    var phi_2039_: type_28;
-    var phi_2064_: type_28;
-    var phi_2131_: array<f32, 3>;
-    var phi_2042_: array<f32, 3>;
-    var phi_2132_: array<f32, 3>;
-    var phi_2139_: f32;
-    var phi_2146_: f32;
-    var phi_2154_: f32;
-    var phi_2198_: type_26;
-    var phi_2201_: f32;
-    var phi_2222_: bool;
-    var phi_2228_: type_27;
-    var phi_2199_: type_26;
-    var phi_2242_: type_27;
-    var phi_2202_: f32;
-    var local_33: f32;
-    var phi_2191_: f32;
-    var phi_2255_: f32;
-    var phi_2264_: type_28;
-    var phi_2267_: f32;
-    var phi_2265_: type_28;
-    var phi_2290_: type_28;
-    var phi_2341_: f32;
-    var phi_2347_: f32;
-    var phi_2360_: bool;
-    var phi_2361_: bool;
-    var phi_2386_: f32;
-    var phi_2387_: f32;
-    var phi_2388_: f32;
-    var phi_2389_: f32;
-    var phi_2390_: bool;
-    var phi_2268_: f32;
-    var phi_2391_: bool;
-    var phi_2392_: bool;
-    var local_34: bool;
-    var local_35: f32;
-    var local_36: f32;
-    var local_37: f32;
+    var phi_1778_: array<f32, 3>;
+    var phi_1779_: bool;
+    var phi_1947_: f32;
+    var phi_1948_: f32;
+    var phi_1975_: f32;
+    var phi_1976_: f32;
+    var phi_2003_: f32;
+    var phi_2004_: f32;
+    var phi_2040_: type_28;
+    var phi_2043_: array<f32, 3>;
+    var phi_2041_: type_28;
+    var phi_2066_: type_28;
+    var phi_2133_: array<f32, 3>;
+    var phi_2044_: array<f32, 3>;
+    var phi_2134_: array<f32, 3>;
+    var phi_2141_: f32;
+    var phi_2148_: f32;
+    var phi_2156_: f32;
+    var phi_2200_: type_26;
+    var phi_2203_: f32;
+    var phi_2224_: bool;
+    var phi_2230_: type_27;
+    var phi_2201_: type_26;
+    var phi_2244_: type_27;
+    var phi_2204_: f32;
+    var local_34: f32;
+    var phi_2193_: f32;
+    var phi_2257_: f32;
+    var phi_2266_: type_28;
+    var phi_2269_: f32;
+    var phi_2267_: type_28;
+    var phi_2292_: type_28;
+    var phi_2343_: f32;
+    var phi_2349_: f32;
+    var phi_2362_: bool;
+    var phi_2363_: bool;
+    var phi_2394_: f32;
+    var phi_2395_: f32;
+    var phi_2396_: f32;
+    var phi_2397_: bool;
+    var phi_2401_: bool;
+    var phi_2402_: f32;
+    var phi_2403_: bool;
+    var phi_2404_: bool;
+    var phi_2405_: bool;
+    var phi_2406_: f32;
+    var phi_2407_: bool;
+    var phi_2408_: bool;
     var phi_2409_: bool;
+    var phi_2270_: f32;
     var phi_2410_: bool;
     var phi_2411_: bool;
     var phi_2412_: bool;
     var phi_2413_: bool;
-    var phi_2414_: bool;
-    var phi_2415_: bool;
-    var phi_2416_: bool;
-    var phi_2417_: bool;
-    var phi_2418_: bool;
-    var phi_2419_: bool;
-    var phi_2420_: bool;
-    var phi_2421_: f32;
-    var phi_2422_: f32;
-    var phi_2423_: bool;
-    var phi_2424_: bool;
-    var phi_2425_: bool;
-    var phi_2426_: bool;
-    var phi_2427_: bool;
-    var phi_2428_: bool;
-    var phi_2429_: f32;
-    var phi_2430_: f32;
+    var local_35: bool;
+    var local_36: f32;
+    var local_37: f32;
+    var local_38: f32;
+    var phi_2430_: bool;
     var phi_2431_: bool;
     var phi_2432_: bool;
     var phi_2433_: bool;
@@ -721,4585 +742,4858 @@ fn function_() {
     var phi_2435_: bool;
     var phi_2436_: bool;
     var phi_2437_: bool;
-    var phi_2438_: f32;
-    var phi_1549_: f32;
+    var phi_2438_: bool;
     var phi_2439_: bool;
     var phi_2440_: bool;
     var phi_2441_: bool;
     var phi_2442_: bool;
-    var phi_2443_: bool;
-    var phi_2444_: bool;
+    var phi_2443_: f32;
+    var phi_2444_: f32;
     var phi_2445_: bool;
     var phi_2446_: bool;
-    var local_38: bool;
-    var phi_2451_: type_55;
-    var phi_2452_: bool;
-    var phi_2453_: bool;
+    var phi_2447_: bool;
+    var phi_2448_: bool;
+    var phi_2449_: bool;
+    var phi_2450_: bool;
+    var phi_2451_: bool;
+    var phi_2452_: f32;
+    var phi_2453_: f32;
     var phi_2454_: bool;
     var phi_2455_: bool;
     var phi_2456_: bool;
     var phi_2457_: bool;
-    var phi_2461_: f32;
-    var phi_2462_: bool;
+    var phi_2458_: bool;
+    var phi_2459_: bool;
+    var phi_2460_: bool;
+    var phi_2461_: bool;
+    var phi_2462_: f32;
+    var phi_1551_: f32;
     var phi_2463_: bool;
     var phi_2464_: bool;
     var phi_2465_: bool;
     var phi_2466_: bool;
     var phi_2467_: bool;
-    var phi_2472_: type_55;
-    var phi_2473_: bool;
-    var phi_2474_: bool;
-    var phi_2475_: bool;
-    var phi_2476_: bool;
+    var phi_2468_: bool;
+    var phi_2469_: bool;
+    var phi_2470_: bool;
+    var phi_2471_: bool;
+    var local_39: bool;
+    var phi_2476_: type_55;
     var phi_2477_: bool;
-    var local_39: f32;
-    var phi_2482_: type_55;
+    var phi_2478_: bool;
+    var phi_2479_: bool;
+    var phi_2480_: bool;
+    var phi_2481_: bool;
+    var phi_2482_: bool;
     var phi_2483_: bool;
-    var phi_2484_: bool;
-    var phi_2485_: bool;
-    var phi_2486_: bool;
-    var local_40: f32;
-    var phi_2491_: type_55;
+    var phi_2487_: f32;
+    var phi_2488_: bool;
+    var phi_2489_: bool;
+    var phi_2490_: bool;
+    var phi_2491_: bool;
     var phi_2492_: bool;
     var phi_2493_: bool;
     var phi_2494_: bool;
-    var phi_2498_: bool;
-    var phi_2499_: bool;
+    var phi_2499_: type_55;
+    var phi_2500_: bool;
+    var phi_2501_: bool;
+    var phi_2502_: bool;
     var phi_2503_: bool;
     var phi_2504_: bool;
-    var phi_2508_: bool;
-    var phi_2509_: bool;
-    var local_41: f32;
-    var phi_2514_: type_55;
+    var phi_2505_: bool;
+    var local_40: f32;
+    var phi_2510_: type_55;
+    var phi_2511_: bool;
+    var phi_2512_: bool;
+    var phi_2513_: bool;
+    var phi_2514_: bool;
     var phi_2515_: bool;
-    var phi_2519_: type_55;
-    var phi_2533_: type_28;
-    var phi_2534_: type_28;
-    var phi_2557_: type_28;
-    var phi_2577_: f32;
-    var phi_2745_: bool;
-    var phi_2746_: bool;
-    var phi_2747_: bool;
-    var phi_2748_: bool;
-    var phi_2752_: bool;
-    var phi_2774_: array<f32, 3>;
-    var phi_2775_: bool;
-    var phi_2776_: array<f32, 3>;
-    var phi_2777_: bool;
-    var phi_2945_: f32;
-    var phi_2946_: f32;
-    var phi_2973_: f32;
-    var phi_2974_: f32;
-    var phi_3001_: f32;
-    var phi_3002_: f32;
-    var phi_3038_: type_28;
-    var phi_3041_: array<f32, 3>;
-    var phi_3039_: type_28;
-    var phi_3064_: type_28;
-    var phi_3131_: array<f32, 3>;
-    var phi_3042_: array<f32, 3>;
-    var phi_3132_: array<f32, 3>;
-    var phi_3164_: type_26;
-    var phi_3167_: f32;
-    var phi_3188_: bool;
-    var phi_3194_: type_27;
-    var phi_3165_: type_26;
-    var phi_3208_: type_27;
-    var phi_3168_: f32;
+    var local_41: f32;
+    var phi_2520_: type_55;
+    var phi_2521_: bool;
+    var phi_2522_: bool;
+    var phi_2523_: bool;
+    var phi_2524_: bool;
     var local_42: f32;
-    var phi_3157_: f32;
-    var phi_3221_: f32;
-    var phi_3237_: f32;
-    var phi_3244_: f32;
-    var phi_3249_: f32;
-    var phi_3256_: f32;
-    var phi_3261_: f32;
-    var phi_3274_: f32;
-    var phi_3281_: f32;
-    var phi_3286_: f32;
-    var phi_3293_: f32;
-    var phi_3298_: f32;
-    var phi_3303_: f32;
+    var phi_2529_: type_55;
+    var phi_2530_: bool;
+    var phi_2531_: bool;
+    var phi_2532_: bool;
+    var phi_2533_: bool;
+    var phi_2537_: type_55;
+    var phi_2538_: bool;
+    var phi_2539_: bool;
+    var phi_2540_: bool;
+    var phi_2544_: bool;
+    var phi_2545_: bool;
+    var phi_2549_: bool;
+    var phi_2550_: bool;
+    var phi_2554_: bool;
+    var phi_2555_: bool;
+    var local_43: f32;
+    var phi_2560_: type_55;
+    var phi_2561_: bool;
+    var phi_2565_: type_55;
+    var phi_2579_: type_28;
+    var phi_2580_: type_28;
+    var phi_2603_: type_28;
+    var phi_2623_: f32;
+    var phi_2791_: bool;
+    var phi_2792_: bool;
+    var phi_2793_: bool;
+    var phi_2794_: bool;
+    var phi_2798_: bool;
+    var phi_2820_: array<f32, 3>;
+    var phi_2821_: bool;
+    var phi_2822_: array<f32, 3>;
+    var phi_2823_: bool;
+    var phi_2991_: f32;
+    var phi_2992_: f32;
+    var phi_3019_: f32;
+    var phi_3020_: f32;
+    var phi_3047_: f32;
+    var phi_3048_: f32;
+    var phi_3084_: type_28;
+    var phi_3087_: array<f32, 3>;
+    var phi_3085_: type_28;
+    var phi_3110_: type_28;
+    var phi_3177_: array<f32, 3>;
+    var phi_3088_: array<f32, 3>;
+    var phi_3178_: array<f32, 3>;
+    var phi_3210_: type_26;
+    var phi_3213_: f32;
+    var phi_3234_: bool;
+    var phi_3240_: type_27;
+    var phi_3211_: type_26;
+    var phi_3254_: type_27;
+    var phi_3214_: f32;
+    var local_44: f32;
+    var phi_3203_: f32;
+    var phi_3267_: f32;
+    var phi_3283_: f32;
+    var phi_3290_: f32;
+    var phi_3295_: f32;
+    var phi_3302_: f32;
+    var phi_3307_: f32;
     var phi_3320_: f32;
     var phi_3327_: f32;
     var phi_3332_: f32;
     var phi_3339_: f32;
     var phi_3344_: f32;
-    var phi_3358_: f32;
-    var phi_3365_: f32;
-    var phi_3370_: f32;
-    var phi_3377_: f32;
-    var phi_3382_: f32;
-    var phi_3387_: f32;
+    var phi_3349_: f32;
+    var phi_3366_: f32;
+    var phi_3373_: f32;
+    var phi_3378_: f32;
+    var phi_3385_: f32;
+    var phi_3390_: f32;
     var phi_3404_: f32;
     var phi_3411_: f32;
     var phi_3416_: f32;
     var phi_3423_: f32;
     var phi_3428_: f32;
-    var phi_3442_: f32;
-    var phi_3449_: f32;
-    var phi_3454_: f32;
-    var phi_3461_: f32;
-    var phi_3466_: f32;
-    var phi_3471_: f32;
-    var phi_3491_: bool;
-    var phi_3492_: bool;
-    var phi_3493_: bool;
-    var local_43: bool;
-    var phi_3498_: type_55;
-    var phi_3499_: bool;
-    var phi_3504_: type_55;
-    var phi_3505_: bool;
-    var phi_3507_: type_55;
-    var phi_3508_: type_55;
-    var phi_3509_: bool;
-    var phi_3513_: type_55;
-    var phi_6723_: type_55;
-    var phi_6724_: type_55;
-    var phi_6777_: array<u32, 2>;
-    var phi_6778_: array<u32, 2>;
-    var phi_6779_: bool;
-    var phi_6783_: array<u32, 2>;
-    var phi_6751_: array<u32, 2>;
-    var phi_6752_: array<u32, 2>;
-    var phi_6753_: bool;
-    var phi_6757_: array<u32, 2>;
-    var phi_6785_: type_58;
-    var phi_6792_: bool;
-    var phi_6816_: u32;
-    var phi_6820_: type_48;
-    var phi_6821_: bool;
-    var phi_6822_: bool;
-    var phi_6840_: u32;
-    var phi_6902_: u32;
-    var local_44: u32;
-    var local_45: f32;
-    var local_46: f32;
-    var local_47: bool;
-    var local_48: bool;
-    var local_49: f32;
-    var local_50: array<f32, 3>;
+    var phi_3433_: f32;
+    var phi_3450_: f32;
+    var phi_3457_: f32;
+    var phi_3462_: f32;
+    var phi_3469_: f32;
+    var phi_3474_: f32;
+    var phi_3488_: f32;
+    var phi_3495_: f32;
+    var phi_3500_: f32;
+    var phi_3507_: f32;
+    var phi_3512_: f32;
+    var phi_3517_: f32;
+    var phi_3537_: bool;
+    var phi_3538_: bool;
+    var phi_3539_: bool;
+    var local_45: bool;
+    var phi_3544_: type_55;
+    var phi_3545_: bool;
+    var phi_3550_: type_55;
+    var phi_3551_: bool;
+    var phi_3553_: type_55;
+    var phi_3554_: type_55;
+    var phi_3555_: bool;
+    var phi_3559_: type_55;
+    var phi_6833_: type_55;
+    var phi_6834_: type_55;
+    var phi_6887_: array<u32, 2>;
+    var phi_6888_: array<u32, 2>;
+    var phi_6889_: bool;
+    var phi_6893_: array<u32, 2>;
+    var phi_6861_: array<u32, 2>;
+    var phi_6862_: array<u32, 2>;
+    var phi_6863_: bool;
+    var phi_6867_: array<u32, 2>;
+    var phi_6895_: type_58;
+    var phi_6902_: bool;
+    var phi_6926_: u32;
+    var phi_6930_: type_48;
+    var phi_6931_: bool;
+    var phi_6932_: bool;
+    var phi_6950_: u32;
+    var phi_7012_: u32;
+    var local_46: u32;
+    var local_47: f32;
+    var local_48: f32;
+    var local_49: bool;
+    var local_50: bool;
     var local_51: f32;
-    var local_52: f32;
+    var local_52: array<f32, 3>;
     var local_53: bool;
     var local_54: bool;
-    var local_55: bool;
-    var local_56: bool;
+    var local_55: f32;
+    var local_56: f32;
     var local_57: bool;
     var local_58: bool;
-    var local_59: f32;
-    var local_60: f32;
+    var local_59: bool;
+    var local_60: bool;
     var local_61: bool;
     var local_62: bool;
     var local_63: bool;
-    var local_64: array<f32, 3>;
+    var local_64: f32;
     var local_65: f32;
-    var local_66: f32;
+    var local_66: bool;
     var local_67: bool;
     var local_68: bool;
-    var local_69: bool;
+    var local_69: array<f32, 3>;
     var local_70: bool;
     var local_71: bool;
-    var local_72: bool;
+    var local_72: f32;
     var local_73: f32;
-    var local_74: f32;
+    var local_74: bool;
     var local_75: bool;
-    var local_76: array<f32, 3>;
+    var local_76: bool;
+    var local_77: bool;
+    var local_78: bool;
+    var local_79: bool;
+    var local_80: bool;
+    var local_81: f32;
+    var local_82: f32;
+    var local_83: bool;
+    var local_84: array<f32, 3>;
 
-    let _e104 = id_1;
-    let _e105 = n_1;
-    let _e106 = lane_1;
-    let _e118 = ((_e104.y * _e105.x) + _e104.x);
-    let _e121 = (_e105.x * _e105.y);
-    let _e123 = params.member.member_15;
-    let _e125 = input.member[0u];
-    if (_e123 < _e125) {
-        phi_201_ = _e123;
+    let _e106 = id_1;
+    let _e107 = n_1;
+    let _e108 = lane_1;
+    let _e120 = ((_e106.y * _e107.x) + _e106.x);
+    let _e123 = (_e107.x * _e107.y);
+    let _e125 = params.member.member_15;
+    let _e127 = input.member[0u];
+    if (_e125 < _e127) {
+        phi_203_ = _e125;
     } else {
-        phi_201_ = _e125;
+        phi_203_ = _e127;
     }
-    let _e128 = phi_201_;
-    let _e129 = (_e128 / 64u);
-    if ((_e128 % 64u) > 0u) {
-        phi_217_ = (_e129 + 1u);
+    let _e130 = phi_203_;
+    let _e131 = (_e130 / 64u);
+    if ((_e130 % 64u) > 0u) {
+        phi_219_ = (_e131 + 1u);
     } else {
-        phi_217_ = _e129;
+        phi_219_ = _e131;
     }
-    let _e134 = phi_217_;
-    if (_e134 > _e118) {
-        let _e136 = (_e134 - _e118);
-        if (_e121 == 0u) {
+    let _e136 = phi_219_;
+    if (_e136 > _e120) {
+        let _e138 = (_e136 - _e120);
+        if (_e123 == 0u) {
             return;
         }
-        let _e138 = (_e136 / _e121);
-        if (_e121 == 0u) {
+        let _e140 = (_e138 / _e123);
+        if (_e123 == 0u) {
             return;
         }
-        if ((_e136 % _e121) > 0u) {
-            phi_238_ = (_e138 + 1u);
+        if ((_e138 % _e123) > 0u) {
+            phi_240_ = (_e140 + 1u);
         } else {
-            phi_238_ = _e138;
+            phi_240_ = _e140;
         }
-        let _e144 = phi_238_;
-        phi_239_ = _e144;
+        let _e146 = phi_240_;
+        phi_241_ = _e146;
     } else {
-        phi_239_ = 0u;
+        phi_241_ = 0u;
     }
-    let _e146 = phi_239_;
-    phi_242_ = type_28(0u, _e146);
+    let _e148 = phi_241_;
+    phi_244_ = type_28(0u, _e148);
     loop {
-        let _e149 = phi_242_;
-        if (_e149.member < _e149.member_1) {
-            phi_243_ = type_28((_e149.member + 1u), _e149.member_1);
-            phi_266_ = type_28(1u, _e149.member);
+        let _e151 = phi_244_;
+        if (_e151.member < _e151.member_1) {
+            phi_245_ = type_28((_e151.member + 1u), _e151.member_1);
+            phi_268_ = type_28(1u, _e151.member);
         } else {
-            phi_243_ = _e149;
-            phi_266_ = type_28(0u, type_28().member_1);
+            phi_245_ = _e151;
+            phi_268_ = type_28(0u, type_28().member_1);
         }
-        let _e163 = phi_243_;
-        let _e165 = phi_266_;
-        let _e169 = (bitcast<i32>(_e165.member) != 0i);
-        if _e169 {
-            let _e173 = (((_e118 + (_e165.member_1 * _e121)) * 64u) + _e106);
-            let _e175 = params.member.member_8;
-            if (_e173 < _e128) {
-                let _e178 = (2u * _e173);
-                let _e181 = input.member[(4u + _e178)];
-                let _e184 = input.member[(_e178 + 5u)];
-                let _e186 = elements.member[_e184];
-                let _e191 = paths.member[_e181];
-                let _e193 = paths.member[_e186[0]];
-                let _e199 = paths.member[_e186[1]];
-                let _e201 = paths.member[_e186[2]];
-                let _e231 = params.member.member_4;
-                local_15 = type_45(array<array<f32, 3>, 2>(array<f32, 3>((_e191.member[0] - _e193.member[0]), (_e191.member[1] - _e193.member[1]), (_e191.member[2] - _e193.member[2])), array<f32, 3>((_e191.member_1[0] - _e193.member_1[0]), (_e191.member_1[1] - _e193.member_1[1]), (_e191.member_1[2] - _e193.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e199.member[0] - _e193.member[0]), (_e199.member[1] - _e193.member[1]), (_e199.member[2] - _e193.member[2])), array<f32, 3>((_e199.member_1[0] - _e193.member_1[0]), (_e199.member_1[1] - _e193.member_1[1]), (_e199.member_1[2] - _e193.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e201.member[0] - _e193.member[0]), (_e201.member[1] - _e193.member[1]), (_e201.member[2] - _e193.member[2])), array<f32, 3>((_e201.member_1[0] - _e193.member_1[0]), (_e201.member_1[1] - _e193.member_1[1]), (_e201.member_1[2] - _e193.member_1[2]))), (_e231 + _e231));
-                let _e262 = params.member.member_5;
-                let _e265 = local_15.member_1[0u];
-                let _e271 = local_15.member_2[0u];
-                let _e277 = ((_e265[1] * _e271[2]) - (_e265[2] * _e271[1]));
-                let _e280 = ((_e265[2] * _e271[0]) - (_e265[0] * _e271[2]));
-                let _e283 = ((_e265[0] * _e271[1]) - (_e265[1] * _e271[0]));
-                let _e286 = local_15.member_1[1u];
-                let _e292 = local_15.member_2[1u];
-                let _e298 = ((_e286[1] * _e292[2]) - (_e286[2] * _e292[1]));
-                let _e301 = ((_e286[2] * _e292[0]) - (_e286[0] * _e292[2]));
-                let _e304 = ((_e286[0] * _e292[1]) - (_e286[1] * _e292[0]));
-                let _e307 = local_15.member_1[0u];
-                let _e313 = local_15.member_2[1u];
-                let _e328 = local_15.member_1[1u];
-                let _e334 = local_15.member_2[0u];
-                let _e347 = (((_e307[1] * _e313[2]) - (_e307[2] * _e313[1])) + ((_e328[1] * _e334[2]) - (_e328[2] * _e334[1])));
-                let _e348 = (((_e307[2] * _e313[0]) - (_e307[0] * _e313[2])) + ((_e328[2] * _e334[0]) - (_e328[0] * _e334[2])));
-                let _e349 = (((_e307[0] * _e313[1]) - (_e307[1] * _e313[0])) + ((_e328[0] * _e334[1]) - (_e328[1] * _e334[0])));
-                let _e352 = local_15.member[0u];
-                let _e360 = (((_e352[0] * _e277) + (_e352[1] * _e280)) + (_e352[2] * _e283));
-                let _e363 = local_15.member[1u];
-                let _e374 = local_15.member[0u];
-                let _e383 = ((((_e363[0] * _e277) + (_e363[1] * _e280)) + (_e363[2] * _e283)) + (((_e374[0] * _e347) + (_e374[1] * _e348)) + (_e374[2] * _e349)));
-                let _e386 = local_15.member[0u];
-                let _e397 = local_15.member[1u];
-                let _e406 = ((((_e386[0] * _e298) + (_e386[1] * _e301)) + (_e386[2] * _e304)) + (((_e397[0] * _e347) + (_e397[1] * _e348)) + (_e397[2] * _e349)));
-                let _e409 = local_15.member[1u];
-                let _e417 = (((_e409[0] * _e298) + (_e409[1] * _e301)) + (_e409[2] * _e304));
-                let _e420 = local_15.member[0u];
-                if (_e420[0] < 0f) {
-                    phi_705_ = -(_e420[0]);
+        let _e165 = phi_245_;
+        let _e167 = phi_268_;
+        let _e171 = (bitcast<i32>(_e167.member) != 0i);
+        if _e171 {
+            let _e175 = (((_e120 + (_e167.member_1 * _e123)) * 64u) + _e108);
+            let _e177 = params.member.member_8;
+            if (_e175 < _e130) {
+                let _e180 = (2u * _e175);
+                let _e183 = input.member[(4u + _e180)];
+                let _e186 = input.member[(_e180 + 5u)];
+                let _e188 = elements.member[_e186];
+                let _e193 = paths.member[_e183];
+                let _e195 = paths.member[_e188[0]];
+                let _e201 = paths.member[_e188[1]];
+                let _e203 = paths.member[_e188[2]];
+                let _e233 = params.member.member_4;
+                local_15 = type_45(array<array<f32, 3>, 2>(array<f32, 3>((_e193.member[0] - _e195.member[0]), (_e193.member[1] - _e195.member[1]), (_e193.member[2] - _e195.member[2])), array<f32, 3>((_e193.member_1[0] - _e195.member_1[0]), (_e193.member_1[1] - _e195.member_1[1]), (_e193.member_1[2] - _e195.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e201.member[0] - _e195.member[0]), (_e201.member[1] - _e195.member[1]), (_e201.member[2] - _e195.member[2])), array<f32, 3>((_e201.member_1[0] - _e195.member_1[0]), (_e201.member_1[1] - _e195.member_1[1]), (_e201.member_1[2] - _e195.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e203.member[0] - _e195.member[0]), (_e203.member[1] - _e195.member[1]), (_e203.member[2] - _e195.member[2])), array<f32, 3>((_e203.member_1[0] - _e195.member_1[0]), (_e203.member_1[1] - _e195.member_1[1]), (_e203.member_1[2] - _e195.member_1[2]))), (_e233 + _e233));
+                let _e264 = params.member.member_5;
+                let _e267 = local_15.member_1[0u];
+                let _e273 = local_15.member_2[0u];
+                let _e279 = ((_e267[1] * _e273[2]) - (_e267[2] * _e273[1]));
+                let _e282 = ((_e267[2] * _e273[0]) - (_e267[0] * _e273[2]));
+                let _e285 = ((_e267[0] * _e273[1]) - (_e267[1] * _e273[0]));
+                let _e288 = local_15.member_1[1u];
+                let _e294 = local_15.member_2[1u];
+                let _e300 = ((_e288[1] * _e294[2]) - (_e288[2] * _e294[1]));
+                let _e303 = ((_e288[2] * _e294[0]) - (_e288[0] * _e294[2]));
+                let _e306 = ((_e288[0] * _e294[1]) - (_e288[1] * _e294[0]));
+                let _e309 = local_15.member_1[0u];
+                let _e315 = local_15.member_2[1u];
+                let _e330 = local_15.member_1[1u];
+                let _e336 = local_15.member_2[0u];
+                let _e349 = (((_e309[1] * _e315[2]) - (_e309[2] * _e315[1])) + ((_e330[1] * _e336[2]) - (_e330[2] * _e336[1])));
+                let _e350 = (((_e309[2] * _e315[0]) - (_e309[0] * _e315[2])) + ((_e330[2] * _e336[0]) - (_e330[0] * _e336[2])));
+                let _e351 = (((_e309[0] * _e315[1]) - (_e309[1] * _e315[0])) + ((_e330[0] * _e336[1]) - (_e330[1] * _e336[0])));
+                let _e354 = local_15.member[0u];
+                let _e362 = (((_e354[0] * _e279) + (_e354[1] * _e282)) + (_e354[2] * _e285));
+                let _e365 = local_15.member[1u];
+                let _e376 = local_15.member[0u];
+                let _e385 = ((((_e365[0] * _e279) + (_e365[1] * _e282)) + (_e365[2] * _e285)) + (((_e376[0] * _e349) + (_e376[1] * _e350)) + (_e376[2] * _e351)));
+                let _e388 = local_15.member[0u];
+                let _e399 = local_15.member[1u];
+                let _e408 = ((((_e388[0] * _e300) + (_e388[1] * _e303)) + (_e388[2] * _e306)) + (((_e399[0] * _e349) + (_e399[1] * _e350)) + (_e399[2] * _e351)));
+                let _e411 = local_15.member[1u];
+                let _e419 = (((_e411[0] * _e300) + (_e411[1] * _e303)) + (_e411[2] * _e306));
+                let _e422 = local_15.member[0u];
+                if (_e422[0] < 0f) {
+                    phi_707_ = -(_e422[0]);
                 } else {
-                    phi_705_ = _e420[0];
+                    phi_707_ = _e422[0];
                 }
-                let _e427 = phi_705_;
-                if (_e420[1] < 0f) {
-                    phi_712_ = -(_e420[1]);
+                let _e429 = phi_707_;
+                if (_e422[1] < 0f) {
+                    phi_714_ = -(_e422[1]);
                 } else {
-                    phi_712_ = _e420[1];
+                    phi_714_ = _e422[1];
                 }
-                let _e431 = phi_712_;
-                if (_e427 > _e431) {
-                    phi_717_ = _e427;
+                let _e433 = phi_714_;
+                if (_e429 > _e433) {
+                    phi_719_ = _e429;
                 } else {
-                    phi_717_ = _e431;
+                    phi_719_ = _e433;
                 }
-                let _e434 = phi_717_;
-                if (_e420[2] < 0f) {
-                    phi_724_ = -(_e420[2]);
+                let _e436 = phi_719_;
+                if (_e422[2] < 0f) {
+                    phi_726_ = -(_e422[2]);
                 } else {
-                    phi_724_ = _e420[2];
+                    phi_726_ = _e422[2];
                 }
-                let _e438 = phi_724_;
-                if (_e434 > _e438) {
-                    phi_729_ = _e434;
+                let _e440 = phi_726_;
+                if (_e436 > _e440) {
+                    phi_731_ = _e436;
                 } else {
-                    phi_729_ = _e438;
+                    phi_731_ = _e440;
                 }
-                let _e441 = phi_729_;
-                let _e444 = local_15.member[1u];
-                if (_e444[0] < 0f) {
-                    phi_742_ = -(_e444[0]);
+                let _e443 = phi_731_;
+                let _e446 = local_15.member[1u];
+                if (_e446[0] < 0f) {
+                    phi_744_ = -(_e446[0]);
                 } else {
-                    phi_742_ = _e444[0];
+                    phi_744_ = _e446[0];
                 }
-                let _e451 = phi_742_;
-                if (_e444[1] < 0f) {
-                    phi_749_ = -(_e444[1]);
+                let _e453 = phi_744_;
+                if (_e446[1] < 0f) {
+                    phi_751_ = -(_e446[1]);
                 } else {
-                    phi_749_ = _e444[1];
+                    phi_751_ = _e446[1];
                 }
-                let _e455 = phi_749_;
-                if (_e451 > _e455) {
-                    phi_754_ = _e451;
+                let _e457 = phi_751_;
+                if (_e453 > _e457) {
+                    phi_756_ = _e453;
                 } else {
-                    phi_754_ = _e455;
+                    phi_756_ = _e457;
                 }
-                let _e458 = phi_754_;
-                if (_e444[2] < 0f) {
-                    phi_761_ = -(_e444[2]);
+                let _e460 = phi_756_;
+                if (_e446[2] < 0f) {
+                    phi_763_ = -(_e446[2]);
                 } else {
-                    phi_761_ = _e444[2];
+                    phi_763_ = _e446[2];
                 }
-                let _e462 = phi_761_;
-                if (_e458 > _e462) {
-                    phi_766_ = _e458;
+                let _e464 = phi_763_;
+                if (_e460 > _e464) {
+                    phi_768_ = _e460;
                 } else {
-                    phi_766_ = _e462;
+                    phi_768_ = _e464;
                 }
-                let _e465 = phi_766_;
-                if (_e441 > _e465) {
-                    phi_771_ = _e441;
+                let _e467 = phi_768_;
+                if (_e443 > _e467) {
+                    phi_773_ = _e443;
                 } else {
-                    phi_771_ = _e465;
+                    phi_773_ = _e467;
                 }
-                let _e468 = phi_771_;
-                let _e470 = local_15.member_3;
-                let _e471 = (_e468 + _e470);
-                let _e474 = local_15.member_1[0u];
-                if (_e474[0] < 0f) {
-                    phi_788_ = -(_e474[0]);
+                let _e470 = phi_773_;
+                let _e472 = local_15.member_3;
+                let _e473 = (_e470 + _e472);
+                let _e476 = local_15.member_1[0u];
+                if (_e476[0] < 0f) {
+                    phi_790_ = -(_e476[0]);
                 } else {
-                    phi_788_ = _e474[0];
+                    phi_790_ = _e476[0];
                 }
-                let _e481 = phi_788_;
-                if (_e474[1] < 0f) {
-                    phi_795_ = -(_e474[1]);
+                let _e483 = phi_790_;
+                if (_e476[1] < 0f) {
+                    phi_797_ = -(_e476[1]);
                 } else {
-                    phi_795_ = _e474[1];
+                    phi_797_ = _e476[1];
                 }
-                let _e485 = phi_795_;
-                if (_e481 > _e485) {
-                    phi_800_ = _e481;
+                let _e487 = phi_797_;
+                if (_e483 > _e487) {
+                    phi_802_ = _e483;
                 } else {
-                    phi_800_ = _e485;
+                    phi_802_ = _e487;
                 }
-                let _e488 = phi_800_;
-                if (_e474[2] < 0f) {
-                    phi_807_ = -(_e474[2]);
+                let _e490 = phi_802_;
+                if (_e476[2] < 0f) {
+                    phi_809_ = -(_e476[2]);
                 } else {
-                    phi_807_ = _e474[2];
+                    phi_809_ = _e476[2];
                 }
-                let _e492 = phi_807_;
-                if (_e488 > _e492) {
-                    phi_812_ = _e488;
+                let _e494 = phi_809_;
+                if (_e490 > _e494) {
+                    phi_814_ = _e490;
                 } else {
-                    phi_812_ = _e492;
+                    phi_814_ = _e494;
                 }
-                let _e495 = phi_812_;
-                let _e498 = local_15.member_1[1u];
-                if (_e498[0] < 0f) {
-                    phi_826_ = -(_e498[0]);
+                let _e497 = phi_814_;
+                let _e500 = local_15.member_1[1u];
+                if (_e500[0] < 0f) {
+                    phi_828_ = -(_e500[0]);
                 } else {
-                    phi_826_ = _e498[0];
+                    phi_828_ = _e500[0];
                 }
-                let _e505 = phi_826_;
-                if (_e498[1] < 0f) {
-                    phi_833_ = -(_e498[1]);
+                let _e507 = phi_828_;
+                if (_e500[1] < 0f) {
+                    phi_835_ = -(_e500[1]);
                 } else {
-                    phi_833_ = _e498[1];
+                    phi_835_ = _e500[1];
                 }
-                let _e509 = phi_833_;
-                if (_e505 > _e509) {
-                    phi_838_ = _e505;
+                let _e511 = phi_835_;
+                if (_e507 > _e511) {
+                    phi_840_ = _e507;
                 } else {
-                    phi_838_ = _e509;
+                    phi_840_ = _e511;
                 }
-                let _e512 = phi_838_;
-                if (_e498[2] < 0f) {
-                    phi_845_ = -(_e498[2]);
+                let _e514 = phi_840_;
+                if (_e500[2] < 0f) {
+                    phi_847_ = -(_e500[2]);
                 } else {
-                    phi_845_ = _e498[2];
+                    phi_847_ = _e500[2];
                 }
-                let _e516 = phi_845_;
-                if (_e512 > _e516) {
-                    phi_850_ = _e512;
+                let _e518 = phi_847_;
+                if (_e514 > _e518) {
+                    phi_852_ = _e514;
                 } else {
-                    phi_850_ = _e516;
+                    phi_852_ = _e518;
                 }
-                let _e519 = phi_850_;
-                if (_e495 > _e519) {
-                    phi_855_ = _e495;
+                let _e521 = phi_852_;
+                if (_e497 > _e521) {
+                    phi_857_ = _e497;
                 } else {
-                    phi_855_ = _e519;
+                    phi_857_ = _e521;
                 }
-                let _e522 = phi_855_;
-                let _e524 = local_15.member_3;
-                let _e525 = (_e522 + _e524);
-                let _e528 = local_15.member_2[0u];
-                if (_e528[0] < 0f) {
-                    phi_872_ = -(_e528[0]);
+                let _e524 = phi_857_;
+                let _e526 = local_15.member_3;
+                let _e527 = (_e524 + _e526);
+                let _e530 = local_15.member_2[0u];
+                if (_e530[0] < 0f) {
+                    phi_874_ = -(_e530[0]);
                 } else {
-                    phi_872_ = _e528[0];
+                    phi_874_ = _e530[0];
                 }
-                let _e535 = phi_872_;
-                if (_e528[1] < 0f) {
-                    phi_879_ = -(_e528[1]);
+                let _e537 = phi_874_;
+                if (_e530[1] < 0f) {
+                    phi_881_ = -(_e530[1]);
                 } else {
-                    phi_879_ = _e528[1];
+                    phi_881_ = _e530[1];
                 }
-                let _e539 = phi_879_;
-                if (_e535 > _e539) {
-                    phi_884_ = _e535;
+                let _e541 = phi_881_;
+                if (_e537 > _e541) {
+                    phi_886_ = _e537;
                 } else {
-                    phi_884_ = _e539;
+                    phi_886_ = _e541;
                 }
-                let _e542 = phi_884_;
-                if (_e528[2] < 0f) {
-                    phi_891_ = -(_e528[2]);
+                let _e544 = phi_886_;
+                if (_e530[2] < 0f) {
+                    phi_893_ = -(_e530[2]);
                 } else {
-                    phi_891_ = _e528[2];
+                    phi_893_ = _e530[2];
                 }
-                let _e546 = phi_891_;
-                if (_e542 > _e546) {
-                    phi_896_ = _e542;
+                let _e548 = phi_893_;
+                if (_e544 > _e548) {
+                    phi_898_ = _e544;
                 } else {
-                    phi_896_ = _e546;
+                    phi_898_ = _e548;
                 }
-                let _e549 = phi_896_;
-                let _e552 = local_15.member_2[1u];
-                if (_e552[0] < 0f) {
-                    phi_910_ = -(_e552[0]);
+                let _e551 = phi_898_;
+                let _e554 = local_15.member_2[1u];
+                if (_e554[0] < 0f) {
+                    phi_912_ = -(_e554[0]);
                 } else {
-                    phi_910_ = _e552[0];
+                    phi_912_ = _e554[0];
                 }
-                let _e559 = phi_910_;
-                if (_e552[1] < 0f) {
-                    phi_917_ = -(_e552[1]);
+                let _e561 = phi_912_;
+                if (_e554[1] < 0f) {
+                    phi_919_ = -(_e554[1]);
                 } else {
-                    phi_917_ = _e552[1];
+                    phi_919_ = _e554[1];
                 }
-                let _e563 = phi_917_;
-                if (_e559 > _e563) {
-                    phi_922_ = _e559;
+                let _e565 = phi_919_;
+                if (_e561 > _e565) {
+                    phi_924_ = _e561;
                 } else {
-                    phi_922_ = _e563;
+                    phi_924_ = _e565;
                 }
-                let _e566 = phi_922_;
-                if (_e552[2] < 0f) {
-                    phi_929_ = -(_e552[2]);
+                let _e568 = phi_924_;
+                if (_e554[2] < 0f) {
+                    phi_931_ = -(_e554[2]);
                 } else {
-                    phi_929_ = _e552[2];
+                    phi_931_ = _e554[2];
                 }
-                let _e570 = phi_929_;
-                if (_e566 > _e570) {
-                    phi_934_ = _e566;
+                let _e572 = phi_931_;
+                if (_e568 > _e572) {
+                    phi_936_ = _e568;
                 } else {
-                    phi_934_ = _e570;
+                    phi_936_ = _e572;
                 }
-                let _e573 = phi_934_;
-                if (_e549 > _e573) {
-                    phi_939_ = _e549;
+                let _e575 = phi_936_;
+                if (_e551 > _e575) {
+                    phi_941_ = _e551;
                 } else {
-                    phi_939_ = _e573;
+                    phi_941_ = _e575;
                 }
-                let _e576 = phi_939_;
-                let _e578 = local_15.member_3;
-                let _e579 = (_e576 + _e578);
-                let _e581 = ((_e525 * 8f) * _e579);
-                let _e588 = local_15.member_3;
-                if (_e277 < 0f) {
-                    phi_970_ = -(_e277);
+                let _e578 = phi_941_;
+                let _e580 = local_15.member_3;
+                let _e581 = (_e578 + _e580);
+                let _e583 = ((_e527 * 8f) * _e581);
+                let _e590 = local_15.member_3;
+                if (_e279 < 0f) {
+                    phi_972_ = -(_e279);
                 } else {
-                    phi_970_ = _e277;
+                    phi_972_ = _e279;
                 }
-                let _e605 = phi_970_;
-                if (_e280 < 0f) {
-                    phi_976_ = -(_e280);
+                let _e607 = phi_972_;
+                if (_e282 < 0f) {
+                    phi_978_ = -(_e282);
                 } else {
-                    phi_976_ = _e280;
+                    phi_978_ = _e282;
                 }
-                let _e609 = phi_976_;
-                if (_e283 < 0f) {
-                    phi_983_ = -(_e283);
+                let _e611 = phi_978_;
+                if (_e285 < 0f) {
+                    phi_985_ = -(_e285);
                 } else {
-                    phi_983_ = _e283;
+                    phi_985_ = _e285;
                 }
-                let _e614 = phi_983_;
-                let _e615 = ((_e605 + _e609) + _e614);
-                if (_e298 < 0f) {
-                    phi_990_ = -(_e298);
+                let _e616 = phi_985_;
+                let _e617 = ((_e607 + _e611) + _e616);
+                if (_e300 < 0f) {
+                    phi_992_ = -(_e300);
                 } else {
-                    phi_990_ = _e298;
+                    phi_992_ = _e300;
                 }
-                let _e619 = phi_990_;
-                if (_e301 < 0f) {
-                    phi_996_ = -(_e301);
+                let _e621 = phi_992_;
+                if (_e303 < 0f) {
+                    phi_998_ = -(_e303);
                 } else {
-                    phi_996_ = _e301;
+                    phi_998_ = _e303;
                 }
-                let _e623 = phi_996_;
-                if (_e304 < 0f) {
-                    phi_1003_ = -(_e304);
+                let _e625 = phi_998_;
+                if (_e306 < 0f) {
+                    phi_1005_ = -(_e306);
                 } else {
-                    phi_1003_ = _e304;
+                    phi_1005_ = _e306;
                 }
-                let _e628 = phi_1003_;
-                let _e629 = ((_e619 + _e623) + _e628);
-                if (_e615 > _e629) {
-                    phi_1009_ = _e615;
+                let _e630 = phi_1005_;
+                let _e631 = ((_e621 + _e625) + _e630);
+                if (_e617 > _e631) {
+                    phi_1011_ = _e617;
                 } else {
-                    phi_1009_ = _e629;
+                    phi_1011_ = _e631;
                 }
-                let _e632 = phi_1009_;
-                if (_e347 < 0f) {
-                    phi_1015_ = -(_e347);
-                } else {
-                    phi_1015_ = _e347;
-                }
-                let _e636 = phi_1015_;
-                if (_e348 < 0f) {
-                    phi_1021_ = -(_e348);
-                } else {
-                    phi_1021_ = _e348;
-                }
-                let _e640 = phi_1021_;
+                let _e634 = phi_1011_;
                 if (_e349 < 0f) {
-                    phi_1028_ = -(_e349);
+                    phi_1017_ = -(_e349);
                 } else {
-                    phi_1028_ = _e349;
+                    phi_1017_ = _e349;
                 }
-                let _e645 = phi_1028_;
-                let _e647 = (((_e636 + _e640) + _e645) * 0.5f);
-                if (_e632 > _e647) {
-                    phi_1035_ = _e632;
+                let _e638 = phi_1017_;
+                if (_e350 < 0f) {
+                    phi_1023_ = -(_e350);
                 } else {
-                    phi_1035_ = _e647;
+                    phi_1023_ = _e350;
                 }
-                let _e650 = phi_1035_;
-                let _e655 = local_15.member_3;
-                let _e667 = (((((_e471 * 8f) * _e581) * (0.000000059604645f * (490f / 64f))) + ((_e588 * 19f) * ((_e471 * (_e525 + _e579)) + (_e525 * _e579)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e471) * ((1f + _e525) * (1f + _e579)))));
-                let _e668 = (_e360 * 3f);
-                let _e669 = (_e417 * 3f);
-                if (_e668 < _e669) {
-                    phi_1059_ = _e668;
+                let _e642 = phi_1023_;
+                if (_e351 < 0f) {
+                    phi_1030_ = -(_e351);
                 } else {
-                    phi_1059_ = _e669;
+                    phi_1030_ = _e351;
                 }
-                let _e672 = phi_1059_;
-                if (_e383 < _e406) {
-                    phi_1064_ = _e383;
+                let _e647 = phi_1030_;
+                let _e649 = (((_e638 + _e642) + _e647) * 0.5f);
+                if (_e634 > _e649) {
+                    phi_1037_ = _e634;
                 } else {
-                    phi_1064_ = _e406;
+                    phi_1037_ = _e649;
                 }
-                let _e675 = phi_1064_;
-                if (_e672 < _e675) {
-                    phi_1069_ = _e672;
+                let _e652 = phi_1037_;
+                let _e657 = local_15.member_3;
+                let _e669 = (((((_e473 * 8f) * _e583) * (0.000000059604645f * (490f / 64f))) + ((_e590 * 19f) * ((_e473 * (_e527 + _e581)) + (_e527 * _e581)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e473) * ((1f + _e527) * (1f + _e581)))));
+                let _e670 = (_e362 * 3f);
+                let _e671 = (_e419 * 3f);
+                if (_e670 < _e671) {
+                    phi_1061_ = _e670;
                 } else {
-                    phi_1069_ = _e675;
+                    phi_1061_ = _e671;
                 }
-                let _e678 = phi_1069_;
-                if (_e668 > _e669) {
-                    phi_1074_ = _e668;
+                let _e674 = phi_1061_;
+                if (_e385 < _e408) {
+                    phi_1066_ = _e385;
                 } else {
-                    phi_1074_ = _e669;
+                    phi_1066_ = _e408;
                 }
-                let _e681 = phi_1074_;
-                if (_e383 > _e406) {
-                    phi_1079_ = _e383;
+                let _e677 = phi_1066_;
+                if (_e674 < _e677) {
+                    phi_1071_ = _e674;
                 } else {
-                    phi_1079_ = _e406;
+                    phi_1071_ = _e677;
                 }
-                let _e684 = phi_1079_;
-                if (_e681 > _e684) {
-                    phi_1084_ = _e681;
+                let _e680 = phi_1071_;
+                if (_e670 > _e671) {
+                    phi_1076_ = _e670;
                 } else {
-                    phi_1084_ = _e684;
+                    phi_1076_ = _e671;
                 }
-                let _e687 = phi_1084_;
-                let _e692 = -(_e687);
-                if (_e678 > _e692) {
-                    phi_1094_ = _e678;
+                let _e683 = phi_1076_;
+                if (_e385 > _e408) {
+                    phi_1081_ = _e385;
                 } else {
-                    phi_1094_ = _e692;
+                    phi_1081_ = _e408;
                 }
-                let _e695 = phi_1094_;
-                if ((_e695 - (_e667 + ((_e262 * (((_e650 + (_e581 * (0.000000059604645f * 4f))) + ((_e655 * 6f) * (_e525 + _e579))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e525) * (1f + _e579))))) * (3f * 1.0001f)))) > 0f) {
-                    phi_6724_ = type_55(0u, type_55().member_1);
+                let _e686 = phi_1081_;
+                if (_e683 > _e686) {
+                    phi_1086_ = _e683;
                 } else {
-                    if (_e262 > 0f) {
-                        let _e2919 = local_15.member[0u];
-                        let _e2925 = local_15.member_1[0u];
-                        let _e2931 = local_15.member_2[0u];
-                        local_12 = array<array<f32, 3>, 4>(_e2919, array<f32, 3>((_e2919[0] - _e2925[0]), (_e2919[1] - _e2925[1]), (_e2919[2] - _e2925[2])), array<f32, 3>((_e2919[0] - _e2931[0]), (_e2919[1] - _e2931[1]), (_e2919[2] - _e2931[2])), _e2919);
-                        let _e2946 = local_15.member[1u];
-                        let _e2952 = local_15.member_1[1u];
-                        let _e2958 = local_15.member_2[1u];
-                        local_13 = array<array<f32, 3>, 4>(_e2946, array<f32, 3>((_e2946[0] - _e2952[0]), (_e2946[1] - _e2952[1]), (_e2946[2] - _e2952[2])), array<f32, 3>((_e2946[0] - _e2958[0]), (_e2946[1] - _e2958[1]), (_e2946[2] - _e2958[2])), _e2946);
-                        let _e2973 = local_15.member[0u];
-                        if (_e2973[0] < 0f) {
-                            phi_1295_ = -(_e2973[0]);
-                        } else {
-                            phi_1295_ = _e2973[0];
-                        }
-                        let _e2980 = phi_1295_;
-                        if (_e2973[1] < 0f) {
-                            phi_1302_ = -(_e2973[1]);
-                        } else {
-                            phi_1302_ = _e2973[1];
-                        }
-                        let _e2984 = phi_1302_;
-                        if (_e2980 > _e2984) {
-                            phi_1307_ = _e2980;
-                        } else {
-                            phi_1307_ = _e2984;
-                        }
-                        let _e2987 = phi_1307_;
-                        if (_e2973[2] < 0f) {
-                            phi_1314_ = -(_e2973[2]);
-                        } else {
-                            phi_1314_ = _e2973[2];
-                        }
-                        let _e2991 = phi_1314_;
-                        if (_e2987 > _e2991) {
-                            phi_1319_ = _e2987;
-                        } else {
-                            phi_1319_ = _e2991;
-                        }
-                        let _e2994 = phi_1319_;
-                        let _e2997 = local_15.member[1u];
-                        if (_e2997[0] < 0f) {
-                            phi_1332_ = -(_e2997[0]);
-                        } else {
-                            phi_1332_ = _e2997[0];
-                        }
-                        let _e3004 = phi_1332_;
-                        if (_e2997[1] < 0f) {
-                            phi_1339_ = -(_e2997[1]);
-                        } else {
-                            phi_1339_ = _e2997[1];
-                        }
-                        let _e3008 = phi_1339_;
-                        if (_e3004 > _e3008) {
-                            phi_1344_ = _e3004;
-                        } else {
-                            phi_1344_ = _e3008;
-                        }
-                        let _e3011 = phi_1344_;
-                        if (_e2997[2] < 0f) {
-                            phi_1351_ = -(_e2997[2]);
-                        } else {
-                            phi_1351_ = _e2997[2];
-                        }
-                        let _e3015 = phi_1351_;
-                        if (_e3011 > _e3015) {
-                            phi_1356_ = _e3011;
-                        } else {
-                            phi_1356_ = _e3015;
-                        }
-                        let _e3018 = phi_1356_;
-                        if (_e2994 > _e3018) {
-                            phi_1361_ = _e2994;
-                        } else {
-                            phi_1361_ = _e3018;
-                        }
-                        let _e3021 = phi_1361_;
-                        let _e3023 = local_15.member_3;
-                        let _e3027 = local_15.member_1[0u];
-                        if (_e3027[0] < 0f) {
-                            phi_1378_ = -(_e3027[0]);
-                        } else {
-                            phi_1378_ = _e3027[0];
-                        }
-                        let _e3034 = phi_1378_;
-                        if (_e3027[1] < 0f) {
-                            phi_1385_ = -(_e3027[1]);
-                        } else {
-                            phi_1385_ = _e3027[1];
-                        }
-                        let _e3038 = phi_1385_;
-                        if (_e3034 > _e3038) {
-                            phi_1390_ = _e3034;
-                        } else {
-                            phi_1390_ = _e3038;
-                        }
-                        let _e3041 = phi_1390_;
-                        if (_e3027[2] < 0f) {
-                            phi_1397_ = -(_e3027[2]);
-                        } else {
-                            phi_1397_ = _e3027[2];
-                        }
-                        let _e3045 = phi_1397_;
-                        if (_e3041 > _e3045) {
-                            phi_1402_ = _e3041;
-                        } else {
-                            phi_1402_ = _e3045;
-                        }
-                        let _e3048 = phi_1402_;
-                        let _e3051 = local_15.member_1[1u];
+                    phi_1086_ = _e686;
+                }
+                let _e689 = phi_1086_;
+                let _e694 = -(_e689);
+                if (_e680 > _e694) {
+                    phi_1096_ = _e680;
+                } else {
+                    phi_1096_ = _e694;
+                }
+                let _e697 = phi_1096_;
+                if ((_e697 - (_e669 + ((_e264 * (((_e652 + (_e583 * (0.000000059604645f * 4f))) + ((_e657 * 6f) * (_e527 + _e581))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e527) * (1f + _e581))))) * (3f * 1.0001f)))) > 0f) {
+                    phi_6834_ = type_55(0u, type_55().member_1);
+                } else {
+                    if (_e264 > 0f) {
+                        let _e2997 = local_15.member[0u];
+                        let _e3003 = local_15.member_1[0u];
+                        let _e3009 = local_15.member_2[0u];
+                        local_12 = array<array<f32, 3>, 4>(_e2997, array<f32, 3>((_e2997[0] - _e3003[0]), (_e2997[1] - _e3003[1]), (_e2997[2] - _e3003[2])), array<f32, 3>((_e2997[0] - _e3009[0]), (_e2997[1] - _e3009[1]), (_e2997[2] - _e3009[2])), _e2997);
+                        let _e3024 = local_15.member[1u];
+                        let _e3030 = local_15.member_1[1u];
+                        let _e3036 = local_15.member_2[1u];
+                        local_13 = array<array<f32, 3>, 4>(_e3024, array<f32, 3>((_e3024[0] - _e3030[0]), (_e3024[1] - _e3030[1]), (_e3024[2] - _e3030[2])), array<f32, 3>((_e3024[0] - _e3036[0]), (_e3024[1] - _e3036[1]), (_e3024[2] - _e3036[2])), _e3024);
+                        let _e3051 = local_15.member[0u];
                         if (_e3051[0] < 0f) {
-                            phi_1416_ = -(_e3051[0]);
+                            phi_1297_ = -(_e3051[0]);
                         } else {
-                            phi_1416_ = _e3051[0];
+                            phi_1297_ = _e3051[0];
                         }
-                        let _e3058 = phi_1416_;
+                        let _e3058 = phi_1297_;
                         if (_e3051[1] < 0f) {
-                            phi_1423_ = -(_e3051[1]);
+                            phi_1304_ = -(_e3051[1]);
                         } else {
-                            phi_1423_ = _e3051[1];
+                            phi_1304_ = _e3051[1];
                         }
-                        let _e3062 = phi_1423_;
+                        let _e3062 = phi_1304_;
                         if (_e3058 > _e3062) {
-                            phi_1428_ = _e3058;
+                            phi_1309_ = _e3058;
                         } else {
-                            phi_1428_ = _e3062;
+                            phi_1309_ = _e3062;
                         }
-                        let _e3065 = phi_1428_;
+                        let _e3065 = phi_1309_;
                         if (_e3051[2] < 0f) {
-                            phi_1435_ = -(_e3051[2]);
+                            phi_1316_ = -(_e3051[2]);
                         } else {
-                            phi_1435_ = _e3051[2];
+                            phi_1316_ = _e3051[2];
                         }
-                        let _e3069 = phi_1435_;
+                        let _e3069 = phi_1316_;
                         if (_e3065 > _e3069) {
-                            phi_1440_ = _e3065;
+                            phi_1321_ = _e3065;
                         } else {
-                            phi_1440_ = _e3069;
+                            phi_1321_ = _e3069;
                         }
-                        let _e3072 = phi_1440_;
-                        if (_e3048 > _e3072) {
-                            phi_1445_ = _e3048;
+                        let _e3072 = phi_1321_;
+                        let _e3075 = local_15.member[1u];
+                        if (_e3075[0] < 0f) {
+                            phi_1334_ = -(_e3075[0]);
                         } else {
-                            phi_1445_ = _e3072;
+                            phi_1334_ = _e3075[0];
                         }
-                        let _e3075 = phi_1445_;
-                        let _e3077 = local_15.member_3;
-                        let _e3081 = local_15.member_2[0u];
-                        if (_e3081[0] < 0f) {
-                            phi_1462_ = -(_e3081[0]);
+                        let _e3082 = phi_1334_;
+                        if (_e3075[1] < 0f) {
+                            phi_1341_ = -(_e3075[1]);
                         } else {
-                            phi_1462_ = _e3081[0];
+                            phi_1341_ = _e3075[1];
                         }
-                        let _e3088 = phi_1462_;
-                        if (_e3081[1] < 0f) {
-                            phi_1469_ = -(_e3081[1]);
+                        let _e3086 = phi_1341_;
+                        if (_e3082 > _e3086) {
+                            phi_1346_ = _e3082;
                         } else {
-                            phi_1469_ = _e3081[1];
+                            phi_1346_ = _e3086;
                         }
-                        let _e3092 = phi_1469_;
-                        if (_e3088 > _e3092) {
-                            phi_1474_ = _e3088;
+                        let _e3089 = phi_1346_;
+                        if (_e3075[2] < 0f) {
+                            phi_1353_ = -(_e3075[2]);
                         } else {
-                            phi_1474_ = _e3092;
+                            phi_1353_ = _e3075[2];
                         }
-                        let _e3095 = phi_1474_;
-                        if (_e3081[2] < 0f) {
-                            phi_1481_ = -(_e3081[2]);
+                        let _e3093 = phi_1353_;
+                        if (_e3089 > _e3093) {
+                            phi_1358_ = _e3089;
                         } else {
-                            phi_1481_ = _e3081[2];
+                            phi_1358_ = _e3093;
                         }
-                        let _e3099 = phi_1481_;
-                        if (_e3095 > _e3099) {
-                            phi_1486_ = _e3095;
+                        let _e3096 = phi_1358_;
+                        if (_e3072 > _e3096) {
+                            phi_1363_ = _e3072;
                         } else {
-                            phi_1486_ = _e3099;
+                            phi_1363_ = _e3096;
                         }
-                        let _e3102 = phi_1486_;
-                        let _e3105 = local_15.member_2[1u];
+                        let _e3099 = phi_1363_;
+                        let _e3101 = local_15.member_3;
+                        let _e3105 = local_15.member_1[0u];
                         if (_e3105[0] < 0f) {
-                            phi_1500_ = -(_e3105[0]);
+                            phi_1380_ = -(_e3105[0]);
                         } else {
-                            phi_1500_ = _e3105[0];
+                            phi_1380_ = _e3105[0];
                         }
-                        let _e3112 = phi_1500_;
+                        let _e3112 = phi_1380_;
                         if (_e3105[1] < 0f) {
-                            phi_1507_ = -(_e3105[1]);
+                            phi_1387_ = -(_e3105[1]);
                         } else {
-                            phi_1507_ = _e3105[1];
+                            phi_1387_ = _e3105[1];
                         }
-                        let _e3116 = phi_1507_;
+                        let _e3116 = phi_1387_;
                         if (_e3112 > _e3116) {
-                            phi_1512_ = _e3112;
+                            phi_1392_ = _e3112;
                         } else {
-                            phi_1512_ = _e3116;
+                            phi_1392_ = _e3116;
                         }
-                        let _e3119 = phi_1512_;
+                        let _e3119 = phi_1392_;
                         if (_e3105[2] < 0f) {
-                            phi_1519_ = -(_e3105[2]);
+                            phi_1399_ = -(_e3105[2]);
                         } else {
-                            phi_1519_ = _e3105[2];
+                            phi_1399_ = _e3105[2];
                         }
-                        let _e3123 = phi_1519_;
+                        let _e3123 = phi_1399_;
                         if (_e3119 > _e3123) {
-                            phi_1524_ = _e3119;
+                            phi_1404_ = _e3119;
                         } else {
-                            phi_1524_ = _e3123;
+                            phi_1404_ = _e3123;
                         }
-                        let _e3126 = phi_1524_;
-                        if (_e3102 > _e3126) {
-                            phi_1529_ = _e3102;
+                        let _e3126 = phi_1404_;
+                        let _e3129 = local_15.member_1[1u];
+                        if (_e3129[0] < 0f) {
+                            phi_1418_ = -(_e3129[0]);
                         } else {
-                            phi_1529_ = _e3126;
+                            phi_1418_ = _e3129[0];
                         }
-                        let _e3129 = phi_1529_;
-                        let _e3131 = local_15.member_3;
-                        let _e3138 = local_15.member_3;
-                        phi_1545_ = type_28(0u, 48u);
-                        phi_1548_ = 0f;
+                        let _e3136 = phi_1418_;
+                        if (_e3129[1] < 0f) {
+                            phi_1425_ = -(_e3129[1]);
+                        } else {
+                            phi_1425_ = _e3129[1];
+                        }
+                        let _e3140 = phi_1425_;
+                        if (_e3136 > _e3140) {
+                            phi_1430_ = _e3136;
+                        } else {
+                            phi_1430_ = _e3140;
+                        }
+                        let _e3143 = phi_1430_;
+                        if (_e3129[2] < 0f) {
+                            phi_1437_ = -(_e3129[2]);
+                        } else {
+                            phi_1437_ = _e3129[2];
+                        }
+                        let _e3147 = phi_1437_;
+                        if (_e3143 > _e3147) {
+                            phi_1442_ = _e3143;
+                        } else {
+                            phi_1442_ = _e3147;
+                        }
+                        let _e3150 = phi_1442_;
+                        if (_e3126 > _e3150) {
+                            phi_1447_ = _e3126;
+                        } else {
+                            phi_1447_ = _e3150;
+                        }
+                        let _e3153 = phi_1447_;
+                        let _e3155 = local_15.member_3;
+                        let _e3159 = local_15.member_2[0u];
+                        if (_e3159[0] < 0f) {
+                            phi_1464_ = -(_e3159[0]);
+                        } else {
+                            phi_1464_ = _e3159[0];
+                        }
+                        let _e3166 = phi_1464_;
+                        if (_e3159[1] < 0f) {
+                            phi_1471_ = -(_e3159[1]);
+                        } else {
+                            phi_1471_ = _e3159[1];
+                        }
+                        let _e3170 = phi_1471_;
+                        if (_e3166 > _e3170) {
+                            phi_1476_ = _e3166;
+                        } else {
+                            phi_1476_ = _e3170;
+                        }
+                        let _e3173 = phi_1476_;
+                        if (_e3159[2] < 0f) {
+                            phi_1483_ = -(_e3159[2]);
+                        } else {
+                            phi_1483_ = _e3159[2];
+                        }
+                        let _e3177 = phi_1483_;
+                        if (_e3173 > _e3177) {
+                            phi_1488_ = _e3173;
+                        } else {
+                            phi_1488_ = _e3177;
+                        }
+                        let _e3180 = phi_1488_;
+                        let _e3183 = local_15.member_2[1u];
+                        if (_e3183[0] < 0f) {
+                            phi_1502_ = -(_e3183[0]);
+                        } else {
+                            phi_1502_ = _e3183[0];
+                        }
+                        let _e3190 = phi_1502_;
+                        if (_e3183[1] < 0f) {
+                            phi_1509_ = -(_e3183[1]);
+                        } else {
+                            phi_1509_ = _e3183[1];
+                        }
+                        let _e3194 = phi_1509_;
+                        if (_e3190 > _e3194) {
+                            phi_1514_ = _e3190;
+                        } else {
+                            phi_1514_ = _e3194;
+                        }
+                        let _e3197 = phi_1514_;
+                        if (_e3183[2] < 0f) {
+                            phi_1521_ = -(_e3183[2]);
+                        } else {
+                            phi_1521_ = _e3183[2];
+                        }
+                        let _e3201 = phi_1521_;
+                        if (_e3197 > _e3201) {
+                            phi_1526_ = _e3197;
+                        } else {
+                            phi_1526_ = _e3201;
+                        }
+                        let _e3204 = phi_1526_;
+                        if (_e3180 > _e3204) {
+                            phi_1531_ = _e3180;
+                        } else {
+                            phi_1531_ = _e3204;
+                        }
+                        let _e3207 = phi_1531_;
+                        let _e3209 = local_15.member_3;
+                        let _e3216 = local_15.member_3;
+                        phi_1547_ = type_28(0u, 48u);
+                        phi_1550_ = 0f;
                         loop {
-                            let _e3144 = phi_1545_;
-                            let _e3146 = phi_1548_;
-                            local_74 = _e3146;
-                            local_39 = _e3146;
-                            local_40 = _e3146;
-                            local_41 = _e3146;
-                            if (_e3144.member < _e3144.member_1) {
-                                phi_1546_ = type_28((_e3144.member + 1u), _e3144.member_1);
-                                phi_1571_ = type_28(1u, _e3144.member);
+                            let _e3222 = phi_1547_;
+                            let _e3224 = phi_1550_;
+                            local_82 = _e3224;
+                            local_40 = _e3224;
+                            local_41 = _e3224;
+                            local_42 = _e3224;
+                            local_43 = _e3224;
+                            if (_e3222.member < _e3222.member_1) {
+                                phi_1548_ = type_28((_e3222.member + 1u), _e3222.member_1);
+                                phi_1573_ = type_28(1u, _e3222.member);
                             } else {
-                                phi_1546_ = _e3144;
-                                phi_1571_ = type_28(0u, type_28().member_1);
+                                phi_1548_ = _e3222;
+                                phi_1573_ = type_28(0u, type_28().member_1);
                             }
-                            let _e3160 = phi_1546_;
-                            let _e3162 = phi_1571_;
-                            if (bitcast<i32>(_e3162.member) != 0i) {
-                                let _e3168 = local_15.member[0u];
-                                let _e3174 = local_15.member[1u];
-                                let _e3184 = (_e3168[0] + ((_e3174[0] - _e3168[0]) * _e3146));
-                                let _e3185 = (_e3168[1] + ((_e3174[1] - _e3168[1]) * _e3146));
-                                let _e3186 = (_e3168[2] + ((_e3174[2] - _e3168[2]) * _e3146));
-                                let _e3189 = local_15.member_1[0u];
-                                let _e3195 = local_15.member_1[1u];
-                                let _e3205 = (_e3189[0] + ((_e3195[0] - _e3189[0]) * _e3146));
-                                let _e3206 = (_e3189[1] + ((_e3195[1] - _e3189[1]) * _e3146));
-                                let _e3207 = (_e3189[2] + ((_e3195[2] - _e3189[2]) * _e3146));
-                                let _e3210 = local_15.member_2[0u];
-                                let _e3216 = local_15.member_2[1u];
-                                let _e3226 = (_e3210[0] + ((_e3216[0] - _e3210[0]) * _e3146));
-                                let _e3227 = (_e3210[1] + ((_e3216[1] - _e3210[1]) * _e3146));
-                                let _e3228 = (_e3210[2] + ((_e3216[2] - _e3210[2]) * _e3146));
-                                let _e3233 = (((_e3205 * _e3205) + (_e3206 * _e3206)) + (_e3207 * _e3207));
-                                let _e3238 = (((_e3205 * _e3226) + (_e3206 * _e3227)) + (_e3207 * _e3228));
-                                let _e3243 = (((_e3226 * _e3226) + (_e3227 * _e3227)) + (_e3228 * _e3228));
-                                let _e3248 = (((_e3184 * _e3205) + (_e3185 * _e3206)) + (_e3186 * _e3207));
-                                let _e3253 = (((_e3184 * _e3226) + (_e3185 * _e3227)) + (_e3186 * _e3228));
-                                let _e3256 = ((_e3233 * _e3243) - (_e3238 * _e3238));
-                                let _e3260 = (((_e3248 * _e3243) - (_e3253 * _e3238)) / _e3256);
-                                let _e3264 = (((_e3253 * _e3233) - (_e3248 * _e3238)) / _e3256);
-                                if (_e3260 >= 0f) {
-                                    if (_e3264 >= 0f) {
-                                        phi_1745_ = ((_e3260 + _e3264) <= 1f);
-                                        phi_1746_ = false;
+                            let _e3238 = phi_1548_;
+                            let _e3240 = phi_1573_;
+                            if (bitcast<i32>(_e3240.member) != 0i) {
+                                let _e3246 = local_15.member[0u];
+                                let _e3252 = local_15.member[1u];
+                                let _e3262 = (_e3246[0] + ((_e3252[0] - _e3246[0]) * _e3224));
+                                let _e3263 = (_e3246[1] + ((_e3252[1] - _e3246[1]) * _e3224));
+                                let _e3264 = (_e3246[2] + ((_e3252[2] - _e3246[2]) * _e3224));
+                                let _e3267 = local_15.member_1[0u];
+                                let _e3273 = local_15.member_1[1u];
+                                let _e3283 = (_e3267[0] + ((_e3273[0] - _e3267[0]) * _e3224));
+                                let _e3284 = (_e3267[1] + ((_e3273[1] - _e3267[1]) * _e3224));
+                                let _e3285 = (_e3267[2] + ((_e3273[2] - _e3267[2]) * _e3224));
+                                let _e3288 = local_15.member_2[0u];
+                                let _e3294 = local_15.member_2[1u];
+                                let _e3304 = (_e3288[0] + ((_e3294[0] - _e3288[0]) * _e3224));
+                                let _e3305 = (_e3288[1] + ((_e3294[1] - _e3288[1]) * _e3224));
+                                let _e3306 = (_e3288[2] + ((_e3294[2] - _e3288[2]) * _e3224));
+                                let _e3311 = (((_e3283 * _e3283) + (_e3284 * _e3284)) + (_e3285 * _e3285));
+                                let _e3316 = (((_e3283 * _e3304) + (_e3284 * _e3305)) + (_e3285 * _e3306));
+                                let _e3321 = (((_e3304 * _e3304) + (_e3305 * _e3305)) + (_e3306 * _e3306));
+                                let _e3326 = (((_e3262 * _e3283) + (_e3263 * _e3284)) + (_e3264 * _e3285));
+                                let _e3331 = (((_e3262 * _e3304) + (_e3263 * _e3305)) + (_e3264 * _e3306));
+                                let _e3334 = ((_e3311 * _e3321) - (_e3316 * _e3316));
+                                let _e3338 = (((_e3326 * _e3321) - (_e3331 * _e3316)) / _e3334);
+                                let _e3342 = (((_e3331 * _e3311) - (_e3326 * _e3316)) / _e3334);
+                                if (_e3338 >= 0f) {
+                                    if (_e3342 >= 0f) {
+                                        phi_1747_ = ((_e3338 + _e3342) <= 1f);
+                                        phi_1748_ = false;
                                     } else {
-                                        phi_1745_ = bool();
-                                        phi_1746_ = true;
+                                        phi_1747_ = bool();
+                                        phi_1748_ = true;
                                     }
-                                    let _e3270 = phi_1745_;
-                                    let _e3272 = phi_1746_;
-                                    phi_1747_ = _e3270;
-                                    phi_1748_ = _e3272;
+                                    let _e3348 = phi_1747_;
+                                    let _e3350 = phi_1748_;
+                                    phi_1749_ = _e3348;
+                                    phi_1750_ = _e3350;
                                 } else {
-                                    phi_1747_ = bool();
-                                    phi_1748_ = true;
+                                    phi_1749_ = bool();
+                                    phi_1750_ = true;
                                 }
-                                let _e3274 = phi_1747_;
-                                let _e3276 = phi_1748_;
-                                if _e3276 {
-                                    phi_1752_ = false;
+                                let _e3352 = phi_1749_;
+                                let _e3354 = phi_1750_;
+                                if _e3354 {
+                                    phi_1754_ = false;
                                 } else {
-                                    phi_1752_ = _e3274;
+                                    phi_1754_ = _e3352;
                                 }
-                                let _e3278 = phi_1752_;
-                                if (_e3256 > 0f) {
-                                    if _e3278 {
-                                        phi_1774_ = array<f32, 3>((_e3184 - ((_e3205 * _e3260) + (_e3226 * _e3264))), (_e3185 - ((_e3206 * _e3260) + (_e3227 * _e3264))), (_e3186 - ((_e3207 * _e3260) + (_e3228 * _e3264))));
-                                        phi_1775_ = false;
+                                let _e3356 = phi_1754_;
+                                if (_e3334 > 0f) {
+                                    if _e3356 {
+                                        phi_1776_ = array<f32, 3>((_e3262 - ((_e3283 * _e3338) + (_e3304 * _e3342))), (_e3263 - ((_e3284 * _e3338) + (_e3305 * _e3342))), (_e3264 - ((_e3285 * _e3338) + (_e3306 * _e3342))));
+                                        phi_1777_ = false;
                                     } else {
-                                        phi_1774_ = array<f32, 3>();
-                                        phi_1775_ = true;
+                                        phi_1776_ = array<f32, 3>();
+                                        phi_1777_ = true;
                                     }
-                                    let _e3294 = phi_1774_;
-                                    let _e3296 = phi_1775_;
-                                    phi_1776_ = _e3294;
-                                    phi_1777_ = _e3296;
+                                    let _e3372 = phi_1776_;
+                                    let _e3374 = phi_1777_;
+                                    phi_1778_ = _e3372;
+                                    phi_1779_ = _e3374;
                                 } else {
-                                    phi_1776_ = array<f32, 3>();
-                                    phi_1777_ = true;
+                                    phi_1778_ = array<f32, 3>();
+                                    phi_1779_ = true;
                                 }
-                                let _e3298 = phi_1776_;
-                                let _e3300 = phi_1777_;
-                                if _e3300 {
-                                    let _e3301 = (_e3184 - _e3205);
-                                    let _e3302 = (_e3185 - _e3206);
-                                    let _e3303 = (_e3186 - _e3207);
-                                    let _e3304 = (_e3226 - _e3205);
-                                    let _e3305 = (_e3227 - _e3206);
-                                    let _e3306 = (_e3228 - _e3207);
-                                    let _e3317 = ((((_e3301 * _e3304) + (_e3302 * _e3305)) + (_e3303 * _e3306)) / (((_e3304 * _e3304) + (_e3305 * _e3305)) + (_e3306 * _e3306)));
-                                    if (_e3317 > 0f) {
-                                        if (_e3317 < 1f) {
-                                            phi_1945_ = _e3317;
+                                let _e3376 = phi_1778_;
+                                let _e3378 = phi_1779_;
+                                if _e3378 {
+                                    let _e3379 = (_e3262 - _e3283);
+                                    let _e3380 = (_e3263 - _e3284);
+                                    let _e3381 = (_e3264 - _e3285);
+                                    let _e3382 = (_e3304 - _e3283);
+                                    let _e3383 = (_e3305 - _e3284);
+                                    let _e3384 = (_e3306 - _e3285);
+                                    let _e3395 = ((((_e3379 * _e3382) + (_e3380 * _e3383)) + (_e3381 * _e3384)) / (((_e3382 * _e3382) + (_e3383 * _e3383)) + (_e3384 * _e3384)));
+                                    if (_e3395 > 0f) {
+                                        if (_e3395 < 1f) {
+                                            phi_1947_ = _e3395;
                                         } else {
-                                            phi_1945_ = 1f;
+                                            phi_1947_ = 1f;
                                         }
-                                        let _e3321 = phi_1945_;
-                                        phi_1946_ = _e3321;
+                                        let _e3399 = phi_1947_;
+                                        phi_1948_ = _e3399;
                                     } else {
-                                        phi_1946_ = 0f;
+                                        phi_1948_ = 0f;
                                     }
-                                    let _e3323 = phi_1946_;
-                                    let _e3327 = (_e3301 - (_e3304 * _e3323));
-                                    let _e3328 = (_e3302 - (_e3305 * _e3323));
-                                    let _e3329 = (_e3303 - (_e3306 * _e3323));
-                                    let _e3340 = ((((_e3184 * _e3205) + (_e3185 * _e3206)) + (_e3186 * _e3207)) / (((_e3205 * _e3205) + (_e3206 * _e3206)) + (_e3207 * _e3207)));
-                                    if (_e3340 > 0f) {
-                                        if (_e3340 < 1f) {
-                                            phi_1973_ = _e3340;
+                                    let _e3401 = phi_1948_;
+                                    let _e3405 = (_e3379 - (_e3382 * _e3401));
+                                    let _e3406 = (_e3380 - (_e3383 * _e3401));
+                                    let _e3407 = (_e3381 - (_e3384 * _e3401));
+                                    let _e3418 = ((((_e3262 * _e3283) + (_e3263 * _e3284)) + (_e3264 * _e3285)) / (((_e3283 * _e3283) + (_e3284 * _e3284)) + (_e3285 * _e3285)));
+                                    if (_e3418 > 0f) {
+                                        if (_e3418 < 1f) {
+                                            phi_1975_ = _e3418;
                                         } else {
-                                            phi_1973_ = 1f;
+                                            phi_1975_ = 1f;
                                         }
-                                        let _e3344 = phi_1973_;
-                                        phi_1974_ = _e3344;
+                                        let _e3422 = phi_1975_;
+                                        phi_1976_ = _e3422;
                                     } else {
-                                        phi_1974_ = 0f;
+                                        phi_1976_ = 0f;
                                     }
-                                    let _e3346 = phi_1974_;
-                                    let _e3363 = ((((_e3184 * _e3226) + (_e3185 * _e3227)) + (_e3186 * _e3228)) / (((_e3226 * _e3226) + (_e3227 * _e3227)) + (_e3228 * _e3228)));
-                                    if (_e3363 > 0f) {
-                                        if (_e3363 < 1f) {
-                                            phi_2001_ = _e3363;
+                                    let _e3424 = phi_1976_;
+                                    let _e3441 = ((((_e3262 * _e3304) + (_e3263 * _e3305)) + (_e3264 * _e3306)) / (((_e3304 * _e3304) + (_e3305 * _e3305)) + (_e3306 * _e3306)));
+                                    if (_e3441 > 0f) {
+                                        if (_e3441 < 1f) {
+                                            phi_2003_ = _e3441;
                                         } else {
-                                            phi_2001_ = 1f;
+                                            phi_2003_ = 1f;
                                         }
-                                        let _e3367 = phi_2001_;
-                                        phi_2002_ = _e3367;
+                                        let _e3445 = phi_2003_;
+                                        phi_2004_ = _e3445;
                                     } else {
-                                        phi_2002_ = 0f;
+                                        phi_2004_ = 0f;
                                     }
-                                    let _e3369 = phi_2002_;
-                                    local_11[0u] = array<f32, 3>((_e3184 - (_e3205 * _e3346)), (_e3185 - (_e3206 * _e3346)), (_e3186 - (_e3207 * _e3346)));
-                                    local_11[1u] = array<f32, 3>((_e3184 - (_e3226 * _e3369)), (_e3185 - (_e3227 * _e3369)), (_e3186 - (_e3228 * _e3369)));
-                                    local_11[2u] = array<f32, 3>(_e3327, _e3328, _e3329);
-                                    local_11[3u] = array<f32, 3>(_e3327, _e3328, _e3329);
-                                    let _e3385 = local_11[0u];
-                                    phi_2038_ = type_28(1u, 4u);
-                                    phi_2041_ = array<f32, 3>(_e3385[0], _e3385[1], _e3385[2]);
+                                    let _e3447 = phi_2004_;
+                                    local_11[0u] = array<f32, 3>((_e3262 - (_e3283 * _e3424)), (_e3263 - (_e3284 * _e3424)), (_e3264 - (_e3285 * _e3424)));
+                                    local_11[1u] = array<f32, 3>((_e3262 - (_e3304 * _e3447)), (_e3263 - (_e3305 * _e3447)), (_e3264 - (_e3306 * _e3447)));
+                                    local_11[2u] = array<f32, 3>(_e3405, _e3406, _e3407);
+                                    local_11[3u] = array<f32, 3>(_e3405, _e3406, _e3407);
+                                    let _e3463 = local_11[0u];
+                                    phi_2040_ = type_28(1u, 4u);
+                                    phi_2043_ = array<f32, 3>(_e3463[0], _e3463[1], _e3463[2]);
                                     loop {
-                                        let _e3391 = phi_2038_;
-                                        let _e3393 = phi_2041_;
-                                        local_64 = _e3393;
-                                        if (_e3391.member < _e3391.member_1) {
-                                            phi_2039_ = type_28((_e3391.member + 1u), _e3391.member_1);
-                                            phi_2064_ = type_28(1u, _e3391.member);
+                                        let _e3469 = phi_2040_;
+                                        let _e3471 = phi_2043_;
+                                        local_69 = _e3471;
+                                        if (_e3469.member < _e3469.member_1) {
+                                            phi_2041_ = type_28((_e3469.member + 1u), _e3469.member_1);
+                                            phi_2066_ = type_28(1u, _e3469.member);
                                         } else {
-                                            phi_2039_ = _e3391;
-                                            phi_2064_ = type_28(0u, type_28().member_1);
+                                            phi_2041_ = _e3469;
+                                            phi_2066_ = type_28(0u, type_28().member_1);
                                         }
-                                        let _e3407 = phi_2039_;
-                                        let _e3409 = phi_2064_;
-                                        let _e3413 = (bitcast<i32>(_e3409.member) != 0i);
-                                        if _e3413 {
-                                            if (_e3409.member_1 < 4u) {
+                                        let _e3485 = phi_2041_;
+                                        let _e3487 = phi_2066_;
+                                        let _e3491 = (bitcast<i32>(_e3487.member) != 0i);
+                                        if _e3491 {
+                                            if (_e3487.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3416 = local_11[_e3409.member_1];
-                                            if (_e3409.member_1 < 4u) {
+                                            let _e3494 = local_11[_e3487.member_1];
+                                            if (_e3487.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3422 = local_11[_e3409.member_1];
-                                            if ((((_e3416[0] * _e3422[0]) + (_e3416[1] * _e3422[1])) + (_e3416[2] * _e3422[2])) < (((_e3393[0] * _e3393[0]) + (_e3393[1] * _e3393[1])) + (_e3393[2] * _e3393[2]))) {
-                                                if (_e3409.member_1 < 4u) {
+                                            let _e3500 = local_11[_e3487.member_1];
+                                            if ((((_e3494[0] * _e3500[0]) + (_e3494[1] * _e3500[1])) + (_e3494[2] * _e3500[2])) < (((_e3471[0] * _e3471[0]) + (_e3471[1] * _e3471[1])) + (_e3471[2] * _e3471[2]))) {
+                                                if (_e3487.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e3445 = local_11[_e3409.member_1];
-                                                phi_2131_ = array<f32, 3>(_e3445[0], _e3445[1], _e3445[2]);
+                                                let _e3523 = local_11[_e3487.member_1];
+                                                phi_2133_ = array<f32, 3>(_e3523[0], _e3523[1], _e3523[2]);
                                             } else {
-                                                phi_2131_ = _e3393;
+                                                phi_2133_ = _e3471;
                                             }
-                                            let _e3451 = phi_2131_;
-                                            phi_2042_ = _e3451;
+                                            let _e3529 = phi_2133_;
+                                            phi_2044_ = _e3529;
                                         } else {
-                                            phi_2042_ = array<f32, 3>();
+                                            phi_2044_ = array<f32, 3>();
                                         }
-                                        let _e3453 = phi_2042_;
+                                        let _e3531 = phi_2044_;
                                         continue;
                                         continuing {
-                                            phi_2038_ = _e3407;
-                                            phi_2041_ = _e3453;
-                                            break if !(_e3413);
+                                            phi_2040_ = _e3485;
+                                            phi_2043_ = _e3531;
+                                            break if !(_e3491);
                                         }
                                     }
-                                    let _e5170 = local_64;
-                                    phi_2132_ = _e5170;
+                                    let _e5348 = local_69;
+                                    phi_2134_ = _e5348;
                                 } else {
-                                    phi_2132_ = _e3298;
+                                    phi_2134_ = _e3376;
                                 }
-                                let _e3456 = phi_2132_;
-                                if (_e3456[0] < 0f) {
-                                    phi_2139_ = -(_e3456[0]);
+                                let _e3534 = phi_2134_;
+                                if (_e3534[0] < 0f) {
+                                    phi_2141_ = -(_e3534[0]);
                                 } else {
-                                    phi_2139_ = _e3456[0];
+                                    phi_2141_ = _e3534[0];
                                 }
-                                let _e3461 = phi_2139_;
-                                if (_e3456[1] < 0f) {
-                                    phi_2146_ = -(_e3456[1]);
+                                let _e3539 = phi_2141_;
+                                if (_e3534[1] < 0f) {
+                                    phi_2148_ = -(_e3534[1]);
                                 } else {
-                                    phi_2146_ = _e3456[1];
+                                    phi_2148_ = _e3534[1];
                                 }
-                                let _e3466 = phi_2146_;
-                                if (_e3456[2] < 0f) {
-                                    phi_2154_ = -(_e3456[2]);
+                                let _e3544 = phi_2148_;
+                                if (_e3534[2] < 0f) {
+                                    phi_2156_ = -(_e3534[2]);
                                 } else {
-                                    phi_2154_ = _e3456[2];
+                                    phi_2156_ = _e3534[2];
                                 }
-                                let _e3472 = phi_2154_;
-                                let _e3473 = ((_e3461 + _e3466) + _e3472);
-                                if (_e3473 > 0f) {
-                                    if ((bitcast<u32>(_e3473) & 2139095040u) != 2139095040u) {
-                                        let _e3478 = (1f / _e3473);
-                                        let _e3480 = (_e3456[0] * _e3478);
-                                        let _e3482 = (_e3456[1] * _e3478);
-                                        let _e3484 = (_e3456[2] * _e3478);
-                                        let _e3489 = (((_e3480 * _e3480) + (_e3482 * _e3482)) + (_e3484 * _e3484));
-                                        if (_e3489 <= 0.000000000000000000000000000000000000011754944f) {
-                                            if (_e3489 > 0f) {
-                                                phi_2191_ = (0.000000000000000000106433627f * 2f);
+                                let _e3550 = phi_2156_;
+                                let _e3551 = ((_e3539 + _e3544) + _e3550);
+                                if (_e3551 > 0f) {
+                                    if ((bitcast<u32>(_e3551) & 2139095040u) != 2139095040u) {
+                                        let _e3556 = (1f / _e3551);
+                                        let _e3558 = (_e3534[0] * _e3556);
+                                        let _e3560 = (_e3534[1] * _e3556);
+                                        let _e3562 = (_e3534[2] * _e3556);
+                                        let _e3567 = (((_e3558 * _e3558) + (_e3560 * _e3560)) + (_e3562 * _e3562));
+                                        if (_e3567 <= 0.000000000000000000000000000000000000011754944f) {
+                                            if (_e3567 > 0f) {
+                                                phi_2193_ = (0.000000000000000000106433627f * 2f);
                                             } else {
-                                                phi_2191_ = 0f;
+                                                phi_2193_ = 0f;
                                             }
-                                            let _e3548 = phi_2191_;
-                                            phi_2255_ = _e3548;
+                                            let _e3626 = phi_2193_;
+                                            phi_2257_ = _e3626;
                                         } else {
-                                            phi_2198_ = type_26(0i, 5i);
-                                            phi_2201_ = bitcast<f32>(((bitcast<u32>(_e3489) >> bitcast<u32>(1i)) + 532369198u));
+                                            phi_2200_ = type_26(0i, 5i);
+                                            phi_2203_ = bitcast<f32>(((bitcast<u32>(_e3567) >> bitcast<u32>(1i)) + 532369198u));
                                             loop {
-                                                let _e3497 = phi_2198_;
-                                                let _e3499 = phi_2201_;
-                                                local_33 = _e3499;
-                                                if (_e3497.member < _e3497.member_1) {
-                                                    let _e3507 = (_e3497.member + 1i);
-                                                    if ((false == (_e3507 > _e3497.member)) != false) {
-                                                        phi_2222_ = true;
+                                                let _e3575 = phi_2200_;
+                                                let _e3577 = phi_2203_;
+                                                local_34 = _e3577;
+                                                if (_e3575.member < _e3575.member_1) {
+                                                    let _e3585 = (_e3575.member + 1i);
+                                                    if ((false == (_e3585 > _e3575.member)) != false) {
+                                                        phi_2224_ = true;
                                                     } else {
-                                                        phi_2222_ = false;
+                                                        phi_2224_ = false;
                                                     }
-                                                    let _e3512 = phi_2222_;
-                                                    if _e3512 {
-                                                        phi_2228_ = type_27(0u, type_27().member_1);
+                                                    let _e3590 = phi_2224_;
+                                                    if _e3590 {
+                                                        phi_2230_ = type_27(0u, type_27().member_1);
                                                     } else {
-                                                        phi_2228_ = type_27(1u, _e3507);
+                                                        phi_2230_ = type_27(1u, _e3585);
                                                     }
-                                                    let _e3518 = phi_2228_;
-                                                    if (bitcast<i32>(_e3518.member) != 0i) {
+                                                    let _e3596 = phi_2230_;
+                                                    if (bitcast<i32>(_e3596.member) != 0i) {
                                                     } else {
                                                         return;
                                                     }
-                                                    phi_2199_ = type_26(_e3518.member_1, _e3497.member_1);
-                                                    phi_2242_ = type_27(1u, _e3497.member);
+                                                    phi_2201_ = type_26(_e3596.member_1, _e3575.member_1);
+                                                    phi_2244_ = type_27(1u, _e3575.member);
                                                 } else {
-                                                    phi_2199_ = _e3497;
-                                                    phi_2242_ = type_27(0u, type_27().member_1);
+                                                    phi_2201_ = _e3575;
+                                                    phi_2244_ = type_27(0u, type_27().member_1);
                                                 }
-                                                let _e3528 = phi_2199_;
-                                                let _e3530 = phi_2242_;
-                                                let _e3533 = (bitcast<i32>(_e3530.member) != 0i);
-                                                if _e3533 {
-                                                    phi_2202_ = (0.5f * (_e3499 + (_e3489 / _e3499)));
+                                                let _e3606 = phi_2201_;
+                                                let _e3608 = phi_2244_;
+                                                let _e3611 = (bitcast<i32>(_e3608.member) != 0i);
+                                                if _e3611 {
+                                                    phi_2204_ = (0.5f * (_e3577 + (_e3567 / _e3577)));
                                                 } else {
-                                                    phi_2202_ = f32();
+                                                    phi_2204_ = f32();
                                                 }
-                                                let _e3538 = phi_2202_;
+                                                let _e3616 = phi_2204_;
                                                 continue;
                                                 continuing {
-                                                    phi_2198_ = _e3528;
-                                                    phi_2201_ = _e3538;
-                                                    break if !(_e3533);
+                                                    phi_2200_ = _e3606;
+                                                    phi_2203_ = _e3616;
+                                                    break if !(_e3611);
                                                 }
                                             }
-                                            let _e3543 = local_33;
-                                            phi_2255_ = (_e3543 * (1f + (4f * 0.000000059604645f)));
+                                            let _e3621 = local_34;
+                                            phi_2257_ = (_e3621 * (1f + (8f * 0.000000059604645f)));
                                         }
-                                        let _e3550 = phi_2255_;
-                                        phi_2264_ = type_28(0u, 4u);
-                                        phi_2267_ = 2f;
+                                        let _e3628 = phi_2257_;
+                                        phi_2266_ = type_28(0u, 4u);
+                                        phi_2269_ = 2f;
                                         loop {
-                                            let _e3558 = phi_2264_;
-                                            let _e3560 = phi_2267_;
-                                            local_35 = _e3560;
-                                            local_36 = _e3560;
-                                            local_37 = _e3560;
-                                            local_65 = _e3560;
-                                            local_66 = _e3560;
-                                            if (_e3558.member < _e3558.member_1) {
-                                                phi_2265_ = type_28((_e3558.member + 1u), _e3558.member_1);
-                                                phi_2290_ = type_28(1u, _e3558.member);
+                                            let _e3636 = phi_2266_;
+                                            let _e3638 = phi_2269_;
+                                            local_36 = _e3638;
+                                            local_37 = _e3638;
+                                            local_38 = _e3638;
+                                            local_72 = _e3638;
+                                            local_73 = _e3638;
+                                            if (_e3636.member < _e3636.member_1) {
+                                                phi_2267_ = type_28((_e3636.member + 1u), _e3636.member_1);
+                                                phi_2292_ = type_28(1u, _e3636.member);
                                             } else {
-                                                phi_2265_ = _e3558;
-                                                phi_2290_ = type_28(0u, type_28().member_1);
+                                                phi_2267_ = _e3636;
+                                                phi_2292_ = type_28(0u, type_28().member_1);
                                             }
-                                            let _e3574 = phi_2265_;
-                                            let _e3576 = phi_2290_;
-                                            if (bitcast<i32>(_e3576.member) != 0i) {
-                                                if (_e3576.member_1 < 4u) {
+                                            let _e3652 = phi_2267_;
+                                            let _e3654 = phi_2292_;
+                                            if (bitcast<i32>(_e3654.member) != 0i) {
+                                                if (_e3654.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e3583 = local_12[_e3576.member_1];
-                                                let _e3591 = (((_e3480 * _e3583[0]) + (_e3482 * _e3583[1])) + (_e3484 * _e3583[2]));
-                                                if (_e3576.member_1 < 4u) {
+                                                let _e3661 = local_12[_e3654.member_1];
+                                                let _e3669 = (((_e3558 * _e3661[0]) + (_e3560 * _e3661[1])) + (_e3562 * _e3661[2]));
+                                                if (_e3654.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e3594 = local_13[_e3576.member_1];
-                                                let _e3602 = (((_e3480 * _e3594[0]) + (_e3482 * _e3594[1])) + (_e3484 * _e3594[2]));
-                                                if (_e3591 < 0f) {
-                                                    phi_2341_ = -(_e3591);
+                                                let _e3672 = local_13[_e3654.member_1];
+                                                let _e3680 = (((_e3558 * _e3672[0]) + (_e3560 * _e3672[1])) + (_e3562 * _e3672[2]));
+                                                if (_e3669 < 0f) {
+                                                    phi_2343_ = -(_e3669);
                                                 } else {
-                                                    phi_2341_ = _e3591;
+                                                    phi_2343_ = _e3669;
                                                 }
-                                                let _e3606 = phi_2341_;
-                                                if (_e3602 < 0f) {
-                                                    phi_2347_ = -(_e3602);
+                                                let _e3684 = phi_2343_;
+                                                if (_e3680 < 0f) {
+                                                    phi_2349_ = -(_e3680);
                                                 } else {
-                                                    phi_2347_ = _e3602;
+                                                    phi_2349_ = _e3680;
                                                 }
-                                                let _e3610 = phi_2347_;
-                                                let _e3614 = (((((((((_e3021 + _e3023) + (_e3075 + _e3077)) + (_e3129 + _e3131)) * (0.000000059604645f * 16f)) + (_e3138 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e262 * _e3550) * (1f + (0.000000059604645f * 8f)))) + ((_e3606 + _e3610) * (0.000000059604645f * 8f)));
-                                                if (_e3591 > _e3614) {
-                                                    if (_e3602 > _e3614) {
-                                                        phi_2360_ = false;
+                                                let _e3688 = phi_2349_;
+                                                let _e3692 = (((((((((_e3099 + _e3101) + (_e3153 + _e3155)) + (_e3207 + _e3209)) * (0.000000059604645f * 16f)) + (_e3216 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e264 * _e3628) * (1f + (0.000000059604645f * 8f)))) + ((_e3684 + _e3688) * (0.000000059604645f * 8f)));
+                                                if (_e3669 > _e3692) {
+                                                    if (_e3680 > _e3692) {
+                                                        phi_2362_ = false;
                                                     } else {
-                                                        phi_2360_ = true;
+                                                        phi_2362_ = true;
                                                     }
-                                                    let _e3618 = phi_2360_;
-                                                    phi_2361_ = _e3618;
+                                                    let _e3696 = phi_2362_;
+                                                    phi_2363_ = _e3696;
                                                 } else {
-                                                    phi_2361_ = true;
+                                                    phi_2363_ = true;
                                                 }
-                                                let _e3620 = phi_2361_;
-                                                if _e3620 {
-                                                    let _e3624 = ((_e3591 + ((_e3602 - _e3591) * _e3146)) > _e3614);
-                                                    if _e3624 {
-                                                        if (_e3602 < _e3591) {
-                                                            let _e3631 = (((_e3591 - _e3614) / (_e3591 - _e3602)) * (1f - (0.000000059604645f * 16f)));
-                                                            if (_e3560 < _e3631) {
-                                                                phi_2386_ = _e3560;
+                                                let _e3698 = phi_2363_;
+                                                if _e3698 {
+                                                    if ((_e3669 + ((_e3680 - _e3669) * _e3224)) > _e3692) {
+                                                        if (_e3680 < _e3669) {
+                                                            let _e3706 = ((_e3669 - _e3680) <= (0.25f / 0.000000000000000000000000000000000000011754944f));
+                                                            if _e3706 {
+                                                                let _e3712 = (((_e3669 - _e3692) / (_e3669 - _e3680)) * (1f - (0.000000059604645f * 16f)));
+                                                                if (_e3638 < _e3712) {
+                                                                    phi_2394_ = _e3638;
+                                                                } else {
+                                                                    phi_2394_ = _e3712;
+                                                                }
+                                                                let _e3715 = phi_2394_;
+                                                                phi_2395_ = _e3715;
                                                             } else {
-                                                                phi_2386_ = _e3631;
+                                                                phi_2395_ = f32();
                                                             }
-                                                            let _e3634 = phi_2386_;
-                                                            phi_2387_ = _e3634;
+                                                            let _e3717 = phi_2395_;
+                                                            phi_2396_ = _e3717;
+                                                            phi_2397_ = _e3706;
                                                         } else {
-                                                            phi_2387_ = _e3560;
+                                                            phi_2396_ = _e3638;
+                                                            phi_2397_ = true;
                                                         }
-                                                        let _e3636 = phi_2387_;
-                                                        phi_2388_ = _e3636;
+                                                        let _e3719 = phi_2396_;
+                                                        let _e3721 = phi_2397_;
+                                                        if _e3721 {
+                                                            phi_2401_ = false;
+                                                        } else {
+                                                            phi_2401_ = true;
+                                                        }
+                                                        let _e3723 = phi_2401_;
+                                                        phi_2402_ = _e3719;
+                                                        phi_2403_ = _e3721;
+                                                        phi_2404_ = _e3723;
+                                                        phi_2405_ = false;
                                                     } else {
-                                                        phi_2388_ = f32();
+                                                        phi_2402_ = f32();
+                                                        phi_2403_ = false;
+                                                        phi_2404_ = false;
+                                                        phi_2405_ = true;
                                                     }
-                                                    let _e3638 = phi_2388_;
-                                                    phi_2389_ = _e3638;
-                                                    phi_2390_ = _e3624;
+                                                    let _e3725 = phi_2402_;
+                                                    let _e3727 = phi_2403_;
+                                                    let _e3729 = phi_2404_;
+                                                    let _e3731 = phi_2405_;
+                                                    phi_2406_ = _e3725;
+                                                    phi_2407_ = _e3727;
+                                                    phi_2408_ = _e3729;
+                                                    phi_2409_ = _e3731;
                                                 } else {
-                                                    phi_2389_ = _e3560;
-                                                    phi_2390_ = true;
+                                                    phi_2406_ = _e3638;
+                                                    phi_2407_ = true;
+                                                    phi_2408_ = false;
+                                                    phi_2409_ = false;
                                                 }
-                                                let _e3640 = phi_2389_;
-                                                let _e3642 = phi_2390_;
-                                                phi_2268_ = _e3640;
-                                                phi_2391_ = _e3642;
-                                                phi_2392_ = false;
+                                                let _e3733 = phi_2406_;
+                                                let _e3735 = phi_2407_;
+                                                let _e3737 = phi_2408_;
+                                                let _e3739 = phi_2409_;
+                                                phi_2270_ = _e3733;
+                                                phi_2410_ = _e3735;
+                                                phi_2411_ = false;
+                                                phi_2412_ = _e3737;
+                                                phi_2413_ = _e3739;
                                             } else {
-                                                phi_2268_ = f32();
-                                                phi_2391_ = false;
-                                                phi_2392_ = true;
+                                                phi_2270_ = f32();
+                                                phi_2410_ = false;
+                                                phi_2411_ = true;
+                                                phi_2412_ = false;
+                                                phi_2413_ = false;
                                             }
-                                            let _e3644 = phi_2268_;
-                                            let _e3646 = phi_2391_;
-                                            let _e3648 = phi_2392_;
-                                            local_34 = _e3648;
+                                            let _e3741 = phi_2270_;
+                                            let _e3743 = phi_2410_;
+                                            let _e3745 = phi_2411_;
+                                            let _e3747 = phi_2412_;
+                                            let _e3749 = phi_2413_;
+                                            local_35 = _e3745;
+                                            local_70 = _e3747;
+                                            local_71 = _e3749;
                                             continue;
                                             continuing {
-                                                phi_2264_ = _e3574;
-                                                phi_2267_ = _e3644;
-                                                break if !(_e3646);
+                                                phi_2266_ = _e3652;
+                                                phi_2269_ = _e3741;
+                                                break if !(_e3743);
                                             }
                                         }
-                                        let _e3651 = local_34;
-                                        if _e3651 {
-                                            let _e3653 = local_35;
-                                            let _e3654 = (_e3653 > 1f);
-                                            if _e3654 {
-                                                phi_2413_ = false;
-                                                phi_2414_ = false;
-                                                phi_2415_ = false;
+                                        let _e3752 = local_35;
+                                        if _e3752 {
+                                            let _e3754 = local_36;
+                                            let _e3755 = (_e3754 > 1f);
+                                            if _e3755 {
+                                                phi_2434_ = false;
+                                                phi_2435_ = false;
+                                                phi_2436_ = false;
                                             } else {
-                                                let _e3656 = local_36;
-                                                if (_e3656 > _e3146) {
-                                                    let _e3659 = local_37;
-                                                    let _e3661 = ((_e3659 - _e3146) < 0.00000000023283064f);
-                                                    if _e3661 {
-                                                        phi_2409_ = false;
+                                                let _e3757 = local_37;
+                                                if (_e3757 > _e3224) {
+                                                    let _e3760 = local_38;
+                                                    let _e3762 = ((_e3760 - _e3224) < 0.00000000023283064f);
+                                                    if _e3762 {
+                                                        phi_2430_ = false;
                                                     } else {
-                                                        phi_2409_ = true;
+                                                        phi_2430_ = true;
                                                     }
-                                                    let _e3663 = phi_2409_;
-                                                    phi_2410_ = _e3663;
-                                                    phi_2411_ = _e3661;
-                                                    phi_2412_ = false;
+                                                    let _e3764 = phi_2430_;
+                                                    phi_2431_ = _e3764;
+                                                    phi_2432_ = _e3762;
+                                                    phi_2433_ = false;
                                                 } else {
-                                                    phi_2410_ = false;
-                                                    phi_2411_ = false;
-                                                    phi_2412_ = true;
+                                                    phi_2431_ = false;
+                                                    phi_2432_ = false;
+                                                    phi_2433_ = true;
                                                 }
-                                                let _e3665 = phi_2410_;
-                                                let _e3667 = phi_2411_;
-                                                let _e3669 = phi_2412_;
-                                                phi_2413_ = _e3665;
-                                                phi_2414_ = _e3667;
-                                                phi_2415_ = _e3669;
+                                                let _e3766 = phi_2431_;
+                                                let _e3768 = phi_2432_;
+                                                let _e3770 = phi_2433_;
+                                                phi_2434_ = _e3766;
+                                                phi_2435_ = _e3768;
+                                                phi_2436_ = _e3770;
                                             }
-                                            let _e3671 = phi_2413_;
-                                            let _e3673 = phi_2414_;
-                                            let _e3675 = phi_2415_;
-                                            phi_2416_ = _e3671;
-                                            phi_2417_ = _e3654;
-                                            phi_2418_ = _e3673;
-                                            phi_2419_ = _e3675;
-                                            phi_2420_ = false;
+                                            let _e3772 = phi_2434_;
+                                            let _e3774 = phi_2435_;
+                                            let _e3776 = phi_2436_;
+                                            phi_2437_ = _e3772;
+                                            phi_2438_ = _e3755;
+                                            phi_2439_ = _e3774;
+                                            phi_2440_ = _e3776;
+                                            phi_2441_ = false;
+                                            phi_2442_ = false;
                                         } else {
-                                            phi_2416_ = false;
-                                            phi_2417_ = false;
-                                            phi_2418_ = false;
-                                            phi_2419_ = false;
-                                            phi_2420_ = true;
+                                            phi_2437_ = false;
+                                            phi_2438_ = false;
+                                            phi_2439_ = false;
+                                            phi_2440_ = false;
+                                            let _e5405 = local_70;
+                                            phi_2441_ = _e5405;
+                                            let _e5408 = local_71;
+                                            phi_2442_ = _e5408;
                                         }
-                                        let _e3677 = phi_2416_;
-                                        let _e3679 = phi_2417_;
-                                        let _e3681 = phi_2418_;
-                                        let _e3683 = phi_2419_;
-                                        let _e3685 = phi_2420_;
-                                        let _e5218 = local_65;
-                                        phi_2421_ = _e5218;
-                                        let _e5221 = local_66;
-                                        phi_2422_ = _e5221;
-                                        phi_2423_ = _e3677;
-                                        phi_2424_ = _e3679;
-                                        phi_2425_ = _e3681;
-                                        phi_2426_ = _e3683;
-                                        phi_2427_ = _e3685;
-                                        phi_2428_ = false;
+                                        let _e3778 = phi_2437_;
+                                        let _e3780 = phi_2438_;
+                                        let _e3782 = phi_2439_;
+                                        let _e3784 = phi_2440_;
+                                        let _e3786 = phi_2441_;
+                                        let _e3788 = phi_2442_;
+                                        let _e5411 = local_72;
+                                        phi_2443_ = _e5411;
+                                        let _e5414 = local_73;
+                                        phi_2444_ = _e5414;
+                                        phi_2445_ = _e3778;
+                                        phi_2446_ = _e3780;
+                                        phi_2447_ = _e3782;
+                                        phi_2448_ = _e3784;
+                                        phi_2449_ = _e3786;
+                                        phi_2450_ = _e3788;
+                                        phi_2451_ = false;
                                     } else {
-                                        phi_2421_ = f32();
-                                        phi_2422_ = f32();
-                                        phi_2423_ = false;
-                                        phi_2424_ = false;
-                                        phi_2425_ = false;
-                                        phi_2426_ = false;
-                                        phi_2427_ = false;
-                                        phi_2428_ = true;
+                                        phi_2443_ = f32();
+                                        phi_2444_ = f32();
+                                        phi_2445_ = false;
+                                        phi_2446_ = false;
+                                        phi_2447_ = false;
+                                        phi_2448_ = false;
+                                        phi_2449_ = false;
+                                        phi_2450_ = false;
+                                        phi_2451_ = true;
                                     }
-                                    let _e3687 = phi_2421_;
-                                    let _e3689 = phi_2422_;
-                                    let _e3691 = phi_2423_;
-                                    let _e3693 = phi_2424_;
-                                    let _e3695 = phi_2425_;
-                                    let _e3697 = phi_2426_;
-                                    let _e3699 = phi_2427_;
-                                    let _e3701 = phi_2428_;
-                                    phi_2429_ = _e3687;
-                                    phi_2430_ = _e3689;
-                                    phi_2431_ = _e3691;
-                                    phi_2432_ = _e3693;
-                                    phi_2433_ = _e3695;
-                                    phi_2434_ = _e3697;
-                                    phi_2435_ = _e3699;
-                                    phi_2436_ = _e3701;
-                                    phi_2437_ = false;
+                                    let _e3790 = phi_2443_;
+                                    let _e3792 = phi_2444_;
+                                    let _e3794 = phi_2445_;
+                                    let _e3796 = phi_2446_;
+                                    let _e3798 = phi_2447_;
+                                    let _e3800 = phi_2448_;
+                                    let _e3802 = phi_2449_;
+                                    let _e3804 = phi_2450_;
+                                    let _e3806 = phi_2451_;
+                                    phi_2452_ = _e3790;
+                                    phi_2453_ = _e3792;
+                                    phi_2454_ = _e3794;
+                                    phi_2455_ = _e3796;
+                                    phi_2456_ = _e3798;
+                                    phi_2457_ = _e3800;
+                                    phi_2458_ = _e3802;
+                                    phi_2459_ = _e3804;
+                                    phi_2460_ = _e3806;
+                                    phi_2461_ = false;
                                 } else {
-                                    phi_2429_ = f32();
-                                    phi_2430_ = f32();
-                                    phi_2431_ = false;
-                                    phi_2432_ = false;
-                                    phi_2433_ = false;
-                                    phi_2434_ = false;
-                                    phi_2435_ = false;
-                                    phi_2436_ = false;
-                                    phi_2437_ = true;
+                                    phi_2452_ = f32();
+                                    phi_2453_ = f32();
+                                    phi_2454_ = false;
+                                    phi_2455_ = false;
+                                    phi_2456_ = false;
+                                    phi_2457_ = false;
+                                    phi_2458_ = false;
+                                    phi_2459_ = false;
+                                    phi_2460_ = false;
+                                    phi_2461_ = true;
                                 }
-                                let _e3703 = phi_2429_;
-                                let _e3705 = phi_2430_;
-                                let _e3707 = phi_2431_;
-                                let _e3709 = phi_2432_;
-                                let _e3711 = phi_2433_;
-                                let _e3713 = phi_2434_;
-                                let _e3715 = phi_2435_;
-                                let _e3717 = phi_2436_;
-                                let _e3719 = phi_2437_;
-                                phi_2438_ = _e3703;
-                                phi_1549_ = _e3705;
-                                phi_2439_ = _e3707;
-                                phi_2440_ = _e3709;
-                                phi_2441_ = _e3711;
-                                phi_2442_ = false;
-                                phi_2443_ = _e3713;
-                                phi_2444_ = _e3715;
-                                phi_2445_ = _e3717;
-                                phi_2446_ = _e3719;
+                                let _e3808 = phi_2452_;
+                                let _e3810 = phi_2453_;
+                                let _e3812 = phi_2454_;
+                                let _e3814 = phi_2455_;
+                                let _e3816 = phi_2456_;
+                                let _e3818 = phi_2457_;
+                                let _e3820 = phi_2458_;
+                                let _e3822 = phi_2459_;
+                                let _e3824 = phi_2460_;
+                                let _e3826 = phi_2461_;
+                                phi_2462_ = _e3808;
+                                phi_1551_ = _e3810;
+                                phi_2463_ = _e3812;
+                                phi_2464_ = _e3814;
+                                phi_2465_ = _e3816;
+                                phi_2466_ = false;
+                                phi_2467_ = _e3818;
+                                phi_2468_ = _e3820;
+                                phi_2469_ = _e3822;
+                                phi_2470_ = _e3824;
+                                phi_2471_ = _e3826;
                             } else {
-                                phi_2438_ = f32();
-                                phi_1549_ = f32();
-                                phi_2439_ = false;
-                                phi_2440_ = false;
-                                phi_2441_ = false;
-                                phi_2442_ = true;
-                                phi_2443_ = false;
-                                phi_2444_ = false;
-                                phi_2445_ = false;
-                                phi_2446_ = false;
+                                phi_2462_ = f32();
+                                phi_1551_ = f32();
+                                phi_2463_ = false;
+                                phi_2464_ = false;
+                                phi_2465_ = false;
+                                phi_2466_ = true;
+                                phi_2467_ = false;
+                                phi_2468_ = false;
+                                phi_2469_ = false;
+                                phi_2470_ = false;
+                                phi_2471_ = false;
                             }
-                            let _e3721 = phi_2438_;
-                            let _e3723 = phi_1549_;
-                            let _e3725 = phi_2439_;
-                            let _e3727 = phi_2440_;
-                            let _e3729 = phi_2441_;
-                            let _e3731 = phi_2442_;
-                            let _e3733 = phi_2443_;
-                            let _e3735 = phi_2444_;
-                            let _e3737 = phi_2445_;
-                            let _e3739 = phi_2446_;
-                            local_38 = _e3727;
-                            local_67 = _e3729;
-                            local_68 = _e3731;
-                            local_69 = _e3733;
-                            local_70 = _e3735;
-                            local_71 = _e3737;
-                            local_72 = _e3739;
-                            local_73 = _e3721;
-                            local_75 = _e3727;
+                            let _e3828 = phi_2462_;
+                            let _e3830 = phi_1551_;
+                            let _e3832 = phi_2463_;
+                            let _e3834 = phi_2464_;
+                            let _e3836 = phi_2465_;
+                            let _e3838 = phi_2466_;
+                            let _e3840 = phi_2467_;
+                            let _e3842 = phi_2468_;
+                            let _e3844 = phi_2469_;
+                            let _e3846 = phi_2470_;
+                            let _e3848 = phi_2471_;
+                            local_39 = _e3834;
+                            local_74 = _e3836;
+                            local_75 = _e3838;
+                            local_76 = _e3840;
+                            local_77 = _e3842;
+                            local_78 = _e3844;
+                            local_79 = _e3846;
+                            local_80 = _e3848;
+                            local_81 = _e3828;
+                            local_83 = _e3834;
                             continue;
                             continuing {
-                                phi_1545_ = _e3160;
-                                phi_1548_ = _e3723;
-                                break if !(_e3725);
+                                phi_1547_ = _e3238;
+                                phi_1550_ = _e3830;
+                                break if !(_e3832);
                             }
                         }
-                        let _e3742 = local_38;
-                        if _e3742 {
-                            phi_2451_ = type_55(0u, type_55().member_1);
-                            phi_2452_ = false;
-                            phi_2453_ = false;
-                            phi_2454_ = false;
-                            phi_2455_ = false;
-                            phi_2456_ = false;
-                            phi_2457_ = false;
-                        } else {
-                            phi_2451_ = type_55();
-                            let _e5251 = local_67;
-                            phi_2452_ = _e5251;
-                            let _e5254 = local_68;
-                            phi_2453_ = _e5254;
-                            let _e5257 = local_69;
-                            phi_2454_ = _e5257;
-                            let _e5260 = local_70;
-                            phi_2455_ = _e5260;
-                            let _e5263 = local_71;
-                            phi_2456_ = _e5263;
-                            let _e5266 = local_72;
-                            phi_2457_ = _e5266;
-                        }
-                        let _e3747 = phi_2451_;
-                        let _e3749 = phi_2452_;
-                        let _e3751 = phi_2453_;
-                        let _e3753 = phi_2454_;
-                        let _e3755 = phi_2455_;
-                        let _e3757 = phi_2456_;
-                        let _e3759 = phi_2457_;
-                        if _e3749 {
-                            let _e5269 = local_73;
-                            phi_2461_ = _e5269;
-                            phi_2462_ = true;
-                            phi_2463_ = false;
-                            phi_2464_ = false;
-                            phi_2465_ = false;
-                            phi_2466_ = false;
-                            phi_2467_ = false;
-                        } else {
-                            let _e5271 = local_74;
-                            phi_2461_ = _e5271;
-                            phi_2462_ = _e3751;
-                            phi_2463_ = _e3753;
-                            phi_2464_ = _e3755;
-                            let _e5277 = local_75;
-                            phi_2465_ = _e5277;
-                            phi_2466_ = _e3757;
-                            phi_2467_ = _e3759;
-                        }
-                        let _e3761 = phi_2461_;
-                        let _e3763 = phi_2462_;
-                        let _e3765 = phi_2463_;
-                        let _e3767 = phi_2464_;
-                        let _e3769 = phi_2465_;
-                        let _e3771 = phi_2466_;
-                        let _e3773 = phi_2467_;
-                        if _e3763 {
-                            phi_2472_ = type_55(1u, _e3761);
-                            phi_2473_ = false;
-                            phi_2474_ = false;
-                            phi_2475_ = false;
-                            phi_2476_ = false;
+                        let _e3851 = local_39;
+                        if _e3851 {
+                            phi_2476_ = type_55(0u, type_55().member_1);
                             phi_2477_ = false;
-                        } else {
-                            phi_2472_ = type_55();
-                            phi_2473_ = _e3765;
-                            phi_2474_ = _e3767;
-                            phi_2475_ = _e3769;
-                            phi_2476_ = _e3771;
-                            phi_2477_ = _e3773;
-                        }
-                        let _e3776 = phi_2472_;
-                        let _e3778 = phi_2473_;
-                        let _e3780 = phi_2474_;
-                        let _e3782 = phi_2475_;
-                        let _e3784 = phi_2476_;
-                        let _e3786 = phi_2477_;
-                        if _e3778 {
-                            let _e3788 = local_39;
-                            phi_2482_ = type_55(1u, _e3788);
+                            phi_2478_ = false;
+                            phi_2479_ = false;
+                            phi_2480_ = false;
+                            phi_2481_ = false;
+                            phi_2482_ = false;
                             phi_2483_ = false;
-                            phi_2484_ = true;
-                            phi_2485_ = false;
-                            phi_2486_ = false;
                         } else {
-                            phi_2482_ = _e3747;
-                            phi_2483_ = _e3780;
-                            phi_2484_ = _e3782;
-                            phi_2485_ = _e3784;
-                            phi_2486_ = _e3786;
+                            phi_2476_ = type_55();
+                            let _e5447 = local_74;
+                            phi_2477_ = _e5447;
+                            let _e5450 = local_75;
+                            phi_2478_ = _e5450;
+                            let _e5453 = local_76;
+                            phi_2479_ = _e5453;
+                            let _e5456 = local_77;
+                            phi_2480_ = _e5456;
+                            let _e5459 = local_78;
+                            phi_2481_ = _e5459;
+                            let _e5462 = local_79;
+                            phi_2482_ = _e5462;
+                            let _e5465 = local_80;
+                            phi_2483_ = _e5465;
                         }
-                        let _e3791 = phi_2482_;
-                        let _e3793 = phi_2483_;
-                        let _e3795 = phi_2484_;
-                        let _e3797 = phi_2485_;
-                        let _e3799 = phi_2486_;
-                        if _e3793 {
-                            let _e3801 = local_40;
-                            phi_2491_ = type_55(1u, _e3801);
-                            phi_2492_ = true;
+                        let _e3856 = phi_2476_;
+                        let _e3858 = phi_2477_;
+                        let _e3860 = phi_2478_;
+                        let _e3862 = phi_2479_;
+                        let _e3864 = phi_2480_;
+                        let _e3866 = phi_2481_;
+                        let _e3868 = phi_2482_;
+                        let _e3870 = phi_2483_;
+                        if _e3858 {
+                            let _e5468 = local_81;
+                            phi_2487_ = _e5468;
+                            phi_2488_ = true;
+                            phi_2489_ = false;
+                            phi_2490_ = false;
+                            phi_2491_ = false;
+                            phi_2492_ = false;
                             phi_2493_ = false;
                             phi_2494_ = false;
                         } else {
-                            phi_2491_ = _e3791;
-                            phi_2492_ = _e3795;
-                            phi_2493_ = _e3797;
-                            phi_2494_ = _e3799;
+                            let _e5470 = local_82;
+                            phi_2487_ = _e5470;
+                            phi_2488_ = _e3860;
+                            phi_2489_ = _e3862;
+                            phi_2490_ = _e3864;
+                            phi_2491_ = _e3866;
+                            let _e5477 = local_83;
+                            phi_2492_ = _e5477;
+                            phi_2493_ = _e3868;
+                            phi_2494_ = _e3870;
                         }
-                        let _e3804 = phi_2491_;
-                        let _e3806 = phi_2492_;
-                        let _e3808 = phi_2493_;
-                        let _e3810 = phi_2494_;
-                        if _e3806 {
-                            phi_2498_ = false;
-                            phi_2499_ = false;
-                        } else {
-                            phi_2498_ = _e3808;
-                            phi_2499_ = _e3810;
-                        }
-                        let _e3812 = phi_2498_;
-                        let _e3814 = phi_2499_;
-                        if _e3812 {
+                        let _e3872 = phi_2487_;
+                        let _e3874 = phi_2488_;
+                        let _e3876 = phi_2489_;
+                        let _e3878 = phi_2490_;
+                        let _e3880 = phi_2491_;
+                        let _e3882 = phi_2492_;
+                        let _e3884 = phi_2493_;
+                        let _e3886 = phi_2494_;
+                        if _e3874 {
+                            phi_2499_ = type_55(1u, _e3872);
+                            phi_2500_ = false;
+                            phi_2501_ = false;
+                            phi_2502_ = false;
                             phi_2503_ = false;
                             phi_2504_ = false;
+                            phi_2505_ = false;
                         } else {
-                            phi_2503_ = _e3814;
-                            phi_2504_ = _e3806;
+                            phi_2499_ = type_55();
+                            phi_2500_ = _e3876;
+                            phi_2501_ = _e3878;
+                            phi_2502_ = _e3880;
+                            phi_2503_ = _e3882;
+                            phi_2504_ = _e3884;
+                            phi_2505_ = _e3886;
                         }
-                        let _e3816 = phi_2503_;
-                        let _e3818 = phi_2504_;
-                        if _e3816 {
-                            phi_2508_ = true;
-                            phi_2509_ = false;
+                        let _e3889 = phi_2499_;
+                        let _e3891 = phi_2500_;
+                        let _e3893 = phi_2501_;
+                        let _e3895 = phi_2502_;
+                        let _e3897 = phi_2503_;
+                        let _e3899 = phi_2504_;
+                        let _e3901 = phi_2505_;
+                        if _e3891 {
+                            let _e3903 = local_40;
+                            phi_2510_ = type_55(1u, _e3903);
+                            phi_2511_ = false;
+                            phi_2512_ = false;
+                            phi_2513_ = true;
+                            phi_2514_ = false;
+                            phi_2515_ = false;
                         } else {
-                            phi_2508_ = _e3812;
-                            phi_2509_ = _e3818;
+                            phi_2510_ = _e3856;
+                            phi_2511_ = _e3893;
+                            phi_2512_ = _e3895;
+                            phi_2513_ = _e3897;
+                            phi_2514_ = _e3899;
+                            phi_2515_ = _e3901;
                         }
-                        let _e3820 = phi_2508_;
-                        let _e3822 = phi_2509_;
-                        if _e3820 {
-                            let _e3824 = local_41;
-                            phi_2514_ = type_55(1u, _e3824);
-                            phi_2515_ = true;
+                        let _e3906 = phi_2510_;
+                        let _e3908 = phi_2511_;
+                        let _e3910 = phi_2512_;
+                        let _e3912 = phi_2513_;
+                        let _e3914 = phi_2514_;
+                        let _e3916 = phi_2515_;
+                        if _e3908 {
+                            let _e3918 = local_41;
+                            phi_2520_ = type_55(1u, _e3918);
+                            phi_2521_ = false;
+                            phi_2522_ = false;
+                            phi_2523_ = false;
+                            phi_2524_ = false;
                         } else {
-                            phi_2514_ = _e3804;
-                            phi_2515_ = _e3822;
+                            phi_2520_ = type_55();
+                            phi_2521_ = _e3910;
+                            phi_2522_ = _e3912;
+                            phi_2523_ = _e3914;
+                            phi_2524_ = _e3916;
                         }
-                        let _e3827 = phi_2514_;
-                        let _e3829 = phi_2515_;
-                        if _e3829 {
-                            phi_2519_ = _e3827;
+                        let _e3921 = phi_2520_;
+                        let _e3923 = phi_2521_;
+                        let _e3925 = phi_2522_;
+                        let _e3927 = phi_2523_;
+                        let _e3929 = phi_2524_;
+                        if _e3923 {
+                            let _e3931 = local_42;
+                            phi_2529_ = type_55(1u, _e3931);
+                            phi_2530_ = true;
+                            phi_2531_ = false;
+                            phi_2532_ = false;
+                            phi_2533_ = false;
                         } else {
-                            phi_2519_ = _e3776;
+                            phi_2529_ = _e3921;
+                            phi_2530_ = _e3908;
+                            phi_2531_ = _e3925;
+                            phi_2532_ = _e3927;
+                            phi_2533_ = _e3929;
                         }
-                        let _e3831 = phi_2519_;
-                        if (_e3831.member != 0u) {
+                        let _e3934 = phi_2529_;
+                        let _e3936 = phi_2530_;
+                        let _e3938 = phi_2531_;
+                        let _e3940 = phi_2532_;
+                        let _e3942 = phi_2533_;
+                        if _e3936 {
+                            phi_2537_ = _e3934;
+                            phi_2538_ = true;
+                            phi_2539_ = false;
+                            phi_2540_ = false;
+                        } else {
+                            phi_2537_ = _e3906;
+                            phi_2538_ = _e3938;
+                            phi_2539_ = _e3940;
+                            phi_2540_ = _e3942;
+                        }
+                        let _e3944 = phi_2537_;
+                        let _e3946 = phi_2538_;
+                        let _e3948 = phi_2539_;
+                        let _e3950 = phi_2540_;
+                        if _e3946 {
+                            phi_2544_ = false;
+                            phi_2545_ = false;
+                        } else {
+                            phi_2544_ = _e3948;
+                            phi_2545_ = _e3950;
+                        }
+                        let _e3952 = phi_2544_;
+                        let _e3954 = phi_2545_;
+                        if _e3952 {
+                            phi_2549_ = false;
+                            phi_2550_ = false;
+                        } else {
+                            phi_2549_ = _e3954;
+                            phi_2550_ = _e3946;
+                        }
+                        let _e3956 = phi_2549_;
+                        let _e3958 = phi_2550_;
+                        if _e3956 {
+                            phi_2554_ = true;
+                            phi_2555_ = false;
+                        } else {
+                            phi_2554_ = _e3952;
+                            phi_2555_ = _e3958;
+                        }
+                        let _e3960 = phi_2554_;
+                        let _e3962 = phi_2555_;
+                        if _e3960 {
+                            let _e3964 = local_43;
+                            phi_2560_ = type_55(1u, _e3964);
+                            phi_2561_ = true;
+                        } else {
+                            phi_2560_ = _e3944;
+                            phi_2561_ = _e3962;
+                        }
+                        let _e3967 = phi_2560_;
+                        let _e3969 = phi_2561_;
+                        if _e3969 {
+                            phi_2565_ = _e3967;
+                        } else {
+                            phi_2565_ = _e3889;
+                        }
+                        let _e3971 = phi_2565_;
+                        if (_e3971.member != 0u) {
                             local_14[0u] = 0f;
                             local_14[1u] = (0.02f * 0.0000005f);
                             local_14[2u] = (1.8f * 0.0000005f);
-                            phi_2533_ = type_28(0u, 3u);
+                            phi_2579_ = type_28(0u, 3u);
                             loop {
-                                let _e3844 = phi_2533_;
-                                if (_e3844.member < _e3844.member_1) {
-                                    phi_2534_ = type_28((_e3844.member + 1u), _e3844.member_1);
-                                    phi_2557_ = type_28(1u, _e3844.member);
+                                let _e3984 = phi_2579_;
+                                if (_e3984.member < _e3984.member_1) {
+                                    phi_2580_ = type_28((_e3984.member + 1u), _e3984.member_1);
+                                    phi_2603_ = type_28(1u, _e3984.member);
                                 } else {
-                                    phi_2534_ = _e3844;
-                                    phi_2557_ = type_28(0u, type_28().member_1);
+                                    phi_2580_ = _e3984;
+                                    phi_2603_ = type_28(0u, type_28().member_1);
                                 }
-                                let _e3858 = phi_2534_;
-                                let _e3860 = phi_2557_;
-                                if (bitcast<i32>(_e3860.member) != 0i) {
-                                    if (_e3860.member_1 < 3u) {
+                                let _e3998 = phi_2580_;
+                                let _e4000 = phi_2603_;
+                                if (bitcast<i32>(_e4000.member) != 0i) {
+                                    if (_e4000.member_1 < 3u) {
                                     } else {
                                         return;
                                     }
-                                    let _e3867 = local_14[_e3860.member_1];
-                                    let _e3868 = (_e3831.member_1 + _e3867);
-                                    if (_e3868 < 1f) {
-                                        phi_2577_ = _e3868;
+                                    let _e4007 = local_14[_e4000.member_1];
+                                    let _e4008 = (_e3971.member_1 + _e4007);
+                                    if (_e4008 < 1f) {
+                                        phi_2623_ = _e4008;
                                     } else {
-                                        phi_2577_ = 1f;
+                                        phi_2623_ = 1f;
                                     }
-                                    let _e3871 = phi_2577_;
-                                    let _e3874 = local_15.member[0u];
-                                    let _e3880 = local_15.member[1u];
-                                    let _e3890 = (_e3874[0] + ((_e3880[0] - _e3874[0]) * _e3871));
-                                    let _e3891 = (_e3874[1] + ((_e3880[1] - _e3874[1]) * _e3871));
-                                    let _e3892 = (_e3874[2] + ((_e3880[2] - _e3874[2]) * _e3871));
-                                    let _e3895 = local_15.member_1[0u];
-                                    let _e3901 = local_15.member_1[1u];
-                                    let _e3911 = (_e3895[0] + ((_e3901[0] - _e3895[0]) * _e3871));
-                                    let _e3912 = (_e3895[1] + ((_e3901[1] - _e3895[1]) * _e3871));
-                                    let _e3913 = (_e3895[2] + ((_e3901[2] - _e3895[2]) * _e3871));
-                                    let _e3916 = local_15.member_2[0u];
-                                    let _e3922 = local_15.member_2[1u];
-                                    let _e3932 = (_e3916[0] + ((_e3922[0] - _e3916[0]) * _e3871));
-                                    let _e3933 = (_e3916[1] + ((_e3922[1] - _e3916[1]) * _e3871));
-                                    let _e3934 = (_e3916[2] + ((_e3922[2] - _e3916[2]) * _e3871));
-                                    let _e3939 = (((_e3911 * _e3911) + (_e3912 * _e3912)) + (_e3913 * _e3913));
-                                    let _e3944 = (((_e3911 * _e3932) + (_e3912 * _e3933)) + (_e3913 * _e3934));
-                                    let _e3949 = (((_e3932 * _e3932) + (_e3933 * _e3933)) + (_e3934 * _e3934));
-                                    let _e3954 = (((_e3890 * _e3911) + (_e3891 * _e3912)) + (_e3892 * _e3913));
-                                    let _e3959 = (((_e3890 * _e3932) + (_e3891 * _e3933)) + (_e3892 * _e3934));
-                                    let _e3962 = ((_e3939 * _e3949) - (_e3944 * _e3944));
-                                    let _e3966 = (((_e3954 * _e3949) - (_e3959 * _e3944)) / _e3962);
-                                    let _e3970 = (((_e3959 * _e3939) - (_e3954 * _e3944)) / _e3962);
-                                    if (_e3966 >= 0f) {
-                                        if (_e3970 >= 0f) {
-                                            phi_2745_ = ((_e3966 + _e3970) <= 1f);
-                                            phi_2746_ = false;
+                                    let _e4011 = phi_2623_;
+                                    let _e4014 = local_15.member[0u];
+                                    let _e4020 = local_15.member[1u];
+                                    let _e4030 = (_e4014[0] + ((_e4020[0] - _e4014[0]) * _e4011));
+                                    let _e4031 = (_e4014[1] + ((_e4020[1] - _e4014[1]) * _e4011));
+                                    let _e4032 = (_e4014[2] + ((_e4020[2] - _e4014[2]) * _e4011));
+                                    let _e4035 = local_15.member_1[0u];
+                                    let _e4041 = local_15.member_1[1u];
+                                    let _e4051 = (_e4035[0] + ((_e4041[0] - _e4035[0]) * _e4011));
+                                    let _e4052 = (_e4035[1] + ((_e4041[1] - _e4035[1]) * _e4011));
+                                    let _e4053 = (_e4035[2] + ((_e4041[2] - _e4035[2]) * _e4011));
+                                    let _e4056 = local_15.member_2[0u];
+                                    let _e4062 = local_15.member_2[1u];
+                                    let _e4072 = (_e4056[0] + ((_e4062[0] - _e4056[0]) * _e4011));
+                                    let _e4073 = (_e4056[1] + ((_e4062[1] - _e4056[1]) * _e4011));
+                                    let _e4074 = (_e4056[2] + ((_e4062[2] - _e4056[2]) * _e4011));
+                                    let _e4079 = (((_e4051 * _e4051) + (_e4052 * _e4052)) + (_e4053 * _e4053));
+                                    let _e4084 = (((_e4051 * _e4072) + (_e4052 * _e4073)) + (_e4053 * _e4074));
+                                    let _e4089 = (((_e4072 * _e4072) + (_e4073 * _e4073)) + (_e4074 * _e4074));
+                                    let _e4094 = (((_e4030 * _e4051) + (_e4031 * _e4052)) + (_e4032 * _e4053));
+                                    let _e4099 = (((_e4030 * _e4072) + (_e4031 * _e4073)) + (_e4032 * _e4074));
+                                    let _e4102 = ((_e4079 * _e4089) - (_e4084 * _e4084));
+                                    let _e4106 = (((_e4094 * _e4089) - (_e4099 * _e4084)) / _e4102);
+                                    let _e4110 = (((_e4099 * _e4079) - (_e4094 * _e4084)) / _e4102);
+                                    if (_e4106 >= 0f) {
+                                        if (_e4110 >= 0f) {
+                                            phi_2791_ = ((_e4106 + _e4110) <= 1f);
+                                            phi_2792_ = false;
                                         } else {
-                                            phi_2745_ = bool();
-                                            phi_2746_ = true;
+                                            phi_2791_ = bool();
+                                            phi_2792_ = true;
                                         }
-                                        let _e3976 = phi_2745_;
-                                        let _e3978 = phi_2746_;
-                                        phi_2747_ = _e3976;
-                                        phi_2748_ = _e3978;
+                                        let _e4116 = phi_2791_;
+                                        let _e4118 = phi_2792_;
+                                        phi_2793_ = _e4116;
+                                        phi_2794_ = _e4118;
                                     } else {
-                                        phi_2747_ = bool();
-                                        phi_2748_ = true;
+                                        phi_2793_ = bool();
+                                        phi_2794_ = true;
                                     }
-                                    let _e3980 = phi_2747_;
-                                    let _e3982 = phi_2748_;
-                                    if _e3982 {
-                                        phi_2752_ = false;
+                                    let _e4120 = phi_2793_;
+                                    let _e4122 = phi_2794_;
+                                    if _e4122 {
+                                        phi_2798_ = false;
                                     } else {
-                                        phi_2752_ = _e3980;
+                                        phi_2798_ = _e4120;
                                     }
-                                    let _e3984 = phi_2752_;
-                                    if (_e3962 > 0f) {
-                                        if _e3984 {
-                                            phi_2774_ = array<f32, 3>((_e3890 - ((_e3911 * _e3966) + (_e3932 * _e3970))), (_e3891 - ((_e3912 * _e3966) + (_e3933 * _e3970))), (_e3892 - ((_e3913 * _e3966) + (_e3934 * _e3970))));
-                                            phi_2775_ = false;
+                                    let _e4124 = phi_2798_;
+                                    if (_e4102 > 0f) {
+                                        if _e4124 {
+                                            phi_2820_ = array<f32, 3>((_e4030 - ((_e4051 * _e4106) + (_e4072 * _e4110))), (_e4031 - ((_e4052 * _e4106) + (_e4073 * _e4110))), (_e4032 - ((_e4053 * _e4106) + (_e4074 * _e4110))));
+                                            phi_2821_ = false;
                                         } else {
-                                            phi_2774_ = array<f32, 3>();
-                                            phi_2775_ = true;
+                                            phi_2820_ = array<f32, 3>();
+                                            phi_2821_ = true;
                                         }
-                                        let _e4000 = phi_2774_;
-                                        let _e4002 = phi_2775_;
-                                        phi_2776_ = _e4000;
-                                        phi_2777_ = _e4002;
+                                        let _e4140 = phi_2820_;
+                                        let _e4142 = phi_2821_;
+                                        phi_2822_ = _e4140;
+                                        phi_2823_ = _e4142;
                                     } else {
-                                        phi_2776_ = array<f32, 3>();
-                                        phi_2777_ = true;
+                                        phi_2822_ = array<f32, 3>();
+                                        phi_2823_ = true;
                                     }
-                                    let _e4004 = phi_2776_;
-                                    let _e4006 = phi_2777_;
-                                    if _e4006 {
-                                        let _e4007 = (_e3890 - _e3911);
-                                        let _e4008 = (_e3891 - _e3912);
-                                        let _e4009 = (_e3892 - _e3913);
-                                        let _e4010 = (_e3932 - _e3911);
-                                        let _e4011 = (_e3933 - _e3912);
-                                        let _e4012 = (_e3934 - _e3913);
-                                        let _e4023 = ((((_e4007 * _e4010) + (_e4008 * _e4011)) + (_e4009 * _e4012)) / (((_e4010 * _e4010) + (_e4011 * _e4011)) + (_e4012 * _e4012)));
-                                        if (_e4023 > 0f) {
-                                            if (_e4023 < 1f) {
-                                                phi_2945_ = _e4023;
+                                    let _e4144 = phi_2822_;
+                                    let _e4146 = phi_2823_;
+                                    if _e4146 {
+                                        let _e4147 = (_e4030 - _e4051);
+                                        let _e4148 = (_e4031 - _e4052);
+                                        let _e4149 = (_e4032 - _e4053);
+                                        let _e4150 = (_e4072 - _e4051);
+                                        let _e4151 = (_e4073 - _e4052);
+                                        let _e4152 = (_e4074 - _e4053);
+                                        let _e4163 = ((((_e4147 * _e4150) + (_e4148 * _e4151)) + (_e4149 * _e4152)) / (((_e4150 * _e4150) + (_e4151 * _e4151)) + (_e4152 * _e4152)));
+                                        if (_e4163 > 0f) {
+                                            if (_e4163 < 1f) {
+                                                phi_2991_ = _e4163;
                                             } else {
-                                                phi_2945_ = 1f;
+                                                phi_2991_ = 1f;
                                             }
-                                            let _e4027 = phi_2945_;
-                                            phi_2946_ = _e4027;
+                                            let _e4167 = phi_2991_;
+                                            phi_2992_ = _e4167;
                                         } else {
-                                            phi_2946_ = 0f;
+                                            phi_2992_ = 0f;
                                         }
-                                        let _e4029 = phi_2946_;
-                                        let _e4033 = (_e4007 - (_e4010 * _e4029));
-                                        let _e4034 = (_e4008 - (_e4011 * _e4029));
-                                        let _e4035 = (_e4009 - (_e4012 * _e4029));
-                                        let _e4046 = ((((_e3890 * _e3911) + (_e3891 * _e3912)) + (_e3892 * _e3913)) / (((_e3911 * _e3911) + (_e3912 * _e3912)) + (_e3913 * _e3913)));
-                                        if (_e4046 > 0f) {
-                                            if (_e4046 < 1f) {
-                                                phi_2973_ = _e4046;
+                                        let _e4169 = phi_2992_;
+                                        let _e4173 = (_e4147 - (_e4150 * _e4169));
+                                        let _e4174 = (_e4148 - (_e4151 * _e4169));
+                                        let _e4175 = (_e4149 - (_e4152 * _e4169));
+                                        let _e4186 = ((((_e4030 * _e4051) + (_e4031 * _e4052)) + (_e4032 * _e4053)) / (((_e4051 * _e4051) + (_e4052 * _e4052)) + (_e4053 * _e4053)));
+                                        if (_e4186 > 0f) {
+                                            if (_e4186 < 1f) {
+                                                phi_3019_ = _e4186;
                                             } else {
-                                                phi_2973_ = 1f;
+                                                phi_3019_ = 1f;
                                             }
-                                            let _e4050 = phi_2973_;
-                                            phi_2974_ = _e4050;
+                                            let _e4190 = phi_3019_;
+                                            phi_3020_ = _e4190;
                                         } else {
-                                            phi_2974_ = 0f;
+                                            phi_3020_ = 0f;
                                         }
-                                        let _e4052 = phi_2974_;
-                                        let _e4069 = ((((_e3890 * _e3932) + (_e3891 * _e3933)) + (_e3892 * _e3934)) / (((_e3932 * _e3932) + (_e3933 * _e3933)) + (_e3934 * _e3934)));
-                                        if (_e4069 > 0f) {
-                                            if (_e4069 < 1f) {
-                                                phi_3001_ = _e4069;
+                                        let _e4192 = phi_3020_;
+                                        let _e4209 = ((((_e4030 * _e4072) + (_e4031 * _e4073)) + (_e4032 * _e4074)) / (((_e4072 * _e4072) + (_e4073 * _e4073)) + (_e4074 * _e4074)));
+                                        if (_e4209 > 0f) {
+                                            if (_e4209 < 1f) {
+                                                phi_3047_ = _e4209;
                                             } else {
-                                                phi_3001_ = 1f;
+                                                phi_3047_ = 1f;
                                             }
-                                            let _e4073 = phi_3001_;
-                                            phi_3002_ = _e4073;
+                                            let _e4213 = phi_3047_;
+                                            phi_3048_ = _e4213;
                                         } else {
-                                            phi_3002_ = 0f;
+                                            phi_3048_ = 0f;
                                         }
-                                        let _e4075 = phi_3002_;
-                                        local_10[0u] = array<f32, 3>((_e3890 - (_e3911 * _e4052)), (_e3891 - (_e3912 * _e4052)), (_e3892 - (_e3913 * _e4052)));
-                                        local_10[1u] = array<f32, 3>((_e3890 - (_e3932 * _e4075)), (_e3891 - (_e3933 * _e4075)), (_e3892 - (_e3934 * _e4075)));
-                                        local_10[2u] = array<f32, 3>(_e4033, _e4034, _e4035);
-                                        local_10[3u] = array<f32, 3>(_e4033, _e4034, _e4035);
-                                        let _e4091 = local_10[0u];
-                                        phi_3038_ = type_28(1u, 4u);
-                                        phi_3041_ = array<f32, 3>(_e4091[0], _e4091[1], _e4091[2]);
+                                        let _e4215 = phi_3048_;
+                                        local_10[0u] = array<f32, 3>((_e4030 - (_e4051 * _e4192)), (_e4031 - (_e4052 * _e4192)), (_e4032 - (_e4053 * _e4192)));
+                                        local_10[1u] = array<f32, 3>((_e4030 - (_e4072 * _e4215)), (_e4031 - (_e4073 * _e4215)), (_e4032 - (_e4074 * _e4215)));
+                                        local_10[2u] = array<f32, 3>(_e4173, _e4174, _e4175);
+                                        local_10[3u] = array<f32, 3>(_e4173, _e4174, _e4175);
+                                        let _e4231 = local_10[0u];
+                                        phi_3084_ = type_28(1u, 4u);
+                                        phi_3087_ = array<f32, 3>(_e4231[0], _e4231[1], _e4231[2]);
                                         loop {
-                                            let _e4097 = phi_3038_;
-                                            let _e4099 = phi_3041_;
-                                            local_76 = _e4099;
-                                            if (_e4097.member < _e4097.member_1) {
-                                                phi_3039_ = type_28((_e4097.member + 1u), _e4097.member_1);
-                                                phi_3064_ = type_28(1u, _e4097.member);
+                                            let _e4237 = phi_3084_;
+                                            let _e4239 = phi_3087_;
+                                            local_84 = _e4239;
+                                            if (_e4237.member < _e4237.member_1) {
+                                                phi_3085_ = type_28((_e4237.member + 1u), _e4237.member_1);
+                                                phi_3110_ = type_28(1u, _e4237.member);
                                             } else {
-                                                phi_3039_ = _e4097;
-                                                phi_3064_ = type_28(0u, type_28().member_1);
+                                                phi_3085_ = _e4237;
+                                                phi_3110_ = type_28(0u, type_28().member_1);
                                             }
-                                            let _e4113 = phi_3039_;
-                                            let _e4115 = phi_3064_;
-                                            let _e4119 = (bitcast<i32>(_e4115.member) != 0i);
-                                            if _e4119 {
-                                                if (_e4115.member_1 < 4u) {
+                                            let _e4253 = phi_3085_;
+                                            let _e4255 = phi_3110_;
+                                            let _e4259 = (bitcast<i32>(_e4255.member) != 0i);
+                                            if _e4259 {
+                                                if (_e4255.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e4122 = local_10[_e4115.member_1];
-                                                if (_e4115.member_1 < 4u) {
+                                                let _e4262 = local_10[_e4255.member_1];
+                                                if (_e4255.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e4128 = local_10[_e4115.member_1];
-                                                if ((((_e4122[0] * _e4128[0]) + (_e4122[1] * _e4128[1])) + (_e4122[2] * _e4128[2])) < (((_e4099[0] * _e4099[0]) + (_e4099[1] * _e4099[1])) + (_e4099[2] * _e4099[2]))) {
-                                                    if (_e4115.member_1 < 4u) {
+                                                let _e4268 = local_10[_e4255.member_1];
+                                                if ((((_e4262[0] * _e4268[0]) + (_e4262[1] * _e4268[1])) + (_e4262[2] * _e4268[2])) < (((_e4239[0] * _e4239[0]) + (_e4239[1] * _e4239[1])) + (_e4239[2] * _e4239[2]))) {
+                                                    if (_e4255.member_1 < 4u) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e4151 = local_10[_e4115.member_1];
-                                                    phi_3131_ = array<f32, 3>(_e4151[0], _e4151[1], _e4151[2]);
+                                                    let _e4291 = local_10[_e4255.member_1];
+                                                    phi_3177_ = array<f32, 3>(_e4291[0], _e4291[1], _e4291[2]);
                                                 } else {
-                                                    phi_3131_ = _e4099;
+                                                    phi_3177_ = _e4239;
                                                 }
-                                                let _e4157 = phi_3131_;
-                                                phi_3042_ = _e4157;
+                                                let _e4297 = phi_3177_;
+                                                phi_3088_ = _e4297;
                                             } else {
-                                                phi_3042_ = array<f32, 3>();
+                                                phi_3088_ = array<f32, 3>();
                                             }
-                                            let _e4159 = phi_3042_;
+                                            let _e4299 = phi_3088_;
                                             continue;
                                             continuing {
-                                                phi_3038_ = _e4113;
-                                                phi_3041_ = _e4159;
-                                                break if !(_e4119);
+                                                phi_3084_ = _e4253;
+                                                phi_3087_ = _e4299;
+                                                break if !(_e4259);
                                             }
                                         }
-                                        let _e5334 = local_76;
-                                        phi_3132_ = _e5334;
+                                        let _e5547 = local_84;
+                                        phi_3178_ = _e5547;
                                     } else {
-                                        phi_3132_ = _e4004;
+                                        phi_3178_ = _e4144;
                                     }
-                                    let _e4162 = phi_3132_;
-                                    let _e4173 = (((_e4162[0] * _e4162[0]) + (_e4162[1] * _e4162[1])) + (_e4162[2] * _e4162[2]));
-                                    if (_e4173 <= 0.000000000000000000000000000000000000011754944f) {
-                                        if (_e4173 > 0f) {
-                                            phi_3157_ = (0.000000000000000000106433627f * 2f);
+                                    let _e4302 = phi_3178_;
+                                    let _e4313 = (((_e4302[0] * _e4302[0]) + (_e4302[1] * _e4302[1])) + (_e4302[2] * _e4302[2]));
+                                    if (_e4313 <= 0.000000000000000000000000000000000000011754944f) {
+                                        if (_e4313 > 0f) {
+                                            phi_3203_ = (0.000000000000000000106433627f * 2f);
                                         } else {
-                                            phi_3157_ = 0f;
+                                            phi_3203_ = 0f;
                                         }
-                                        let _e4232 = phi_3157_;
-                                        phi_3221_ = _e4232;
+                                        let _e4372 = phi_3203_;
+                                        phi_3267_ = _e4372;
                                     } else {
-                                        phi_3164_ = type_26(0i, 5i);
-                                        phi_3167_ = bitcast<f32>(((bitcast<u32>(_e4173) >> bitcast<u32>(1i)) + 532369198u));
+                                        phi_3210_ = type_26(0i, 5i);
+                                        phi_3213_ = bitcast<f32>(((bitcast<u32>(_e4313) >> bitcast<u32>(1i)) + 532369198u));
                                         loop {
-                                            let _e4181 = phi_3164_;
-                                            let _e4183 = phi_3167_;
-                                            local_42 = _e4183;
-                                            if (_e4181.member < _e4181.member_1) {
-                                                let _e4191 = (_e4181.member + 1i);
-                                                if ((false == (_e4191 > _e4181.member)) != false) {
-                                                    phi_3188_ = true;
+                                            let _e4321 = phi_3210_;
+                                            let _e4323 = phi_3213_;
+                                            local_44 = _e4323;
+                                            if (_e4321.member < _e4321.member_1) {
+                                                let _e4331 = (_e4321.member + 1i);
+                                                if ((false == (_e4331 > _e4321.member)) != false) {
+                                                    phi_3234_ = true;
                                                 } else {
-                                                    phi_3188_ = false;
+                                                    phi_3234_ = false;
                                                 }
-                                                let _e4196 = phi_3188_;
-                                                if _e4196 {
-                                                    phi_3194_ = type_27(0u, type_27().member_1);
+                                                let _e4336 = phi_3234_;
+                                                if _e4336 {
+                                                    phi_3240_ = type_27(0u, type_27().member_1);
                                                 } else {
-                                                    phi_3194_ = type_27(1u, _e4191);
+                                                    phi_3240_ = type_27(1u, _e4331);
                                                 }
-                                                let _e4202 = phi_3194_;
-                                                if (bitcast<i32>(_e4202.member) != 0i) {
+                                                let _e4342 = phi_3240_;
+                                                if (bitcast<i32>(_e4342.member) != 0i) {
                                                 } else {
                                                     return;
                                                 }
-                                                phi_3165_ = type_26(_e4202.member_1, _e4181.member_1);
-                                                phi_3208_ = type_27(1u, _e4181.member);
+                                                phi_3211_ = type_26(_e4342.member_1, _e4321.member_1);
+                                                phi_3254_ = type_27(1u, _e4321.member);
                                             } else {
-                                                phi_3165_ = _e4181;
-                                                phi_3208_ = type_27(0u, type_27().member_1);
+                                                phi_3211_ = _e4321;
+                                                phi_3254_ = type_27(0u, type_27().member_1);
                                             }
-                                            let _e4212 = phi_3165_;
-                                            let _e4214 = phi_3208_;
-                                            let _e4217 = (bitcast<i32>(_e4214.member) != 0i);
-                                            if _e4217 {
-                                                phi_3168_ = (0.5f * (_e4183 + (_e4173 / _e4183)));
+                                            let _e4352 = phi_3211_;
+                                            let _e4354 = phi_3254_;
+                                            let _e4357 = (bitcast<i32>(_e4354.member) != 0i);
+                                            if _e4357 {
+                                                phi_3214_ = (0.5f * (_e4323 + (_e4313 / _e4323)));
                                             } else {
-                                                phi_3168_ = f32();
+                                                phi_3214_ = f32();
                                             }
-                                            let _e4222 = phi_3168_;
+                                            let _e4362 = phi_3214_;
                                             continue;
                                             continuing {
-                                                phi_3164_ = _e4212;
-                                                phi_3167_ = _e4222;
-                                                break if !(_e4217);
+                                                phi_3210_ = _e4352;
+                                                phi_3213_ = _e4362;
+                                                break if !(_e4357);
                                             }
                                         }
-                                        let _e4227 = local_42;
-                                        phi_3221_ = (_e4227 * (1f + (4f * 0.000000059604645f)));
+                                        let _e4367 = local_44;
+                                        phi_3267_ = (_e4367 * (1f + (8f * 0.000000059604645f)));
                                     }
-                                    let _e4234 = phi_3221_;
-                                    let _e4240 = local_15.member[0u];
-                                    if (_e4240[0] < 0f) {
-                                        phi_3237_ = -(_e4240[0]);
+                                    let _e4374 = phi_3267_;
+                                    let _e4380 = local_15.member[0u];
+                                    if (_e4380[0] < 0f) {
+                                        phi_3283_ = -(_e4380[0]);
                                     } else {
-                                        phi_3237_ = _e4240[0];
+                                        phi_3283_ = _e4380[0];
                                     }
-                                    let _e4247 = phi_3237_;
-                                    if (_e4240[1] < 0f) {
-                                        phi_3244_ = -(_e4240[1]);
+                                    let _e4387 = phi_3283_;
+                                    if (_e4380[1] < 0f) {
+                                        phi_3290_ = -(_e4380[1]);
                                     } else {
-                                        phi_3244_ = _e4240[1];
+                                        phi_3290_ = _e4380[1];
                                     }
-                                    let _e4251 = phi_3244_;
-                                    if (_e4247 > _e4251) {
-                                        phi_3249_ = _e4247;
+                                    let _e4391 = phi_3290_;
+                                    if (_e4387 > _e4391) {
+                                        phi_3295_ = _e4387;
                                     } else {
-                                        phi_3249_ = _e4251;
+                                        phi_3295_ = _e4391;
                                     }
-                                    let _e4254 = phi_3249_;
-                                    if (_e4240[2] < 0f) {
-                                        phi_3256_ = -(_e4240[2]);
+                                    let _e4394 = phi_3295_;
+                                    if (_e4380[2] < 0f) {
+                                        phi_3302_ = -(_e4380[2]);
                                     } else {
-                                        phi_3256_ = _e4240[2];
+                                        phi_3302_ = _e4380[2];
                                     }
-                                    let _e4258 = phi_3256_;
-                                    if (_e4254 > _e4258) {
-                                        phi_3261_ = _e4254;
+                                    let _e4398 = phi_3302_;
+                                    if (_e4394 > _e4398) {
+                                        phi_3307_ = _e4394;
                                     } else {
-                                        phi_3261_ = _e4258;
+                                        phi_3307_ = _e4398;
                                     }
-                                    let _e4261 = phi_3261_;
-                                    let _e4264 = local_15.member[1u];
-                                    if (_e4264[0] < 0f) {
-                                        phi_3274_ = -(_e4264[0]);
+                                    let _e4401 = phi_3307_;
+                                    let _e4404 = local_15.member[1u];
+                                    if (_e4404[0] < 0f) {
+                                        phi_3320_ = -(_e4404[0]);
                                     } else {
-                                        phi_3274_ = _e4264[0];
+                                        phi_3320_ = _e4404[0];
                                     }
-                                    let _e4271 = phi_3274_;
-                                    if (_e4264[1] < 0f) {
-                                        phi_3281_ = -(_e4264[1]);
+                                    let _e4411 = phi_3320_;
+                                    if (_e4404[1] < 0f) {
+                                        phi_3327_ = -(_e4404[1]);
                                     } else {
-                                        phi_3281_ = _e4264[1];
+                                        phi_3327_ = _e4404[1];
                                     }
-                                    let _e4275 = phi_3281_;
-                                    if (_e4271 > _e4275) {
-                                        phi_3286_ = _e4271;
+                                    let _e4415 = phi_3327_;
+                                    if (_e4411 > _e4415) {
+                                        phi_3332_ = _e4411;
                                     } else {
-                                        phi_3286_ = _e4275;
+                                        phi_3332_ = _e4415;
                                     }
-                                    let _e4278 = phi_3286_;
-                                    if (_e4264[2] < 0f) {
-                                        phi_3293_ = -(_e4264[2]);
+                                    let _e4418 = phi_3332_;
+                                    if (_e4404[2] < 0f) {
+                                        phi_3339_ = -(_e4404[2]);
                                     } else {
-                                        phi_3293_ = _e4264[2];
+                                        phi_3339_ = _e4404[2];
                                     }
-                                    let _e4282 = phi_3293_;
-                                    if (_e4278 > _e4282) {
-                                        phi_3298_ = _e4278;
+                                    let _e4422 = phi_3339_;
+                                    if (_e4418 > _e4422) {
+                                        phi_3344_ = _e4418;
                                     } else {
-                                        phi_3298_ = _e4282;
+                                        phi_3344_ = _e4422;
                                     }
-                                    let _e4285 = phi_3298_;
-                                    if (_e4261 > _e4285) {
-                                        phi_3303_ = _e4261;
+                                    let _e4425 = phi_3344_;
+                                    if (_e4401 > _e4425) {
+                                        phi_3349_ = _e4401;
                                     } else {
-                                        phi_3303_ = _e4285;
+                                        phi_3349_ = _e4425;
                                     }
-                                    let _e4288 = phi_3303_;
-                                    let _e4290 = local_15.member_3;
-                                    let _e4294 = local_15.member_1[0u];
-                                    if (_e4294[0] < 0f) {
-                                        phi_3320_ = -(_e4294[0]);
+                                    let _e4428 = phi_3349_;
+                                    let _e4430 = local_15.member_3;
+                                    let _e4434 = local_15.member_1[0u];
+                                    if (_e4434[0] < 0f) {
+                                        phi_3366_ = -(_e4434[0]);
                                     } else {
-                                        phi_3320_ = _e4294[0];
+                                        phi_3366_ = _e4434[0];
                                     }
-                                    let _e4301 = phi_3320_;
-                                    if (_e4294[1] < 0f) {
-                                        phi_3327_ = -(_e4294[1]);
+                                    let _e4441 = phi_3366_;
+                                    if (_e4434[1] < 0f) {
+                                        phi_3373_ = -(_e4434[1]);
                                     } else {
-                                        phi_3327_ = _e4294[1];
+                                        phi_3373_ = _e4434[1];
                                     }
-                                    let _e4305 = phi_3327_;
-                                    if (_e4301 > _e4305) {
-                                        phi_3332_ = _e4301;
+                                    let _e4445 = phi_3373_;
+                                    if (_e4441 > _e4445) {
+                                        phi_3378_ = _e4441;
                                     } else {
-                                        phi_3332_ = _e4305;
+                                        phi_3378_ = _e4445;
                                     }
-                                    let _e4308 = phi_3332_;
-                                    if (_e4294[2] < 0f) {
-                                        phi_3339_ = -(_e4294[2]);
+                                    let _e4448 = phi_3378_;
+                                    if (_e4434[2] < 0f) {
+                                        phi_3385_ = -(_e4434[2]);
                                     } else {
-                                        phi_3339_ = _e4294[2];
+                                        phi_3385_ = _e4434[2];
                                     }
-                                    let _e4312 = phi_3339_;
-                                    if (_e4308 > _e4312) {
-                                        phi_3344_ = _e4308;
+                                    let _e4452 = phi_3385_;
+                                    if (_e4448 > _e4452) {
+                                        phi_3390_ = _e4448;
                                     } else {
-                                        phi_3344_ = _e4312;
+                                        phi_3390_ = _e4452;
                                     }
-                                    let _e4315 = phi_3344_;
-                                    let _e4318 = local_15.member_1[1u];
-                                    if (_e4318[0] < 0f) {
-                                        phi_3358_ = -(_e4318[0]);
+                                    let _e4455 = phi_3390_;
+                                    let _e4458 = local_15.member_1[1u];
+                                    if (_e4458[0] < 0f) {
+                                        phi_3404_ = -(_e4458[0]);
                                     } else {
-                                        phi_3358_ = _e4318[0];
+                                        phi_3404_ = _e4458[0];
                                     }
-                                    let _e4325 = phi_3358_;
-                                    if (_e4318[1] < 0f) {
-                                        phi_3365_ = -(_e4318[1]);
+                                    let _e4465 = phi_3404_;
+                                    if (_e4458[1] < 0f) {
+                                        phi_3411_ = -(_e4458[1]);
                                     } else {
-                                        phi_3365_ = _e4318[1];
+                                        phi_3411_ = _e4458[1];
                                     }
-                                    let _e4329 = phi_3365_;
-                                    if (_e4325 > _e4329) {
-                                        phi_3370_ = _e4325;
+                                    let _e4469 = phi_3411_;
+                                    if (_e4465 > _e4469) {
+                                        phi_3416_ = _e4465;
                                     } else {
-                                        phi_3370_ = _e4329;
+                                        phi_3416_ = _e4469;
                                     }
-                                    let _e4332 = phi_3370_;
-                                    if (_e4318[2] < 0f) {
-                                        phi_3377_ = -(_e4318[2]);
+                                    let _e4472 = phi_3416_;
+                                    if (_e4458[2] < 0f) {
+                                        phi_3423_ = -(_e4458[2]);
                                     } else {
-                                        phi_3377_ = _e4318[2];
+                                        phi_3423_ = _e4458[2];
                                     }
-                                    let _e4336 = phi_3377_;
-                                    if (_e4332 > _e4336) {
-                                        phi_3382_ = _e4332;
+                                    let _e4476 = phi_3423_;
+                                    if (_e4472 > _e4476) {
+                                        phi_3428_ = _e4472;
                                     } else {
-                                        phi_3382_ = _e4336;
+                                        phi_3428_ = _e4476;
                                     }
-                                    let _e4339 = phi_3382_;
-                                    if (_e4315 > _e4339) {
-                                        phi_3387_ = _e4315;
+                                    let _e4479 = phi_3428_;
+                                    if (_e4455 > _e4479) {
+                                        phi_3433_ = _e4455;
                                     } else {
-                                        phi_3387_ = _e4339;
+                                        phi_3433_ = _e4479;
                                     }
-                                    let _e4342 = phi_3387_;
-                                    let _e4344 = local_15.member_3;
-                                    let _e4348 = local_15.member_2[0u];
-                                    if (_e4348[0] < 0f) {
-                                        phi_3404_ = -(_e4348[0]);
+                                    let _e4482 = phi_3433_;
+                                    let _e4484 = local_15.member_3;
+                                    let _e4488 = local_15.member_2[0u];
+                                    if (_e4488[0] < 0f) {
+                                        phi_3450_ = -(_e4488[0]);
                                     } else {
-                                        phi_3404_ = _e4348[0];
+                                        phi_3450_ = _e4488[0];
                                     }
-                                    let _e4355 = phi_3404_;
-                                    if (_e4348[1] < 0f) {
-                                        phi_3411_ = -(_e4348[1]);
+                                    let _e4495 = phi_3450_;
+                                    if (_e4488[1] < 0f) {
+                                        phi_3457_ = -(_e4488[1]);
                                     } else {
-                                        phi_3411_ = _e4348[1];
+                                        phi_3457_ = _e4488[1];
                                     }
-                                    let _e4359 = phi_3411_;
-                                    if (_e4355 > _e4359) {
-                                        phi_3416_ = _e4355;
+                                    let _e4499 = phi_3457_;
+                                    if (_e4495 > _e4499) {
+                                        phi_3462_ = _e4495;
                                     } else {
-                                        phi_3416_ = _e4359;
+                                        phi_3462_ = _e4499;
                                     }
-                                    let _e4362 = phi_3416_;
-                                    if (_e4348[2] < 0f) {
-                                        phi_3423_ = -(_e4348[2]);
+                                    let _e4502 = phi_3462_;
+                                    if (_e4488[2] < 0f) {
+                                        phi_3469_ = -(_e4488[2]);
                                     } else {
-                                        phi_3423_ = _e4348[2];
+                                        phi_3469_ = _e4488[2];
                                     }
-                                    let _e4366 = phi_3423_;
-                                    if (_e4362 > _e4366) {
-                                        phi_3428_ = _e4362;
+                                    let _e4506 = phi_3469_;
+                                    if (_e4502 > _e4506) {
+                                        phi_3474_ = _e4502;
                                     } else {
-                                        phi_3428_ = _e4366;
+                                        phi_3474_ = _e4506;
                                     }
-                                    let _e4369 = phi_3428_;
-                                    let _e4372 = local_15.member_2[1u];
-                                    if (_e4372[0] < 0f) {
-                                        phi_3442_ = -(_e4372[0]);
+                                    let _e4509 = phi_3474_;
+                                    let _e4512 = local_15.member_2[1u];
+                                    if (_e4512[0] < 0f) {
+                                        phi_3488_ = -(_e4512[0]);
                                     } else {
-                                        phi_3442_ = _e4372[0];
+                                        phi_3488_ = _e4512[0];
                                     }
-                                    let _e4379 = phi_3442_;
-                                    if (_e4372[1] < 0f) {
-                                        phi_3449_ = -(_e4372[1]);
+                                    let _e4519 = phi_3488_;
+                                    if (_e4512[1] < 0f) {
+                                        phi_3495_ = -(_e4512[1]);
                                     } else {
-                                        phi_3449_ = _e4372[1];
+                                        phi_3495_ = _e4512[1];
                                     }
-                                    let _e4383 = phi_3449_;
-                                    if (_e4379 > _e4383) {
-                                        phi_3454_ = _e4379;
+                                    let _e4523 = phi_3495_;
+                                    if (_e4519 > _e4523) {
+                                        phi_3500_ = _e4519;
                                     } else {
-                                        phi_3454_ = _e4383;
+                                        phi_3500_ = _e4523;
                                     }
-                                    let _e4386 = phi_3454_;
-                                    if (_e4372[2] < 0f) {
-                                        phi_3461_ = -(_e4372[2]);
+                                    let _e4526 = phi_3500_;
+                                    if (_e4512[2] < 0f) {
+                                        phi_3507_ = -(_e4512[2]);
                                     } else {
-                                        phi_3461_ = _e4372[2];
+                                        phi_3507_ = _e4512[2];
                                     }
-                                    let _e4390 = phi_3461_;
-                                    if (_e4386 > _e4390) {
-                                        phi_3466_ = _e4386;
+                                    let _e4530 = phi_3507_;
+                                    if (_e4526 > _e4530) {
+                                        phi_3512_ = _e4526;
                                     } else {
-                                        phi_3466_ = _e4390;
+                                        phi_3512_ = _e4530;
                                     }
-                                    let _e4393 = phi_3466_;
-                                    if (_e4369 > _e4393) {
-                                        phi_3471_ = _e4369;
+                                    let _e4533 = phi_3512_;
+                                    if (_e4509 > _e4533) {
+                                        phi_3517_ = _e4509;
                                     } else {
-                                        phi_3471_ = _e4393;
+                                        phi_3517_ = _e4533;
                                     }
-                                    let _e4396 = phi_3471_;
-                                    let _e4398 = local_15.member_3;
-                                    let _e4405 = local_15.member_3;
-                                    let _e4412 = (((_e4234 * (1f + (0.000000059604645f * 8f))) + (((((((_e4288 + _e4290) + (_e4342 + _e4344)) + (_e4396 + _e4398)) * (0.000000059604645f * 16f)) + (_e4405 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e262);
-                                    if _e4412 {
-                                        phi_3491_ = false;
+                                    let _e4536 = phi_3517_;
+                                    let _e4538 = local_15.member_3;
+                                    let _e4545 = local_15.member_3;
+                                    let _e4552 = (((_e4374 * (1f + (0.000000059604645f * 8f))) + (((((((_e4428 + _e4430) + (_e4482 + _e4484)) + (_e4536 + _e4538)) * (0.000000059604645f * 16f)) + (_e4545 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e264);
+                                    if _e4552 {
+                                        phi_3537_ = false;
                                     } else {
-                                        phi_3491_ = true;
+                                        phi_3537_ = true;
                                     }
-                                    let _e4414 = phi_3491_;
-                                    phi_3492_ = _e4414;
-                                    phi_3493_ = _e4412;
+                                    let _e4554 = phi_3537_;
+                                    phi_3538_ = _e4554;
+                                    phi_3539_ = _e4552;
                                 } else {
-                                    phi_3492_ = false;
-                                    phi_3493_ = false;
+                                    phi_3538_ = false;
+                                    phi_3539_ = false;
                                 }
-                                let _e4416 = phi_3492_;
-                                let _e4418 = phi_3493_;
-                                local_43 = _e4418;
+                                let _e4556 = phi_3538_;
+                                let _e4558 = phi_3539_;
+                                local_45 = _e4558;
                                 continue;
                                 continuing {
-                                    phi_2533_ = _e3858;
-                                    break if !(_e4416);
+                                    phi_2579_ = _e3998;
+                                    break if !(_e4556);
                                 }
                             }
-                            let _e4421 = local_43;
-                            if _e4421 {
-                                phi_3498_ = type_55(1u, _e3831.member_1);
-                                phi_3499_ = false;
+                            let _e4561 = local_45;
+                            if _e4561 {
+                                phi_3544_ = type_55(1u, _e3971.member_1);
+                                phi_3545_ = false;
                             } else {
-                                phi_3498_ = type_55();
-                                phi_3499_ = true;
+                                phi_3544_ = type_55();
+                                phi_3545_ = true;
                             }
-                            let _e4424 = phi_3498_;
-                            let _e4426 = phi_3499_;
-                            if _e4426 {
-                                phi_3504_ = type_55(2u, _e3831.member_1);
-                                phi_3505_ = false;
+                            let _e4564 = phi_3544_;
+                            let _e4566 = phi_3545_;
+                            if _e4566 {
+                                phi_3550_ = type_55(2u, _e3971.member_1);
+                                phi_3551_ = false;
                             } else {
-                                phi_3504_ = type_55();
-                                phi_3505_ = true;
+                                phi_3550_ = type_55();
+                                phi_3551_ = true;
                             }
-                            let _e4429 = phi_3504_;
-                            let _e4431 = phi_3505_;
-                            phi_3507_ = _e4429;
-                            phi_3508_ = _e4424;
-                            phi_3509_ = _e4431;
+                            let _e4569 = phi_3550_;
+                            let _e4571 = phi_3551_;
+                            phi_3553_ = _e4569;
+                            phi_3554_ = _e4564;
+                            phi_3555_ = _e4571;
                         } else {
-                            phi_3507_ = type_55();
-                            phi_3508_ = type_55(0u, type_55().member_1);
-                            phi_3509_ = true;
+                            phi_3553_ = type_55();
+                            phi_3554_ = type_55(0u, type_55().member_1);
+                            phi_3555_ = true;
                         }
-                        let _e4433 = phi_3507_;
-                        let _e4435 = phi_3508_;
-                        let _e4437 = phi_3509_;
-                        if _e4437 {
-                            phi_3513_ = _e4435;
+                        let _e4573 = phi_3553_;
+                        let _e4575 = phi_3554_;
+                        let _e4577 = phi_3555_;
+                        if _e4577 {
+                            phi_3559_ = _e4575;
                         } else {
-                            phi_3513_ = _e4433;
+                            phi_3559_ = _e4573;
                         }
-                        let _e4439 = phi_3513_;
-                        phi_6723_ = _e4439;
+                        let _e4579 = phi_3559_;
+                        phi_6833_ = _e4579;
                     } else {
-                        if (_e360 < 0f) {
-                            phi_3523_ = -(_e360);
+                        if (_e362 < 0f) {
+                            phi_3569_ = -(_e362);
                         } else {
-                            phi_3523_ = _e360;
+                            phi_3569_ = _e362;
                         }
-                        let _e703 = phi_3523_;
-                        if (_e383 < 0f) {
-                            phi_3529_ = -(_e383);
+                        let _e705 = phi_3569_;
+                        if (_e385 < 0f) {
+                            phi_3575_ = -(_e385);
                         } else {
-                            phi_3529_ = _e383;
+                            phi_3575_ = _e385;
                         }
-                        let _e707 = phi_3529_;
-                        if (_e703 > _e707) {
-                            phi_3534_ = _e703;
+                        let _e709 = phi_3575_;
+                        if (_e705 > _e709) {
+                            phi_3580_ = _e705;
                         } else {
-                            phi_3534_ = _e707;
+                            phi_3580_ = _e709;
                         }
-                        let _e710 = phi_3534_;
-                        if (_e406 < 0f) {
-                            phi_3540_ = -(_e406);
+                        let _e712 = phi_3580_;
+                        if (_e408 < 0f) {
+                            phi_3586_ = -(_e408);
                         } else {
-                            phi_3540_ = _e406;
+                            phi_3586_ = _e408;
                         }
-                        let _e714 = phi_3540_;
-                        if (_e417 < 0f) {
-                            phi_3546_ = -(_e417);
+                        let _e716 = phi_3586_;
+                        if (_e419 < 0f) {
+                            phi_3592_ = -(_e419);
                         } else {
-                            phi_3546_ = _e417;
+                            phi_3592_ = _e419;
                         }
-                        let _e718 = phi_3546_;
-                        if (_e714 > _e718) {
-                            phi_3551_ = _e714;
+                        let _e720 = phi_3592_;
+                        if (_e716 > _e720) {
+                            phi_3597_ = _e716;
                         } else {
-                            phi_3551_ = _e718;
+                            phi_3597_ = _e720;
                         }
-                        let _e721 = phi_3551_;
-                        if (_e710 > _e721) {
-                            phi_3556_ = _e710;
+                        let _e723 = phi_3597_;
+                        if (_e712 > _e723) {
+                            phi_3602_ = _e712;
                         } else {
-                            phi_3556_ = _e721;
+                            phi_3602_ = _e723;
                         }
-                        let _e724 = phi_3556_;
-                        let _e727 = ((_e667 * 0.34f) + (_e724 * (0.000000059604645f * 256f)));
-                        let _e729 = (_e383 - (3f * _e360));
-                        let _e730 = (_e406 - _e383);
-                        let _e732 = ((3f * _e417) - _e406);
+                        let _e726 = phi_3602_;
+                        let _e727 = (0.000000000000000000000000000000000000011754944f * 67108864f);
+                        if (_e726 >= _e727) {
+                            phi_3610_ = (_e726 <= (1f / _e727));
+                        } else {
+                            phi_3610_ = false;
+                        }
+                        let _e732 = phi_3610_;
+                        if _e732 {
+                            phi_3615_ = (0.000000059604645f * 256f);
+                        } else {
+                            phi_3615_ = 2f;
+                        }
+                        let _e735 = phi_3615_;
+                        let _e737 = ((_e669 * 0.34f) + (_e726 * _e735));
+                        if _e732 {
+                            phi_3622_ = (1f / _e726);
+                        } else {
+                            phi_3622_ = 0f;
+                        }
+                        let _e740 = phi_3622_;
+                        let _e746 = ((_e385 - (3f * _e362)) * _e740);
+                        let _e747 = ((_e408 - _e385) * _e740);
+                        let _e748 = (((3f * _e419) - _e408) * _e740);
                         local_7[0u] = 0f;
                         local_7[1u] = 1f;
                         local_7[2u] = 1f;
                         local_7[3u] = 1f;
-                        let _e739 = ((_e730 * _e730) - (_e729 * _e732));
-                        if (_e739 > 0f) {
-                            if (_e739 <= 0.000000000000000000000000000000000000011754944f) {
-                                if (_e739 > 0f) {
-                                    phi_3589_ = (0.000000000000000000106433627f * 2f);
+                        let _e755 = ((_e747 * _e747) - (_e746 * _e748));
+                        if (_e755 > 0f) {
+                            if (_e755 <= 0.000000000000000000000000000000000000011754944f) {
+                                if (_e755 > 0f) {
+                                    phi_3655_ = (0.000000000000000000106433627f * 2f);
                                 } else {
-                                    phi_3589_ = 0f;
+                                    phi_3655_ = 0f;
                                 }
-                                let _e799 = phi_3589_;
-                                phi_3653_ = _e799;
+                                let _e815 = phi_3655_;
+                                phi_3719_ = _e815;
                             } else {
-                                phi_3596_ = type_26(0i, 5i);
-                                phi_3599_ = bitcast<f32>(((bitcast<u32>(_e739) >> bitcast<u32>(1i)) + 532369198u));
+                                phi_3662_ = type_26(0i, 5i);
+                                phi_3665_ = bitcast<f32>(((bitcast<u32>(_e755) >> bitcast<u32>(1i)) + 532369198u));
                                 loop {
-                                    let _e748 = phi_3596_;
-                                    let _e750 = phi_3599_;
-                                    local_16 = _e750;
-                                    if (_e748.member < _e748.member_1) {
-                                        let _e758 = (_e748.member + 1i);
-                                        if ((false == (_e758 > _e748.member)) != false) {
-                                            phi_3620_ = true;
+                                    let _e764 = phi_3662_;
+                                    let _e766 = phi_3665_;
+                                    local_16 = _e766;
+                                    if (_e764.member < _e764.member_1) {
+                                        let _e774 = (_e764.member + 1i);
+                                        if ((false == (_e774 > _e764.member)) != false) {
+                                            phi_3686_ = true;
                                         } else {
-                                            phi_3620_ = false;
+                                            phi_3686_ = false;
                                         }
-                                        let _e763 = phi_3620_;
-                                        if _e763 {
-                                            phi_3626_ = type_27(0u, type_27().member_1);
+                                        let _e779 = phi_3686_;
+                                        if _e779 {
+                                            phi_3692_ = type_27(0u, type_27().member_1);
                                         } else {
-                                            phi_3626_ = type_27(1u, _e758);
+                                            phi_3692_ = type_27(1u, _e774);
                                         }
-                                        let _e769 = phi_3626_;
-                                        if (bitcast<i32>(_e769.member) != 0i) {
+                                        let _e785 = phi_3692_;
+                                        if (bitcast<i32>(_e785.member) != 0i) {
                                         } else {
                                             return;
                                         }
-                                        phi_3597_ = type_26(_e769.member_1, _e748.member_1);
-                                        phi_3640_ = type_27(1u, _e748.member);
+                                        phi_3663_ = type_26(_e785.member_1, _e764.member_1);
+                                        phi_3706_ = type_27(1u, _e764.member);
                                     } else {
-                                        phi_3597_ = _e748;
-                                        phi_3640_ = type_27(0u, type_27().member_1);
+                                        phi_3663_ = _e764;
+                                        phi_3706_ = type_27(0u, type_27().member_1);
                                     }
-                                    let _e779 = phi_3597_;
-                                    let _e781 = phi_3640_;
-                                    let _e784 = (bitcast<i32>(_e781.member) != 0i);
-                                    if _e784 {
-                                        phi_3600_ = (0.5f * (_e750 + (_e739 / _e750)));
+                                    let _e795 = phi_3663_;
+                                    let _e797 = phi_3706_;
+                                    let _e800 = (bitcast<i32>(_e797.member) != 0i);
+                                    if _e800 {
+                                        phi_3666_ = (0.5f * (_e766 + (_e755 / _e766)));
                                     } else {
-                                        phi_3600_ = f32();
+                                        phi_3666_ = f32();
                                     }
-                                    let _e789 = phi_3600_;
+                                    let _e805 = phi_3666_;
                                     continue;
                                     continuing {
-                                        phi_3596_ = _e779;
-                                        phi_3599_ = _e789;
-                                        break if !(_e784);
+                                        phi_3662_ = _e795;
+                                        phi_3665_ = _e805;
+                                        break if !(_e800);
                                     }
                                 }
-                                let _e794 = local_16;
-                                phi_3653_ = (_e794 * (1f + (4f * 0.000000059604645f)));
+                                let _e810 = local_16;
+                                phi_3719_ = (_e810 * (1f + (8f * 0.000000059604645f)));
                             }
-                            let _e801 = phi_3653_;
-                            if (_e730 < 0f) {
-                                phi_3659_ = -(_e801);
+                            let _e817 = phi_3719_;
+                            if (_e747 < 0f) {
+                                phi_3725_ = -(_e817);
                             } else {
-                                phi_3659_ = _e801;
+                                phi_3725_ = _e817;
                             }
-                            let _e805 = phi_3659_;
-                            let _e807 = -((_e730 + _e805));
-                            local_8[0u] = (_e807 / (_e807 + _e732));
-                            local_8[1u] = (_e729 / (_e729 + _e807));
-                            let _e816 = local_8[1u];
-                            let _e817 = local_8[0u];
-                            if (_e816 < _e817) {
-                                let _e820 = local_8[1u];
-                                let _e822 = local_8[0u];
-                                local_8[0u] = _e820;
-                                local_8[1u] = _e822;
+                            let _e821 = phi_3725_;
+                            let _e823 = -((_e747 + _e821));
+                            local_8[0u] = (_e823 / (_e823 + _e748));
+                            local_8[1u] = (_e746 / (_e746 + _e823));
+                            let _e832 = local_8[1u];
+                            let _e833 = local_8[0u];
+                            if (_e832 < _e833) {
+                                let _e836 = local_8[1u];
+                                let _e838 = local_8[0u];
+                                local_8[0u] = _e836;
+                                local_8[1u] = _e838;
                             }
-                            phi_3684_ = type_28(0u, 2u);
-                            phi_3687_ = 1u;
+                            phi_3750_ = type_28(0u, 2u);
+                            phi_3753_ = 1u;
                             loop {
-                                let _e826 = phi_3684_;
-                                let _e828 = phi_3687_;
-                                local_44 = _e828;
-                                if (_e826.member < _e826.member_1) {
-                                    phi_3685_ = type_28((_e826.member + 1u), _e826.member_1);
-                                    phi_3710_ = type_28(1u, _e826.member);
+                                let _e842 = phi_3750_;
+                                let _e844 = phi_3753_;
+                                local_46 = _e844;
+                                if (_e842.member < _e842.member_1) {
+                                    phi_3751_ = type_28((_e842.member + 1u), _e842.member_1);
+                                    phi_3776_ = type_28(1u, _e842.member);
                                 } else {
-                                    phi_3685_ = _e826;
-                                    phi_3710_ = type_28(0u, type_28().member_1);
+                                    phi_3751_ = _e842;
+                                    phi_3776_ = type_28(0u, type_28().member_1);
                                 }
-                                let _e842 = phi_3685_;
-                                let _e844 = phi_3710_;
-                                let _e848 = (bitcast<i32>(_e844.member) != 0i);
-                                if _e848 {
-                                    if (_e844.member_1 < 2u) {
+                                let _e858 = phi_3751_;
+                                let _e860 = phi_3776_;
+                                let _e864 = (bitcast<i32>(_e860.member) != 0i);
+                                if _e864 {
+                                    if (_e860.member_1 < 2u) {
                                     } else {
                                         return;
                                     }
-                                    let _e851 = local_8[_e844.member_1];
-                                    if (_e851 > 0f) {
-                                        if (_e844.member_1 < 2u) {
+                                    let _e867 = local_8[_e860.member_1];
+                                    if (_e867 > 0f) {
+                                        if (_e860.member_1 < 2u) {
                                         } else {
                                             return;
                                         }
-                                        let _e855 = local_8[_e844.member_1];
-                                        if (_e855 < 1f) {
-                                            if (_e844.member_1 < 2u) {
+                                        let _e871 = local_8[_e860.member_1];
+                                        if (_e871 < 1f) {
+                                            if (_e860.member_1 < 2u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e859 = local_8[_e844.member_1];
-                                            if (_e828 < 4u) {
+                                            let _e875 = local_8[_e860.member_1];
+                                            if (_e844 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            local_7[_e828] = _e859;
-                                            phi_3754_ = (_e828 + 1u);
+                                            local_7[_e844] = _e875;
+                                            phi_3820_ = (_e844 + 1u);
                                         } else {
-                                            phi_3754_ = _e828;
+                                            phi_3820_ = _e844;
                                         }
-                                        let _e864 = phi_3754_;
-                                        phi_3755_ = _e864;
+                                        let _e880 = phi_3820_;
+                                        phi_3821_ = _e880;
                                     } else {
-                                        phi_3755_ = _e828;
+                                        phi_3821_ = _e844;
                                     }
-                                    let _e866 = phi_3755_;
-                                    phi_3688_ = _e866;
+                                    let _e882 = phi_3821_;
+                                    phi_3754_ = _e882;
                                 } else {
-                                    phi_3688_ = u32();
+                                    phi_3754_ = u32();
                                 }
-                                let _e868 = phi_3688_;
+                                let _e884 = phi_3754_;
                                 continue;
                                 continuing {
-                                    phi_3684_ = _e842;
-                                    phi_3687_ = _e868;
-                                    break if !(_e848);
+                                    phi_3750_ = _e858;
+                                    phi_3753_ = _e884;
+                                    break if !(_e864);
                                 }
                             }
-                            let _e4694 = local_44;
-                            phi_3756_ = _e4694;
+                            let _e4837 = local_46;
+                            phi_3822_ = _e4837;
                         } else {
-                            phi_3756_ = 1u;
+                            phi_3822_ = 1u;
                         }
-                        let _e871 = phi_3756_;
-                        if (_e871 < 4u) {
+                        let _e887 = phi_3822_;
+                        if (_e887 < 4u) {
                         } else {
                             return;
                         }
-                        local_7[_e871] = 1f;
-                        let _e874 = local_7;
-                        local_9 = _e874;
-                        phi_3776_ = type_28(0u, _e871);
+                        local_7[_e887] = 1f;
+                        let _e890 = local_7;
+                        local_9 = _e890;
+                        phi_3842_ = type_28(0u, _e887);
                         loop {
-                            let _e877 = phi_3776_;
-                            if (_e877.member < _e877.member_1) {
-                                phi_3777_ = type_28((_e877.member + 1u), _e877.member_1);
-                                phi_3800_ = type_28(1u, _e877.member);
+                            let _e893 = phi_3842_;
+                            if (_e893.member < _e893.member_1) {
+                                phi_3843_ = type_28((_e893.member + 1u), _e893.member_1);
+                                phi_3866_ = type_28(1u, _e893.member);
                             } else {
-                                phi_3777_ = _e877;
-                                phi_3800_ = type_28(0u, type_28().member_1);
+                                phi_3843_ = _e893;
+                                phi_3866_ = type_28(0u, type_28().member_1);
                             }
-                            let _e891 = phi_3777_;
-                            let _e893 = phi_3800_;
-                            if (bitcast<i32>(_e893.member) != 0i) {
-                                if (_e893.member_1 < 4u) {
+                            let _e907 = phi_3843_;
+                            let _e909 = phi_3866_;
+                            if (bitcast<i32>(_e909.member) != 0i) {
+                                if (_e909.member_1 < 4u) {
                                 } else {
                                     return;
                                 }
-                                let _e900 = local_9[_e893.member_1];
-                                let _e901 = (_e893.member_1 + 1u);
-                                if (_e901 < 4u) {
+                                let _e916 = local_9[_e909.member_1];
+                                let _e917 = (_e909.member_1 + 1u);
+                                if (_e917 < 4u) {
                                 } else {
                                     return;
                                 }
-                                let _e904 = local_9[_e901];
-                                let _e905 = (1f - _e900);
-                                let _e916 = ((((_e360 * _e905) + (_e383 * _e900)) * (_e905 * _e905)) + (((_e406 * _e905) + (_e417 * _e900)) * (_e900 * _e900)));
-                                let _e917 = (1f - _e904);
-                                let _e928 = ((((_e360 * _e917) + (_e383 * _e904)) * (_e917 * _e917)) + (((_e406 * _e917) + (_e417 * _e904)) * (_e904 * _e904)));
-                                if (_e916 < 0f) {
-                                    phi_3852_ = -(_e916);
+                                let _e920 = local_9[_e917];
+                                let _e921 = (1f - _e916);
+                                let _e932 = ((((_e362 * _e921) + (_e385 * _e916)) * (_e921 * _e921)) + (((_e408 * _e921) + (_e419 * _e916)) * (_e916 * _e916)));
+                                let _e933 = (1f - _e920);
+                                let _e944 = ((((_e362 * _e933) + (_e385 * _e920)) * (_e933 * _e933)) + (((_e408 * _e933) + (_e419 * _e920)) * (_e920 * _e920)));
+                                if (_e932 < 0f) {
+                                    phi_3918_ = -(_e932);
                                 } else {
-                                    phi_3852_ = _e916;
+                                    phi_3918_ = _e932;
                                 }
-                                let _e932 = phi_3852_;
-                                let _e933 = (_e932 > _e727);
-                                if (_e928 < 0f) {
-                                    phi_3859_ = -(_e928);
+                                let _e948 = phi_3918_;
+                                let _e949 = (_e948 > _e737);
+                                if (_e944 < 0f) {
+                                    phi_3925_ = -(_e944);
                                 } else {
-                                    phi_3859_ = _e928;
+                                    phi_3925_ = _e944;
                                 }
-                                let _e937 = phi_3859_;
-                                let _e938 = (_e937 > _e727);
-                                if _e933 {
-                                    if _e938 {
-                                        phi_3870_ = ((_e916 > 0f) != (_e928 > 0f));
-                                        phi_3871_ = false;
-                                    } else {
-                                        phi_3870_ = bool();
-                                        phi_3871_ = true;
-                                    }
-                                    let _e943 = phi_3870_;
-                                    let _e945 = phi_3871_;
-                                    phi_3872_ = _e943;
-                                    phi_3873_ = _e945;
-                                } else {
-                                    phi_3872_ = bool();
-                                    phi_3873_ = true;
-                                }
-                                let _e947 = phi_3872_;
-                                let _e949 = phi_3873_;
+                                let _e953 = phi_3925_;
+                                let _e954 = (_e953 > _e737);
                                 if _e949 {
-                                    phi_3877_ = false;
-                                } else {
-                                    phi_3877_ = _e947;
-                                }
-                                let _e951 = phi_3877_;
-                                if _e933 {
-                                    if _e938 {
-                                        if _e951 {
-                                            phi_3888_ = type_56();
-                                        } else {
-                                            phi_3888_ = type_56(1f, 0f, _e951);
-                                        }
-                                        let _e954 = phi_3888_;
-                                        phi_3889_ = _e954;
-                                        phi_3890_ = _e951;
+                                    if _e954 {
+                                        phi_3936_ = ((_e932 > 0f) != (_e944 > 0f));
+                                        phi_3937_ = false;
                                     } else {
-                                        phi_3889_ = type_56();
-                                        phi_3890_ = true;
+                                        phi_3936_ = bool();
+                                        phi_3937_ = true;
                                     }
-                                    let _e956 = phi_3889_;
-                                    let _e958 = phi_3890_;
-                                    phi_3891_ = _e956;
-                                    phi_3892_ = _e958;
+                                    let _e959 = phi_3936_;
+                                    let _e961 = phi_3937_;
+                                    phi_3938_ = _e959;
+                                    phi_3939_ = _e961;
                                 } else {
-                                    phi_3891_ = type_56();
-                                    phi_3892_ = true;
+                                    phi_3938_ = bool();
+                                    phi_3939_ = true;
                                 }
-                                let _e960 = phi_3891_;
-                                let _e962 = phi_3892_;
-                                if _e962 {
-                                    if _e933 {
-                                        if (_e916 < 0f) {
-                                            phi_3903_ = -1f;
+                                let _e963 = phi_3938_;
+                                let _e965 = phi_3939_;
+                                if _e965 {
+                                    phi_3943_ = false;
+                                } else {
+                                    phi_3943_ = _e963;
+                                }
+                                let _e967 = phi_3943_;
+                                if _e949 {
+                                    if _e954 {
+                                        if _e967 {
+                                            phi_3954_ = type_56();
                                         } else {
-                                            phi_3903_ = 1f;
+                                            phi_3954_ = type_56(1f, 0f, _e967);
                                         }
-                                        let _e965 = phi_3903_;
-                                        let _e968 = (_e406 - _e383);
-                                        phi_3913_ = type_28(0u, 64u);
-                                        phi_3916_ = _e904;
-                                        phi_3918_ = _e900;
-                                        phi_3920_ = (0.5f * (_e900 + _e904));
+                                        let _e970 = phi_3954_;
+                                        phi_3955_ = _e970;
+                                        phi_3956_ = _e967;
+                                    } else {
+                                        phi_3955_ = type_56();
+                                        phi_3956_ = true;
+                                    }
+                                    let _e972 = phi_3955_;
+                                    let _e974 = phi_3956_;
+                                    phi_3957_ = _e972;
+                                    phi_3958_ = _e974;
+                                } else {
+                                    phi_3957_ = type_56();
+                                    phi_3958_ = true;
+                                }
+                                let _e976 = phi_3957_;
+                                let _e978 = phi_3958_;
+                                if _e978 {
+                                    if _e949 {
+                                        if (_e932 < 0f) {
+                                            phi_3969_ = -1f;
+                                        } else {
+                                            phi_3969_ = 1f;
+                                        }
+                                        let _e981 = phi_3969_;
+                                        let _e984 = (_e408 - _e385);
+                                        phi_3979_ = type_28(0u, 64u);
+                                        phi_3982_ = _e920;
+                                        phi_3984_ = _e916;
+                                        phi_3986_ = (0.5f * (_e916 + _e920));
                                         loop {
-                                            let _e974 = phi_3913_;
-                                            let _e976 = phi_3916_;
-                                            let _e978 = phi_3918_;
-                                            let _e980 = phi_3920_;
-                                            local_46 = _e978;
-                                            if (_e974.member < _e974.member_1) {
-                                                phi_3914_ = type_28((_e974.member + 1u), _e974.member_1);
-                                                phi_3943_ = type_28(1u, _e974.member);
+                                            let _e990 = phi_3979_;
+                                            let _e992 = phi_3982_;
+                                            let _e994 = phi_3984_;
+                                            let _e996 = phi_3986_;
+                                            local_48 = _e994;
+                                            if (_e990.member < _e990.member_1) {
+                                                phi_3980_ = type_28((_e990.member + 1u), _e990.member_1);
+                                                phi_4009_ = type_28(1u, _e990.member);
                                             } else {
-                                                phi_3914_ = _e974;
-                                                phi_3943_ = type_28(0u, type_28().member_1);
+                                                phi_3980_ = _e990;
+                                                phi_4009_ = type_28(0u, type_28().member_1);
                                             }
-                                            let _e994 = phi_3914_;
-                                            let _e996 = phi_3943_;
-                                            if (bitcast<i32>(_e996.member) != 0i) {
-                                                let _e1000 = (1f - _e980);
-                                                let _e1013 = ((_e965 * ((((_e360 * _e1000) + (_e383 * _e980)) * (_e1000 * _e1000)) + (((_e406 * _e1000) + (_e417 * _e980)) * (_e980 * _e980)))) - _e727);
-                                                if (_e1013 > 0f) {
-                                                    phi_3968_ = _e976;
-                                                    phi_3969_ = _e980;
+                                            let _e1010 = phi_3980_;
+                                            let _e1012 = phi_4009_;
+                                            if (bitcast<i32>(_e1012.member) != 0i) {
+                                                let _e1016 = (1f - _e996);
+                                                let _e1029 = ((_e981 * ((((_e362 * _e1016) + (_e385 * _e996)) * (_e1016 * _e1016)) + (((_e408 * _e1016) + (_e419 * _e996)) * (_e996 * _e996)))) - _e737);
+                                                if (_e1029 > 0f) {
+                                                    phi_4034_ = _e992;
+                                                    phi_4035_ = _e996;
                                                 } else {
-                                                    phi_3968_ = _e980;
-                                                    phi_3969_ = _e978;
+                                                    phi_4034_ = _e996;
+                                                    phi_4035_ = _e994;
                                                 }
-                                                let _e1016 = phi_3968_;
-                                                let _e1018 = phi_3969_;
-                                                let _e1020 = ((_e1016 - _e1018) > 0.00000000000022737368f);
-                                                if _e1020 {
-                                                    let _e1021 = (1f - _e980);
-                                                    let _e1033 = (-(_e1013) / (_e965 * (((((_e383 - (3f * _e360)) * _e1021) + (_e968 * _e980)) * _e1021) + (((_e968 * _e1021) + (((3f * _e417) - _e406) * _e980)) * _e980))));
-                                                    if (_e1013 > 0f) {
-                                                        phi_3995_ = (0.5f * 0.00000000000022737368f);
+                                                let _e1032 = phi_4034_;
+                                                let _e1034 = phi_4035_;
+                                                let _e1036 = ((_e1032 - _e1034) > 0.00000000000022737368f);
+                                                if _e1036 {
+                                                    let _e1037 = (1f - _e996);
+                                                    let _e1049 = (-(_e1029) / (_e981 * (((((_e385 - (3f * _e362)) * _e1037) + (_e984 * _e996)) * _e1037) + (((_e984 * _e1037) + (((3f * _e419) - _e408) * _e996)) * _e996))));
+                                                    if (_e1029 > 0f) {
+                                                        phi_4061_ = (0.5f * 0.00000000000022737368f);
                                                     } else {
-                                                        phi_3995_ = -((0.5f * 0.00000000000022737368f));
+                                                        phi_4061_ = -((0.5f * 0.00000000000022737368f));
                                                     }
-                                                    let _e1039 = phi_3995_;
-                                                    let _e1041 = ((_e980 + _e1033) + _e1039);
-                                                    if (_e1041 > _e1018) {
-                                                        if (_e1041 < _e1016) {
-                                                            if (_e1033 < 0f) {
-                                                                phi_4011_ = -(_e1033);
+                                                    let _e1055 = phi_4061_;
+                                                    let _e1057 = ((_e996 + _e1049) + _e1055);
+                                                    if (_e1057 > _e1034) {
+                                                        if (_e1057 < _e1032) {
+                                                            if (_e1049 < 0f) {
+                                                                phi_4077_ = -(_e1049);
                                                             } else {
-                                                                phi_4011_ = _e1033;
+                                                                phi_4077_ = _e1049;
                                                             }
-                                                            let _e1047 = phi_4011_;
-                                                            if (_e1047 < (0.5f * (_e1016 - _e1018))) {
-                                                                phi_4018_ = false;
+                                                            let _e1063 = phi_4077_;
+                                                            if (_e1063 < (0.5f * (_e1032 - _e1034))) {
+                                                                phi_4084_ = false;
                                                             } else {
-                                                                phi_4018_ = true;
+                                                                phi_4084_ = true;
                                                             }
-                                                            let _e1052 = phi_4018_;
-                                                            phi_4019_ = _e1052;
+                                                            let _e1068 = phi_4084_;
+                                                            phi_4085_ = _e1068;
                                                         } else {
-                                                            phi_4019_ = true;
+                                                            phi_4085_ = true;
                                                         }
-                                                        let _e1054 = phi_4019_;
-                                                        phi_4020_ = _e1054;
+                                                        let _e1070 = phi_4085_;
+                                                        phi_4086_ = _e1070;
                                                     } else {
-                                                        phi_4020_ = true;
+                                                        phi_4086_ = true;
                                                     }
-                                                    let _e1056 = phi_4020_;
-                                                    if _e1056 {
-                                                        phi_4026_ = (0.5f * (_e1018 + _e1016));
+                                                    let _e1072 = phi_4086_;
+                                                    if _e1072 {
+                                                        phi_4092_ = (0.5f * (_e1034 + _e1032));
                                                     } else {
-                                                        phi_4026_ = _e1041;
+                                                        phi_4092_ = _e1057;
                                                     }
-                                                    let _e1060 = phi_4026_;
-                                                    phi_4027_ = _e1060;
-                                                    phi_4028_ = false;
+                                                    let _e1076 = phi_4092_;
+                                                    phi_4093_ = _e1076;
+                                                    phi_4094_ = false;
                                                 } else {
-                                                    phi_4027_ = f32();
-                                                    phi_4028_ = true;
+                                                    phi_4093_ = f32();
+                                                    phi_4094_ = true;
                                                 }
-                                                let _e1062 = phi_4027_;
-                                                let _e1064 = phi_4028_;
-                                                phi_3917_ = _e1016;
-                                                phi_3919_ = _e1018;
-                                                phi_3921_ = _e1062;
-                                                phi_4029_ = _e1018;
-                                                phi_4030_ = _e1020;
-                                                phi_4031_ = _e1064;
+                                                let _e1078 = phi_4093_;
+                                                let _e1080 = phi_4094_;
+                                                phi_3983_ = _e1032;
+                                                phi_3985_ = _e1034;
+                                                phi_3987_ = _e1078;
+                                                phi_4095_ = _e1034;
+                                                phi_4096_ = _e1036;
+                                                phi_4097_ = _e1080;
                                             } else {
-                                                phi_3917_ = f32();
-                                                phi_3919_ = f32();
-                                                phi_3921_ = f32();
-                                                phi_4029_ = f32();
-                                                phi_4030_ = false;
-                                                phi_4031_ = false;
+                                                phi_3983_ = f32();
+                                                phi_3985_ = f32();
+                                                phi_3987_ = f32();
+                                                phi_4095_ = f32();
+                                                phi_4096_ = false;
+                                                phi_4097_ = false;
                                             }
-                                            let _e1066 = phi_3917_;
-                                            let _e1068 = phi_3919_;
-                                            let _e1070 = phi_3921_;
-                                            let _e1072 = phi_4029_;
-                                            let _e1074 = phi_4030_;
-                                            let _e1076 = phi_4031_;
-                                            local_17 = _e1076;
-                                            local_45 = _e1072;
+                                            let _e1082 = phi_3983_;
+                                            let _e1084 = phi_3985_;
+                                            let _e1086 = phi_3987_;
+                                            let _e1088 = phi_4095_;
+                                            let _e1090 = phi_4096_;
+                                            let _e1092 = phi_4097_;
+                                            local_17 = _e1092;
+                                            local_47 = _e1088;
                                             continue;
                                             continuing {
-                                                phi_3913_ = _e994;
-                                                phi_3916_ = _e1066;
-                                                phi_3918_ = _e1068;
-                                                phi_3920_ = _e1070;
-                                                break if !(_e1074);
+                                                phi_3979_ = _e1010;
+                                                phi_3982_ = _e1082;
+                                                phi_3984_ = _e1084;
+                                                phi_3986_ = _e1086;
+                                                break if !(_e1090);
                                             }
                                         }
-                                        let _e1079 = local_17;
-                                        if _e1079 {
-                                            let _e4736 = local_45;
-                                            phi_4035_ = _e4736;
+                                        let _e1095 = local_17;
+                                        if _e1095 {
+                                            let _e4879 = local_47;
+                                            phi_4101_ = _e4879;
                                         } else {
-                                            let _e4738 = local_46;
-                                            phi_4035_ = _e4738;
+                                            let _e4881 = local_48;
+                                            phi_4101_ = _e4881;
                                         }
-                                        let _e1081 = phi_4035_;
-                                        phi_4036_ = _e1081;
+                                        let _e1097 = phi_4101_;
+                                        phi_4102_ = _e1097;
                                     } else {
-                                        phi_4036_ = _e900;
+                                        phi_4102_ = _e916;
                                     }
-                                    let _e1083 = phi_4036_;
-                                    if _e938 {
-                                        phi_4043_ = type_28(0u, 64u);
-                                        phi_4046_ = (2f * 0.00000000000022737368f);
+                                    let _e1099 = phi_4102_;
+                                    if _e954 {
+                                        phi_4109_ = type_28(0u, 64u);
+                                        phi_4112_ = (2f * 0.00000000000022737368f);
                                         loop {
-                                            let _e1086 = phi_4043_;
-                                            let _e1088 = phi_4046_;
-                                            if (_e1086.member < _e1086.member_1) {
-                                                phi_4044_ = type_28((_e1086.member + 1u), _e1086.member_1);
-                                                phi_4069_ = type_28(1u, _e1086.member);
+                                            let _e1102 = phi_4109_;
+                                            let _e1104 = phi_4112_;
+                                            if (_e1102.member < _e1102.member_1) {
+                                                phi_4110_ = type_28((_e1102.member + 1u), _e1102.member_1);
+                                                phi_4135_ = type_28(1u, _e1102.member);
                                             } else {
-                                                phi_4044_ = _e1086;
-                                                phi_4069_ = type_28(0u, type_28().member_1);
+                                                phi_4110_ = _e1102;
+                                                phi_4135_ = type_28(0u, type_28().member_1);
                                             }
-                                            let _e1102 = phi_4044_;
-                                            let _e1104 = phi_4069_;
-                                            if (bitcast<i32>(_e1104.member) != 0i) {
-                                                let _e1108 = (_e1083 + _e1088);
-                                                if (_e1108 < _e904) {
-                                                    let _e1110 = (1f - _e1108);
-                                                    let _e1121 = ((((_e360 * _e1110) + (_e383 * _e1108)) * (_e1110 * _e1110)) + (((_e406 * _e1110) + (_e417 * _e1108)) * (_e1108 * _e1108)));
-                                                    let _e1122 = (1f - _e1083);
-                                                    let _e1133 = ((((_e360 * _e1122) + (_e383 * _e1083)) * (_e1122 * _e1122)) + (((_e406 * _e1122) + (_e417 * _e1083)) * (_e1083 * _e1083)));
-                                                    if (_e1121 < 0f) {
-                                                        phi_4110_ = -(_e1121);
+                                            let _e1118 = phi_4110_;
+                                            let _e1120 = phi_4135_;
+                                            if (bitcast<i32>(_e1120.member) != 0i) {
+                                                let _e1124 = (_e1099 + _e1104);
+                                                if (_e1124 < _e920) {
+                                                    let _e1126 = (1f - _e1124);
+                                                    let _e1137 = ((((_e362 * _e1126) + (_e385 * _e1124)) * (_e1126 * _e1126)) + (((_e408 * _e1126) + (_e419 * _e1124)) * (_e1124 * _e1124)));
+                                                    let _e1138 = (1f - _e1099);
+                                                    let _e1149 = ((((_e362 * _e1138) + (_e385 * _e1099)) * (_e1138 * _e1138)) + (((_e408 * _e1138) + (_e419 * _e1099)) * (_e1099 * _e1099)));
+                                                    if (_e1137 < 0f) {
+                                                        phi_4176_ = -(_e1137);
                                                     } else {
-                                                        phi_4110_ = _e1121;
+                                                        phi_4176_ = _e1137;
                                                     }
-                                                    let _e1137 = phi_4110_;
-                                                    if (_e1137 > _e727) {
-                                                        if (_e1133 < 0f) {
-                                                            phi_4120_ = -(_e1133);
+                                                    let _e1153 = phi_4176_;
+                                                    if (_e1153 > _e737) {
+                                                        if (_e1149 < 0f) {
+                                                            phi_4186_ = -(_e1149);
                                                         } else {
-                                                            phi_4120_ = _e1133;
+                                                            phi_4186_ = _e1149;
                                                         }
-                                                        let _e1142 = phi_4120_;
-                                                        if (_e1142 > _e727) {
-                                                            phi_4128_ = ((_e1121 > 0f) == (_e1133 > 0f));
+                                                        let _e1158 = phi_4186_;
+                                                        if (_e1158 > _e737) {
+                                                            phi_4194_ = ((_e1137 > 0f) == (_e1149 > 0f));
                                                         } else {
-                                                            phi_4128_ = false;
+                                                            phi_4194_ = false;
                                                         }
-                                                        let _e1148 = phi_4128_;
-                                                        phi_4130_ = !(_e1148);
+                                                        let _e1164 = phi_4194_;
+                                                        phi_4196_ = !(_e1164);
                                                     } else {
-                                                        phi_4130_ = false;
+                                                        phi_4196_ = false;
                                                     }
-                                                    let _e1151 = phi_4130_;
-                                                    if _e1151 {
-                                                        phi_4135_ = f32();
-                                                        phi_4136_ = false;
+                                                    let _e1167 = phi_4196_;
+                                                    if _e1167 {
+                                                        phi_4201_ = f32();
+                                                        phi_4202_ = false;
                                                     } else {
-                                                        phi_4135_ = (_e1088 + _e1088);
-                                                        phi_4136_ = true;
+                                                        phi_4201_ = (_e1104 + _e1104);
+                                                        phi_4202_ = true;
                                                     }
-                                                    let _e1154 = phi_4135_;
-                                                    let _e1156 = phi_4136_;
-                                                    phi_4137_ = _e1154;
-                                                    phi_4138_ = _e1156;
-                                                    phi_4139_ = _e1151;
-                                                    phi_4140_ = false;
+                                                    let _e1170 = phi_4201_;
+                                                    let _e1172 = phi_4202_;
+                                                    phi_4203_ = _e1170;
+                                                    phi_4204_ = _e1172;
+                                                    phi_4205_ = _e1167;
+                                                    phi_4206_ = false;
                                                 } else {
-                                                    phi_4137_ = f32();
-                                                    phi_4138_ = false;
-                                                    phi_4139_ = false;
-                                                    phi_4140_ = true;
+                                                    phi_4203_ = f32();
+                                                    phi_4204_ = false;
+                                                    phi_4205_ = false;
+                                                    phi_4206_ = true;
                                                 }
-                                                let _e1158 = phi_4137_;
-                                                let _e1160 = phi_4138_;
-                                                let _e1162 = phi_4139_;
-                                                let _e1164 = phi_4140_;
-                                                phi_4141_ = _e1108;
-                                                phi_4047_ = _e1158;
-                                                phi_4142_ = _e1160;
-                                                phi_4143_ = _e1162;
-                                                phi_4144_ = _e1164;
-                                                phi_4145_ = false;
+                                                let _e1174 = phi_4203_;
+                                                let _e1176 = phi_4204_;
+                                                let _e1178 = phi_4205_;
+                                                let _e1180 = phi_4206_;
+                                                phi_4207_ = _e1124;
+                                                phi_4113_ = _e1174;
+                                                phi_4208_ = _e1176;
+                                                phi_4209_ = _e1178;
+                                                phi_4210_ = _e1180;
+                                                phi_4211_ = false;
                                             } else {
-                                                phi_4141_ = f32();
-                                                phi_4047_ = f32();
-                                                phi_4142_ = false;
-                                                phi_4143_ = false;
-                                                phi_4144_ = false;
-                                                phi_4145_ = true;
+                                                phi_4207_ = f32();
+                                                phi_4113_ = f32();
+                                                phi_4208_ = false;
+                                                phi_4209_ = false;
+                                                phi_4210_ = false;
+                                                phi_4211_ = true;
                                             }
-                                            let _e1166 = phi_4141_;
-                                            let _e1168 = phi_4047_;
-                                            let _e1170 = phi_4142_;
-                                            let _e1172 = phi_4143_;
-                                            let _e1174 = phi_4144_;
-                                            let _e1176 = phi_4145_;
-                                            local_18 = _e1172;
-                                            local_47 = _e1174;
-                                            local_48 = _e1176;
-                                            local_49 = _e1166;
+                                            let _e1182 = phi_4207_;
+                                            let _e1184 = phi_4113_;
+                                            let _e1186 = phi_4208_;
+                                            let _e1188 = phi_4209_;
+                                            let _e1190 = phi_4210_;
+                                            let _e1192 = phi_4211_;
+                                            local_18 = _e1188;
+                                            local_49 = _e1190;
+                                            local_50 = _e1192;
+                                            local_51 = _e1182;
                                             continue;
                                             continuing {
-                                                phi_4043_ = _e1102;
-                                                phi_4046_ = _e1168;
-                                                break if !(_e1170);
+                                                phi_4109_ = _e1118;
+                                                phi_4112_ = _e1184;
+                                                break if !(_e1186);
                                             }
                                         }
-                                        let _e1179 = local_18;
-                                        if _e1179 {
-                                            phi_4149_ = false;
-                                            phi_4150_ = false;
+                                        let _e1195 = local_18;
+                                        if _e1195 {
+                                            phi_4215_ = false;
+                                            phi_4216_ = false;
                                         } else {
-                                            let _e4763 = local_47;
-                                            phi_4149_ = _e4763;
-                                            let _e4766 = local_48;
-                                            phi_4150_ = _e4766;
+                                            let _e4906 = local_49;
+                                            phi_4215_ = _e4906;
+                                            let _e4909 = local_50;
+                                            phi_4216_ = _e4909;
                                         }
-                                        let _e1181 = phi_4149_;
-                                        let _e1183 = phi_4150_;
-                                        if _e1181 {
-                                            phi_4154_ = true;
+                                        let _e1197 = phi_4215_;
+                                        let _e1199 = phi_4216_;
+                                        if _e1197 {
+                                            phi_4220_ = true;
                                         } else {
-                                            phi_4154_ = _e1183;
+                                            phi_4220_ = _e1199;
                                         }
-                                        let _e1185 = phi_4154_;
-                                        if _e1185 {
-                                            phi_4158_ = _e904;
+                                        let _e1201 = phi_4220_;
+                                        if _e1201 {
+                                            phi_4224_ = _e920;
                                         } else {
-                                            let _e4770 = local_49;
-                                            phi_4158_ = _e4770;
+                                            let _e4913 = local_51;
+                                            phi_4224_ = _e4913;
                                         }
-                                        let _e1187 = phi_4158_;
-                                        phi_4159_ = _e1187;
+                                        let _e1203 = phi_4224_;
+                                        phi_4225_ = _e1203;
                                     } else {
-                                        phi_4159_ = _e904;
+                                        phi_4225_ = _e920;
                                     }
-                                    let _e1189 = phi_4159_;
-                                    phi_4161_ = type_56(_e1083, _e1189, _e951);
+                                    let _e1205 = phi_4225_;
+                                    phi_4227_ = type_56(_e1099, _e1205, _e967);
                                 } else {
-                                    phi_4161_ = _e960;
+                                    phi_4227_ = _e976;
                                 }
-                                let _e1192 = phi_4161_;
-                                if (_e1192.member > _e1192.member_1) {
-                                    phi_6679_ = f32();
-                                    phi_6680_ = true;
-                                    phi_6681_ = false;
-                                    phi_6682_ = false;
-                                    phi_6683_ = false;
+                                let _e1208 = phi_4227_;
+                                if (_e1208.member > _e1208.member_1) {
+                                    phi_6789_ = f32();
+                                    phi_6790_ = true;
+                                    phi_6791_ = false;
+                                    phi_6792_ = false;
+                                    phi_6793_ = false;
                                 } else {
-                                    let _e1199 = ((_e1192.member_1 - _e1192.member) * 0.5f);
-                                    let _e1200 = (_e1192.member + _e1199);
-                                    let _e1202 = (_e1199 + (0.000000059604645f * 4f));
-                                    let _e1204 = local_15.member_3;
-                                    let _e1207 = local_15.member[0u];
-                                    if (_e1207[0] < 0f) {
-                                        phi_4190_ = -(_e1207[0]);
+                                    let _e1215 = ((_e1208.member_1 - _e1208.member) * 0.5f);
+                                    let _e1216 = (_e1208.member + _e1215);
+                                    let _e1218 = (_e1215 + (0.000000059604645f * 4f));
+                                    let _e1220 = local_15.member_3;
+                                    let _e1223 = local_15.member[0u];
+                                    if (_e1223[0] < 0f) {
+                                        phi_4256_ = -(_e1223[0]);
                                     } else {
-                                        phi_4190_ = _e1207[0];
+                                        phi_4256_ = _e1223[0];
                                     }
-                                    let _e1214 = phi_4190_;
-                                    if (_e1207[1] < 0f) {
-                                        phi_4197_ = -(_e1207[1]);
+                                    let _e1230 = phi_4256_;
+                                    if (_e1223[1] < 0f) {
+                                        phi_4263_ = -(_e1223[1]);
                                     } else {
-                                        phi_4197_ = _e1207[1];
+                                        phi_4263_ = _e1223[1];
                                     }
-                                    let _e1218 = phi_4197_;
-                                    if (_e1214 > _e1218) {
-                                        phi_4202_ = _e1214;
+                                    let _e1234 = phi_4263_;
+                                    if (_e1230 > _e1234) {
+                                        phi_4268_ = _e1230;
                                     } else {
-                                        phi_4202_ = _e1218;
+                                        phi_4268_ = _e1234;
                                     }
-                                    let _e1221 = phi_4202_;
-                                    if (_e1207[2] < 0f) {
-                                        phi_4209_ = -(_e1207[2]);
+                                    let _e1237 = phi_4268_;
+                                    if (_e1223[2] < 0f) {
+                                        phi_4275_ = -(_e1223[2]);
                                     } else {
-                                        phi_4209_ = _e1207[2];
+                                        phi_4275_ = _e1223[2];
                                     }
-                                    let _e1225 = phi_4209_;
-                                    if (_e1221 > _e1225) {
-                                        phi_4214_ = _e1221;
-                                    } else {
-                                        phi_4214_ = _e1225;
-                                    }
-                                    let _e1228 = phi_4214_;
-                                    let _e1230 = local_15.member[1u];
-                                    if (_e1230[0] < 0f) {
-                                        phi_4227_ = -(_e1230[0]);
-                                    } else {
-                                        phi_4227_ = _e1230[0];
-                                    }
-                                    let _e1237 = phi_4227_;
-                                    if (_e1230[1] < 0f) {
-                                        phi_4234_ = -(_e1230[1]);
-                                    } else {
-                                        phi_4234_ = _e1230[1];
-                                    }
-                                    let _e1241 = phi_4234_;
+                                    let _e1241 = phi_4275_;
                                     if (_e1237 > _e1241) {
-                                        phi_4239_ = _e1237;
+                                        phi_4280_ = _e1237;
                                     } else {
-                                        phi_4239_ = _e1241;
+                                        phi_4280_ = _e1241;
                                     }
-                                    let _e1244 = phi_4239_;
-                                    if (_e1230[2] < 0f) {
-                                        phi_4246_ = -(_e1230[2]);
+                                    let _e1244 = phi_4280_;
+                                    let _e1246 = local_15.member[1u];
+                                    if (_e1246[0] < 0f) {
+                                        phi_4293_ = -(_e1246[0]);
                                     } else {
-                                        phi_4246_ = _e1230[2];
+                                        phi_4293_ = _e1246[0];
                                     }
-                                    let _e1248 = phi_4246_;
-                                    if (_e1244 > _e1248) {
-                                        phi_4251_ = _e1244;
+                                    let _e1253 = phi_4293_;
+                                    if (_e1246[1] < 0f) {
+                                        phi_4300_ = -(_e1246[1]);
                                     } else {
-                                        phi_4251_ = _e1248;
+                                        phi_4300_ = _e1246[1];
                                     }
-                                    let _e1251 = phi_4251_;
-                                    if (_e1228 > _e1251) {
-                                        phi_4256_ = _e1228;
+                                    let _e1257 = phi_4300_;
+                                    if (_e1253 > _e1257) {
+                                        phi_4305_ = _e1253;
                                     } else {
-                                        phi_4256_ = _e1251;
+                                        phi_4305_ = _e1257;
                                     }
-                                    let _e1254 = phi_4256_;
-                                    let _e1257 = local_15.member[0u];
-                                    let _e1262 = local_15.member[1u];
-                                    let _e1272 = (_e1257[0] + ((_e1262[0] - _e1257[0]) * _e1200));
-                                    let _e1273 = (_e1257[1] + ((_e1262[1] - _e1257[1]) * _e1200));
-                                    let _e1274 = (_e1257[2] + ((_e1262[2] - _e1257[2]) * _e1200));
-                                    let _e1276 = local_15.member[1u];
-                                    let _e1281 = local_15.member[0u];
-                                    let _e1285 = (_e1276[0] - _e1281[0]);
-                                    let _e1286 = (_e1276[1] - _e1281[1]);
-                                    let _e1287 = (_e1276[2] - _e1281[2]);
-                                    if (_e1285 < 0f) {
-                                        phi_4315_ = -(_e1285);
+                                    let _e1260 = phi_4305_;
+                                    if (_e1246[2] < 0f) {
+                                        phi_4312_ = -(_e1246[2]);
                                     } else {
-                                        phi_4315_ = _e1285;
+                                        phi_4312_ = _e1246[2];
                                     }
-                                    let _e1291 = phi_4315_;
-                                    if (_e1286 < 0f) {
-                                        phi_4321_ = -(_e1286);
+                                    let _e1264 = phi_4312_;
+                                    if (_e1260 > _e1264) {
+                                        phi_4317_ = _e1260;
                                     } else {
-                                        phi_4321_ = _e1286;
+                                        phi_4317_ = _e1264;
                                     }
-                                    let _e1295 = phi_4321_;
-                                    if (_e1291 > _e1295) {
-                                        phi_4326_ = _e1291;
+                                    let _e1267 = phi_4317_;
+                                    if (_e1244 > _e1267) {
+                                        phi_4322_ = _e1244;
                                     } else {
-                                        phi_4326_ = _e1295;
+                                        phi_4322_ = _e1267;
                                     }
-                                    let _e1298 = phi_4326_;
-                                    if (_e1287 < 0f) {
-                                        phi_4332_ = -(_e1287);
+                                    let _e1270 = phi_4322_;
+                                    let _e1273 = local_15.member[0u];
+                                    let _e1278 = local_15.member[1u];
+                                    let _e1288 = (_e1273[0] + ((_e1278[0] - _e1273[0]) * _e1216));
+                                    let _e1289 = (_e1273[1] + ((_e1278[1] - _e1273[1]) * _e1216));
+                                    let _e1290 = (_e1273[2] + ((_e1278[2] - _e1273[2]) * _e1216));
+                                    let _e1292 = local_15.member[1u];
+                                    let _e1297 = local_15.member[0u];
+                                    let _e1301 = (_e1292[0] - _e1297[0]);
+                                    let _e1302 = (_e1292[1] - _e1297[1]);
+                                    let _e1303 = (_e1292[2] - _e1297[2]);
+                                    if (_e1301 < 0f) {
+                                        phi_4381_ = -(_e1301);
                                     } else {
-                                        phi_4332_ = _e1287;
+                                        phi_4381_ = _e1301;
                                     }
-                                    let _e1302 = phi_4332_;
-                                    if (_e1298 > _e1302) {
-                                        phi_4337_ = _e1298;
+                                    let _e1307 = phi_4381_;
+                                    if (_e1302 < 0f) {
+                                        phi_4387_ = -(_e1302);
                                     } else {
-                                        phi_4337_ = _e1302;
+                                        phi_4387_ = _e1302;
                                     }
-                                    let _e1305 = phi_4337_;
-                                    let _e1311 = ((((_e1202 * _e1305) * 1.01f) + ((_e1254 + _e1204) * (0.000000059604645f * 8f))) + _e1204);
-                                    if (_e1272 < 0f) {
-                                        phi_4349_ = -(_e1272);
+                                    let _e1311 = phi_4387_;
+                                    if (_e1307 > _e1311) {
+                                        phi_4392_ = _e1307;
                                     } else {
-                                        phi_4349_ = _e1272;
+                                        phi_4392_ = _e1311;
                                     }
-                                    let _e1315 = phi_4349_;
-                                    if (_e1273 < 0f) {
-                                        phi_4355_ = -(_e1273);
+                                    let _e1314 = phi_4392_;
+                                    if (_e1303 < 0f) {
+                                        phi_4398_ = -(_e1303);
                                     } else {
-                                        phi_4355_ = _e1273;
+                                        phi_4398_ = _e1303;
                                     }
-                                    let _e1319 = phi_4355_;
-                                    if (_e1315 > _e1319) {
-                                        phi_4360_ = _e1315;
+                                    let _e1318 = phi_4398_;
+                                    if (_e1314 > _e1318) {
+                                        phi_4403_ = _e1314;
                                     } else {
-                                        phi_4360_ = _e1319;
+                                        phi_4403_ = _e1318;
                                     }
-                                    let _e1322 = phi_4360_;
-                                    if (_e1274 < 0f) {
-                                        phi_4366_ = -(_e1274);
+                                    let _e1321 = phi_4403_;
+                                    let _e1327 = ((((_e1218 * _e1321) * 1.01f) + ((_e1270 + _e1220) * (0.000000059604645f * 8f))) + _e1220);
+                                    if (_e1288 < 0f) {
+                                        phi_4415_ = -(_e1288);
                                     } else {
-                                        phi_4366_ = _e1274;
+                                        phi_4415_ = _e1288;
                                     }
-                                    let _e1326 = phi_4366_;
-                                    if (_e1322 > _e1326) {
-                                        phi_4371_ = _e1322;
+                                    let _e1331 = phi_4415_;
+                                    if (_e1289 < 0f) {
+                                        phi_4421_ = -(_e1289);
                                     } else {
-                                        phi_4371_ = _e1326;
+                                        phi_4421_ = _e1289;
                                     }
-                                    let _e1329 = phi_4371_;
-                                    local_3 = type_40(array<f32, 3>(_e1272, _e1273, _e1274), _e1311, (_e1329 + _e1311));
-                                    let _e1335 = local_15.member_3;
-                                    let _e1337 = local_15.member_1[0u];
-                                    if (_e1337[0] < 0f) {
-                                        phi_4397_ = -(_e1337[0]);
+                                    let _e1335 = phi_4421_;
+                                    if (_e1331 > _e1335) {
+                                        phi_4426_ = _e1331;
                                     } else {
-                                        phi_4397_ = _e1337[0];
+                                        phi_4426_ = _e1335;
                                     }
-                                    let _e1344 = phi_4397_;
-                                    if (_e1337[1] < 0f) {
-                                        phi_4404_ = -(_e1337[1]);
+                                    let _e1338 = phi_4426_;
+                                    if (_e1290 < 0f) {
+                                        phi_4432_ = -(_e1290);
                                     } else {
-                                        phi_4404_ = _e1337[1];
+                                        phi_4432_ = _e1290;
                                     }
-                                    let _e1348 = phi_4404_;
-                                    if (_e1344 > _e1348) {
-                                        phi_4409_ = _e1344;
+                                    let _e1342 = phi_4432_;
+                                    if (_e1338 > _e1342) {
+                                        phi_4437_ = _e1338;
                                     } else {
-                                        phi_4409_ = _e1348;
+                                        phi_4437_ = _e1342;
                                     }
-                                    let _e1351 = phi_4409_;
-                                    if (_e1337[2] < 0f) {
-                                        phi_4416_ = -(_e1337[2]);
+                                    let _e1345 = phi_4437_;
+                                    local_3 = type_40(array<f32, 3>(_e1288, _e1289, _e1290), _e1327, (_e1345 + _e1327));
+                                    let _e1351 = local_15.member_3;
+                                    let _e1353 = local_15.member_1[0u];
+                                    if (_e1353[0] < 0f) {
+                                        phi_4463_ = -(_e1353[0]);
                                     } else {
-                                        phi_4416_ = _e1337[2];
+                                        phi_4463_ = _e1353[0];
                                     }
-                                    let _e1355 = phi_4416_;
-                                    if (_e1351 > _e1355) {
-                                        phi_4421_ = _e1351;
+                                    let _e1360 = phi_4463_;
+                                    if (_e1353[1] < 0f) {
+                                        phi_4470_ = -(_e1353[1]);
                                     } else {
-                                        phi_4421_ = _e1355;
+                                        phi_4470_ = _e1353[1];
                                     }
-                                    let _e1358 = phi_4421_;
-                                    let _e1360 = local_15.member_1[1u];
-                                    if (_e1360[0] < 0f) {
-                                        phi_4434_ = -(_e1360[0]);
+                                    let _e1364 = phi_4470_;
+                                    if (_e1360 > _e1364) {
+                                        phi_4475_ = _e1360;
                                     } else {
-                                        phi_4434_ = _e1360[0];
+                                        phi_4475_ = _e1364;
                                     }
-                                    let _e1367 = phi_4434_;
-                                    if (_e1360[1] < 0f) {
-                                        phi_4441_ = -(_e1360[1]);
+                                    let _e1367 = phi_4475_;
+                                    if (_e1353[2] < 0f) {
+                                        phi_4482_ = -(_e1353[2]);
                                     } else {
-                                        phi_4441_ = _e1360[1];
+                                        phi_4482_ = _e1353[2];
                                     }
-                                    let _e1371 = phi_4441_;
+                                    let _e1371 = phi_4482_;
                                     if (_e1367 > _e1371) {
-                                        phi_4446_ = _e1367;
+                                        phi_4487_ = _e1367;
                                     } else {
-                                        phi_4446_ = _e1371;
+                                        phi_4487_ = _e1371;
                                     }
-                                    let _e1374 = phi_4446_;
-                                    if (_e1360[2] < 0f) {
-                                        phi_4453_ = -(_e1360[2]);
+                                    let _e1374 = phi_4487_;
+                                    let _e1376 = local_15.member_1[1u];
+                                    if (_e1376[0] < 0f) {
+                                        phi_4500_ = -(_e1376[0]);
                                     } else {
-                                        phi_4453_ = _e1360[2];
+                                        phi_4500_ = _e1376[0];
                                     }
-                                    let _e1378 = phi_4453_;
-                                    if (_e1374 > _e1378) {
-                                        phi_4458_ = _e1374;
+                                    let _e1383 = phi_4500_;
+                                    if (_e1376[1] < 0f) {
+                                        phi_4507_ = -(_e1376[1]);
                                     } else {
-                                        phi_4458_ = _e1378;
+                                        phi_4507_ = _e1376[1];
                                     }
-                                    let _e1381 = phi_4458_;
-                                    if (_e1358 > _e1381) {
-                                        phi_4463_ = _e1358;
+                                    let _e1387 = phi_4507_;
+                                    if (_e1383 > _e1387) {
+                                        phi_4512_ = _e1383;
                                     } else {
-                                        phi_4463_ = _e1381;
+                                        phi_4512_ = _e1387;
                                     }
-                                    let _e1384 = phi_4463_;
-                                    let _e1387 = local_15.member_1[0u];
-                                    let _e1392 = local_15.member_1[1u];
-                                    let _e1402 = (_e1387[0] + ((_e1392[0] - _e1387[0]) * _e1200));
-                                    let _e1403 = (_e1387[1] + ((_e1392[1] - _e1387[1]) * _e1200));
-                                    let _e1404 = (_e1387[2] + ((_e1392[2] - _e1387[2]) * _e1200));
-                                    let _e1406 = local_15.member_1[1u];
-                                    let _e1411 = local_15.member_1[0u];
-                                    let _e1415 = (_e1406[0] - _e1411[0]);
-                                    let _e1416 = (_e1406[1] - _e1411[1]);
-                                    let _e1417 = (_e1406[2] - _e1411[2]);
-                                    if (_e1415 < 0f) {
-                                        phi_4522_ = -(_e1415);
+                                    let _e1390 = phi_4512_;
+                                    if (_e1376[2] < 0f) {
+                                        phi_4519_ = -(_e1376[2]);
                                     } else {
-                                        phi_4522_ = _e1415;
+                                        phi_4519_ = _e1376[2];
                                     }
-                                    let _e1421 = phi_4522_;
-                                    if (_e1416 < 0f) {
-                                        phi_4528_ = -(_e1416);
+                                    let _e1394 = phi_4519_;
+                                    if (_e1390 > _e1394) {
+                                        phi_4524_ = _e1390;
                                     } else {
-                                        phi_4528_ = _e1416;
+                                        phi_4524_ = _e1394;
                                     }
-                                    let _e1425 = phi_4528_;
-                                    if (_e1421 > _e1425) {
-                                        phi_4533_ = _e1421;
+                                    let _e1397 = phi_4524_;
+                                    if (_e1374 > _e1397) {
+                                        phi_4529_ = _e1374;
                                     } else {
-                                        phi_4533_ = _e1425;
+                                        phi_4529_ = _e1397;
                                     }
-                                    let _e1428 = phi_4533_;
-                                    if (_e1417 < 0f) {
-                                        phi_4539_ = -(_e1417);
+                                    let _e1400 = phi_4529_;
+                                    let _e1403 = local_15.member_1[0u];
+                                    let _e1408 = local_15.member_1[1u];
+                                    let _e1418 = (_e1403[0] + ((_e1408[0] - _e1403[0]) * _e1216));
+                                    let _e1419 = (_e1403[1] + ((_e1408[1] - _e1403[1]) * _e1216));
+                                    let _e1420 = (_e1403[2] + ((_e1408[2] - _e1403[2]) * _e1216));
+                                    let _e1422 = local_15.member_1[1u];
+                                    let _e1427 = local_15.member_1[0u];
+                                    let _e1431 = (_e1422[0] - _e1427[0]);
+                                    let _e1432 = (_e1422[1] - _e1427[1]);
+                                    let _e1433 = (_e1422[2] - _e1427[2]);
+                                    if (_e1431 < 0f) {
+                                        phi_4588_ = -(_e1431);
                                     } else {
-                                        phi_4539_ = _e1417;
+                                        phi_4588_ = _e1431;
                                     }
-                                    let _e1432 = phi_4539_;
-                                    if (_e1428 > _e1432) {
-                                        phi_4544_ = _e1428;
+                                    let _e1437 = phi_4588_;
+                                    if (_e1432 < 0f) {
+                                        phi_4594_ = -(_e1432);
                                     } else {
-                                        phi_4544_ = _e1432;
+                                        phi_4594_ = _e1432;
                                     }
-                                    let _e1435 = phi_4544_;
-                                    let _e1441 = ((((_e1202 * _e1435) * 1.01f) + ((_e1384 + _e1335) * (0.000000059604645f * 8f))) + _e1335);
-                                    if (_e1402 < 0f) {
-                                        phi_4556_ = -(_e1402);
+                                    let _e1441 = phi_4594_;
+                                    if (_e1437 > _e1441) {
+                                        phi_4599_ = _e1437;
                                     } else {
-                                        phi_4556_ = _e1402;
+                                        phi_4599_ = _e1441;
                                     }
-                                    let _e1445 = phi_4556_;
-                                    if (_e1403 < 0f) {
-                                        phi_4562_ = -(_e1403);
+                                    let _e1444 = phi_4599_;
+                                    if (_e1433 < 0f) {
+                                        phi_4605_ = -(_e1433);
                                     } else {
-                                        phi_4562_ = _e1403;
+                                        phi_4605_ = _e1433;
                                     }
-                                    let _e1449 = phi_4562_;
-                                    if (_e1445 > _e1449) {
-                                        phi_4567_ = _e1445;
+                                    let _e1448 = phi_4605_;
+                                    if (_e1444 > _e1448) {
+                                        phi_4610_ = _e1444;
                                     } else {
-                                        phi_4567_ = _e1449;
+                                        phi_4610_ = _e1448;
                                     }
-                                    let _e1452 = phi_4567_;
-                                    if (_e1404 < 0f) {
-                                        phi_4573_ = -(_e1404);
+                                    let _e1451 = phi_4610_;
+                                    let _e1457 = ((((_e1218 * _e1451) * 1.01f) + ((_e1400 + _e1351) * (0.000000059604645f * 8f))) + _e1351);
+                                    if (_e1418 < 0f) {
+                                        phi_4622_ = -(_e1418);
                                     } else {
-                                        phi_4573_ = _e1404;
+                                        phi_4622_ = _e1418;
                                     }
-                                    let _e1456 = phi_4573_;
-                                    if (_e1452 > _e1456) {
-                                        phi_4578_ = _e1452;
+                                    let _e1461 = phi_4622_;
+                                    if (_e1419 < 0f) {
+                                        phi_4628_ = -(_e1419);
                                     } else {
-                                        phi_4578_ = _e1456;
+                                        phi_4628_ = _e1419;
                                     }
-                                    let _e1459 = phi_4578_;
-                                    local_4 = type_40(array<f32, 3>(_e1402, _e1403, _e1404), _e1441, (_e1459 + _e1441));
-                                    let _e1465 = local_15.member_3;
-                                    let _e1467 = local_15.member_2[0u];
-                                    if (_e1467[0] < 0f) {
-                                        phi_4604_ = -(_e1467[0]);
+                                    let _e1465 = phi_4628_;
+                                    if (_e1461 > _e1465) {
+                                        phi_4633_ = _e1461;
                                     } else {
-                                        phi_4604_ = _e1467[0];
+                                        phi_4633_ = _e1465;
                                     }
-                                    let _e1474 = phi_4604_;
-                                    if (_e1467[1] < 0f) {
-                                        phi_4611_ = -(_e1467[1]);
+                                    let _e1468 = phi_4633_;
+                                    if (_e1420 < 0f) {
+                                        phi_4639_ = -(_e1420);
                                     } else {
-                                        phi_4611_ = _e1467[1];
+                                        phi_4639_ = _e1420;
                                     }
-                                    let _e1478 = phi_4611_;
-                                    if (_e1474 > _e1478) {
-                                        phi_4616_ = _e1474;
+                                    let _e1472 = phi_4639_;
+                                    if (_e1468 > _e1472) {
+                                        phi_4644_ = _e1468;
                                     } else {
-                                        phi_4616_ = _e1478;
+                                        phi_4644_ = _e1472;
                                     }
-                                    let _e1481 = phi_4616_;
-                                    if (_e1467[2] < 0f) {
-                                        phi_4623_ = -(_e1467[2]);
+                                    let _e1475 = phi_4644_;
+                                    local_4 = type_40(array<f32, 3>(_e1418, _e1419, _e1420), _e1457, (_e1475 + _e1457));
+                                    let _e1481 = local_15.member_3;
+                                    let _e1483 = local_15.member_2[0u];
+                                    if (_e1483[0] < 0f) {
+                                        phi_4670_ = -(_e1483[0]);
                                     } else {
-                                        phi_4623_ = _e1467[2];
+                                        phi_4670_ = _e1483[0];
                                     }
-                                    let _e1485 = phi_4623_;
-                                    if (_e1481 > _e1485) {
-                                        phi_4628_ = _e1481;
+                                    let _e1490 = phi_4670_;
+                                    if (_e1483[1] < 0f) {
+                                        phi_4677_ = -(_e1483[1]);
                                     } else {
-                                        phi_4628_ = _e1485;
+                                        phi_4677_ = _e1483[1];
                                     }
-                                    let _e1488 = phi_4628_;
-                                    let _e1490 = local_15.member_2[1u];
-                                    if (_e1490[0] < 0f) {
-                                        phi_4641_ = -(_e1490[0]);
+                                    let _e1494 = phi_4677_;
+                                    if (_e1490 > _e1494) {
+                                        phi_4682_ = _e1490;
                                     } else {
-                                        phi_4641_ = _e1490[0];
+                                        phi_4682_ = _e1494;
                                     }
-                                    let _e1497 = phi_4641_;
-                                    if (_e1490[1] < 0f) {
-                                        phi_4648_ = -(_e1490[1]);
+                                    let _e1497 = phi_4682_;
+                                    if (_e1483[2] < 0f) {
+                                        phi_4689_ = -(_e1483[2]);
                                     } else {
-                                        phi_4648_ = _e1490[1];
+                                        phi_4689_ = _e1483[2];
                                     }
-                                    let _e1501 = phi_4648_;
+                                    let _e1501 = phi_4689_;
                                     if (_e1497 > _e1501) {
-                                        phi_4653_ = _e1497;
+                                        phi_4694_ = _e1497;
                                     } else {
-                                        phi_4653_ = _e1501;
+                                        phi_4694_ = _e1501;
                                     }
-                                    let _e1504 = phi_4653_;
-                                    if (_e1490[2] < 0f) {
-                                        phi_4660_ = -(_e1490[2]);
+                                    let _e1504 = phi_4694_;
+                                    let _e1506 = local_15.member_2[1u];
+                                    if (_e1506[0] < 0f) {
+                                        phi_4707_ = -(_e1506[0]);
                                     } else {
-                                        phi_4660_ = _e1490[2];
+                                        phi_4707_ = _e1506[0];
                                     }
-                                    let _e1508 = phi_4660_;
-                                    if (_e1504 > _e1508) {
-                                        phi_4665_ = _e1504;
+                                    let _e1513 = phi_4707_;
+                                    if (_e1506[1] < 0f) {
+                                        phi_4714_ = -(_e1506[1]);
                                     } else {
-                                        phi_4665_ = _e1508;
+                                        phi_4714_ = _e1506[1];
                                     }
-                                    let _e1511 = phi_4665_;
-                                    if (_e1488 > _e1511) {
-                                        phi_4670_ = _e1488;
+                                    let _e1517 = phi_4714_;
+                                    if (_e1513 > _e1517) {
+                                        phi_4719_ = _e1513;
                                     } else {
-                                        phi_4670_ = _e1511;
+                                        phi_4719_ = _e1517;
                                     }
-                                    let _e1514 = phi_4670_;
-                                    let _e1517 = local_15.member_2[0u];
-                                    let _e1522 = local_15.member_2[1u];
-                                    let _e1532 = (_e1517[0] + ((_e1522[0] - _e1517[0]) * _e1200));
-                                    let _e1533 = (_e1517[1] + ((_e1522[1] - _e1517[1]) * _e1200));
-                                    let _e1534 = (_e1517[2] + ((_e1522[2] - _e1517[2]) * _e1200));
-                                    let _e1536 = local_15.member_2[1u];
-                                    let _e1541 = local_15.member_2[0u];
-                                    let _e1545 = (_e1536[0] - _e1541[0]);
-                                    let _e1546 = (_e1536[1] - _e1541[1]);
-                                    let _e1547 = (_e1536[2] - _e1541[2]);
-                                    if (_e1545 < 0f) {
-                                        phi_4729_ = -(_e1545);
+                                    let _e1520 = phi_4719_;
+                                    if (_e1506[2] < 0f) {
+                                        phi_4726_ = -(_e1506[2]);
                                     } else {
-                                        phi_4729_ = _e1545;
+                                        phi_4726_ = _e1506[2];
                                     }
-                                    let _e1551 = phi_4729_;
-                                    if (_e1546 < 0f) {
-                                        phi_4735_ = -(_e1546);
+                                    let _e1524 = phi_4726_;
+                                    if (_e1520 > _e1524) {
+                                        phi_4731_ = _e1520;
                                     } else {
-                                        phi_4735_ = _e1546;
+                                        phi_4731_ = _e1524;
                                     }
-                                    let _e1555 = phi_4735_;
-                                    if (_e1551 > _e1555) {
-                                        phi_4740_ = _e1551;
+                                    let _e1527 = phi_4731_;
+                                    if (_e1504 > _e1527) {
+                                        phi_4736_ = _e1504;
                                     } else {
-                                        phi_4740_ = _e1555;
+                                        phi_4736_ = _e1527;
                                     }
-                                    let _e1558 = phi_4740_;
-                                    if (_e1547 < 0f) {
-                                        phi_4746_ = -(_e1547);
+                                    let _e1530 = phi_4736_;
+                                    let _e1533 = local_15.member_2[0u];
+                                    let _e1538 = local_15.member_2[1u];
+                                    let _e1548 = (_e1533[0] + ((_e1538[0] - _e1533[0]) * _e1216));
+                                    let _e1549 = (_e1533[1] + ((_e1538[1] - _e1533[1]) * _e1216));
+                                    let _e1550 = (_e1533[2] + ((_e1538[2] - _e1533[2]) * _e1216));
+                                    let _e1552 = local_15.member_2[1u];
+                                    let _e1557 = local_15.member_2[0u];
+                                    let _e1561 = (_e1552[0] - _e1557[0]);
+                                    let _e1562 = (_e1552[1] - _e1557[1]);
+                                    let _e1563 = (_e1552[2] - _e1557[2]);
+                                    if (_e1561 < 0f) {
+                                        phi_4795_ = -(_e1561);
                                     } else {
-                                        phi_4746_ = _e1547;
+                                        phi_4795_ = _e1561;
                                     }
-                                    let _e1562 = phi_4746_;
-                                    if (_e1558 > _e1562) {
-                                        phi_4751_ = _e1558;
+                                    let _e1567 = phi_4795_;
+                                    if (_e1562 < 0f) {
+                                        phi_4801_ = -(_e1562);
                                     } else {
-                                        phi_4751_ = _e1562;
+                                        phi_4801_ = _e1562;
                                     }
-                                    let _e1565 = phi_4751_;
-                                    let _e1571 = ((((_e1202 * _e1565) * 1.01f) + ((_e1514 + _e1465) * (0.000000059604645f * 8f))) + _e1465);
-                                    if (_e1532 < 0f) {
-                                        phi_4763_ = -(_e1532);
+                                    let _e1571 = phi_4801_;
+                                    if (_e1567 > _e1571) {
+                                        phi_4806_ = _e1567;
                                     } else {
-                                        phi_4763_ = _e1532;
+                                        phi_4806_ = _e1571;
                                     }
-                                    let _e1575 = phi_4763_;
-                                    if (_e1533 < 0f) {
-                                        phi_4769_ = -(_e1533);
+                                    let _e1574 = phi_4806_;
+                                    if (_e1563 < 0f) {
+                                        phi_4812_ = -(_e1563);
                                     } else {
-                                        phi_4769_ = _e1533;
+                                        phi_4812_ = _e1563;
                                     }
-                                    let _e1579 = phi_4769_;
-                                    if (_e1575 > _e1579) {
-                                        phi_4774_ = _e1575;
+                                    let _e1578 = phi_4812_;
+                                    if (_e1574 > _e1578) {
+                                        phi_4817_ = _e1574;
                                     } else {
-                                        phi_4774_ = _e1579;
+                                        phi_4817_ = _e1578;
                                     }
-                                    let _e1582 = phi_4774_;
-                                    if (_e1534 < 0f) {
-                                        phi_4780_ = -(_e1534);
+                                    let _e1581 = phi_4817_;
+                                    let _e1587 = ((((_e1218 * _e1581) * 1.01f) + ((_e1530 + _e1481) * (0.000000059604645f * 8f))) + _e1481);
+                                    if (_e1548 < 0f) {
+                                        phi_4829_ = -(_e1548);
                                     } else {
-                                        phi_4780_ = _e1534;
+                                        phi_4829_ = _e1548;
                                     }
-                                    let _e1586 = phi_4780_;
-                                    if (_e1582 > _e1586) {
-                                        phi_4785_ = _e1582;
+                                    let _e1591 = phi_4829_;
+                                    if (_e1549 < 0f) {
+                                        phi_4835_ = -(_e1549);
                                     } else {
-                                        phi_4785_ = _e1586;
+                                        phi_4835_ = _e1549;
                                     }
-                                    let _e1589 = phi_4785_;
-                                    local_5 = type_40(array<f32, 3>(_e1532, _e1533, _e1534), _e1571, (_e1589 + _e1571));
-                                    let _e1594 = local_4.member;
-                                    let _e1599 = local_5.member;
-                                    let _e1605 = ((_e1594[1] * _e1599[2]) - (_e1594[2] * _e1599[1]));
-                                    let _e1608 = ((_e1594[2] * _e1599[0]) - (_e1594[0] * _e1599[2]));
-                                    let _e1611 = ((_e1594[0] * _e1599[1]) - (_e1594[1] * _e1599[0]));
-                                    if (_e1605 < 0f) {
-                                        phi_4834_ = -(_e1605);
+                                    let _e1595 = phi_4835_;
+                                    if (_e1591 > _e1595) {
+                                        phi_4840_ = _e1591;
                                     } else {
-                                        phi_4834_ = _e1605;
+                                        phi_4840_ = _e1595;
                                     }
-                                    let _e1615 = phi_4834_;
-                                    if (_e1608 < 0f) {
-                                        phi_4840_ = -(_e1608);
+                                    let _e1598 = phi_4840_;
+                                    if (_e1550 < 0f) {
+                                        phi_4846_ = -(_e1550);
                                     } else {
-                                        phi_4840_ = _e1608;
+                                        phi_4846_ = _e1550;
                                     }
-                                    let _e1619 = phi_4840_;
-                                    if (_e1615 > _e1619) {
-                                        if (_e1605 < 0f) {
-                                            phi_4850_ = -(_e1605);
+                                    let _e1602 = phi_4846_;
+                                    if (_e1598 > _e1602) {
+                                        phi_4851_ = _e1598;
+                                    } else {
+                                        phi_4851_ = _e1602;
+                                    }
+                                    let _e1605 = phi_4851_;
+                                    local_5 = type_40(array<f32, 3>(_e1548, _e1549, _e1550), _e1587, (_e1605 + _e1587));
+                                    let _e1610 = local_4.member;
+                                    let _e1615 = local_5.member;
+                                    let _e1621 = ((_e1610[1] * _e1615[2]) - (_e1610[2] * _e1615[1]));
+                                    let _e1624 = ((_e1610[2] * _e1615[0]) - (_e1610[0] * _e1615[2]));
+                                    let _e1627 = ((_e1610[0] * _e1615[1]) - (_e1610[1] * _e1615[0]));
+                                    if (_e1621 < 0f) {
+                                        phi_4900_ = -(_e1621);
+                                    } else {
+                                        phi_4900_ = _e1621;
+                                    }
+                                    let _e1631 = phi_4900_;
+                                    if (_e1624 < 0f) {
+                                        phi_4906_ = -(_e1624);
+                                    } else {
+                                        phi_4906_ = _e1624;
+                                    }
+                                    let _e1635 = phi_4906_;
+                                    if (_e1631 > _e1635) {
+                                        if (_e1621 < 0f) {
+                                            phi_4916_ = -(_e1621);
                                         } else {
-                                            phi_4850_ = _e1605;
+                                            phi_4916_ = _e1621;
                                         }
-                                        let _e1637 = phi_4850_;
-                                        if (_e1611 < 0f) {
-                                            phi_4856_ = -(_e1611);
+                                        let _e1653 = phi_4916_;
+                                        if (_e1627 < 0f) {
+                                            phi_4922_ = -(_e1627);
                                         } else {
-                                            phi_4856_ = _e1611;
+                                            phi_4922_ = _e1627;
                                         }
-                                        let _e1641 = phi_4856_;
-                                        if (_e1637 > _e1641) {
-                                            phi_4861_ = 2u;
-                                            phi_4862_ = 1u;
+                                        let _e1657 = phi_4922_;
+                                        if (_e1653 > _e1657) {
+                                            phi_4927_ = 2u;
+                                            phi_4928_ = 1u;
                                         } else {
-                                            phi_4861_ = 1u;
-                                            phi_4862_ = 0u;
+                                            phi_4927_ = 1u;
+                                            phi_4928_ = 0u;
                                         }
-                                        let _e1644 = phi_4861_;
-                                        let _e1646 = phi_4862_;
-                                        phi_4881_ = _e1644;
-                                        phi_4882_ = _e1646;
+                                        let _e1660 = phi_4927_;
+                                        let _e1662 = phi_4928_;
+                                        phi_4947_ = _e1660;
+                                        phi_4948_ = _e1662;
                                     } else {
-                                        if (_e1608 < 0f) {
-                                            phi_4868_ = -(_e1608);
+                                        if (_e1624 < 0f) {
+                                            phi_4934_ = -(_e1624);
                                         } else {
-                                            phi_4868_ = _e1608;
+                                            phi_4934_ = _e1624;
                                         }
-                                        let _e1624 = phi_4868_;
-                                        if (_e1611 < 0f) {
-                                            phi_4874_ = -(_e1611);
+                                        let _e1640 = phi_4934_;
+                                        if (_e1627 < 0f) {
+                                            phi_4940_ = -(_e1627);
                                         } else {
-                                            phi_4874_ = _e1611;
+                                            phi_4940_ = _e1627;
                                         }
-                                        let _e1628 = phi_4874_;
-                                        if (_e1624 > _e1628) {
-                                            phi_4879_ = 0u;
-                                            phi_4880_ = 2u;
+                                        let _e1644 = phi_4940_;
+                                        if (_e1640 > _e1644) {
+                                            phi_4945_ = 0u;
+                                            phi_4946_ = 2u;
                                         } else {
-                                            phi_4879_ = 1u;
-                                            phi_4880_ = 0u;
+                                            phi_4945_ = 1u;
+                                            phi_4946_ = 0u;
                                         }
-                                        let _e1631 = phi_4879_;
-                                        let _e1633 = phi_4880_;
-                                        phi_4881_ = _e1631;
-                                        phi_4882_ = _e1633;
+                                        let _e1647 = phi_4945_;
+                                        let _e1649 = phi_4946_;
+                                        phi_4947_ = _e1647;
+                                        phi_4948_ = _e1649;
                                     }
-                                    let _e1648 = phi_4881_;
-                                    let _e1650 = phi_4882_;
-                                    if (_e1650 < 3u) {
+                                    let _e1664 = phi_4947_;
+                                    let _e1666 = phi_4948_;
+                                    if (_e1666 < 3u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1654 = local_4.member[_e1650];
-                                    if (_e1648 < 3u) {
+                                    let _e1670 = local_4.member[_e1666];
+                                    if (_e1664 < 3u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1658 = local_5.member[_e1648];
-                                    if (_e1648 < 3u) {
+                                    let _e1674 = local_5.member[_e1664];
+                                    if (_e1664 < 3u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1663 = local_4.member[_e1648];
-                                    if (_e1650 < 3u) {
+                                    let _e1679 = local_4.member[_e1664];
+                                    if (_e1666 < 3u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1667 = local_5.member[_e1650];
-                                    let _e1669 = ((_e1654 * _e1658) - (_e1663 * _e1667));
-                                    let _e1671 = local_4.member_1;
-                                    let _e1673 = local_5.member_2;
-                                    let _e1676 = local_4.member_2;
-                                    let _e1678 = local_5.member_1;
-                                    let _e1683 = local_4.member_2;
-                                    let _e1685 = local_5.member_2;
+                                    let _e1683 = local_5.member[_e1666];
+                                    let _e1685 = ((_e1670 * _e1674) - (_e1679 * _e1683));
+                                    let _e1687 = local_4.member_1;
+                                    let _e1689 = local_5.member_2;
                                     let _e1692 = local_4.member_2;
-                                    let _e1695 = local_5.member_2;
-                                    let _e1699 = (((((_e1671 * _e1673) + (_e1676 * _e1678)) * 2.01f) + ((_e1683 * _e1685) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1692) * (1f + _e1695))));
-                                    if (_e1669 < 0f) {
-                                        phi_4949_ = -(_e1669);
+                                    let _e1694 = local_5.member_1;
+                                    let _e1699 = local_4.member_2;
+                                    let _e1701 = local_5.member_2;
+                                    let _e1708 = local_4.member_2;
+                                    let _e1711 = local_5.member_2;
+                                    let _e1715 = (((((_e1687 * _e1689) + (_e1692 * _e1694)) * 2.01f) + ((_e1699 * _e1701) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1708) * (1f + _e1711))));
+                                    if (_e1685 < 0f) {
+                                        phi_5015_ = -(_e1685);
                                     } else {
-                                        phi_4949_ = _e1669;
+                                        phi_5015_ = _e1685;
                                     }
-                                    let _e1703 = phi_4949_;
-                                    if (_e1703 > _e1699) {
-                                        if (_e1669 < 0f) {
-                                            phi_4958_ = -1f;
+                                    let _e1719 = phi_5015_;
+                                    if (_e1719 > _e1715) {
+                                        if (_e1685 < 0f) {
+                                            phi_5024_ = -1f;
                                         } else {
-                                            phi_4958_ = 1f;
+                                            phi_5024_ = 1f;
                                         }
-                                        let _e1707 = phi_4958_;
-                                        if (_e1650 < 3u) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e1711 = local_3.member[_e1650];
-                                        if (_e1648 < 3u) {
+                                        let _e1723 = phi_5024_;
+                                        if (_e1666 < 3u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1715 = local_5.member[_e1648];
-                                        if (_e1648 < 3u) {
+                                        let _e1727 = local_3.member[_e1666];
+                                        if (_e1664 < 3u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1720 = local_3.member[_e1648];
-                                        if (_e1650 < 3u) {
+                                        let _e1731 = local_5.member[_e1664];
+                                        if (_e1664 < 3u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1724 = local_5.member[_e1650];
-                                        let _e1728 = local_3.member_1;
-                                        let _e1730 = local_5.member_2;
-                                        let _e1733 = local_3.member_2;
-                                        let _e1735 = local_5.member_1;
-                                        let _e1740 = local_3.member_2;
-                                        let _e1742 = local_5.member_2;
+                                        let _e1736 = local_3.member[_e1664];
+                                        if (_e1666 < 3u) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e1740 = local_5.member[_e1666];
+                                        let _e1744 = local_3.member_1;
+                                        let _e1746 = local_5.member_2;
                                         let _e1749 = local_3.member_2;
-                                        let _e1752 = local_5.member_2;
-                                        let _e1756 = (((((_e1728 * _e1730) + (_e1733 * _e1735)) * 2.01f) + ((_e1740 * _e1742) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1749) * (1f + _e1752))));
-                                        if (_e1650 < 3u) {
+                                        let _e1751 = local_5.member_1;
+                                        let _e1756 = local_3.member_2;
+                                        let _e1758 = local_5.member_2;
+                                        let _e1765 = local_3.member_2;
+                                        let _e1768 = local_5.member_2;
+                                        let _e1772 = (((((_e1744 * _e1746) + (_e1749 * _e1751)) * 2.01f) + ((_e1756 * _e1758) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1765) * (1f + _e1768))));
+                                        if (_e1666 < 3u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1760 = local_4.member[_e1650];
-                                        if (_e1648 < 3u) {
+                                        let _e1776 = local_4.member[_e1666];
+                                        if (_e1664 < 3u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1764 = local_3.member[_e1648];
-                                        if (_e1648 < 3u) {
+                                        let _e1780 = local_3.member[_e1664];
+                                        if (_e1664 < 3u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1769 = local_4.member[_e1648];
-                                        if (_e1650 < 3u) {
+                                        let _e1785 = local_4.member[_e1664];
+                                        if (_e1666 < 3u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1773 = local_3.member[_e1650];
-                                        let _e1777 = local_4.member_1;
-                                        let _e1779 = local_3.member_2;
-                                        let _e1782 = local_4.member_2;
-                                        let _e1784 = local_3.member_1;
-                                        let _e1789 = local_4.member_2;
-                                        let _e1791 = local_3.member_2;
+                                        let _e1789 = local_3.member[_e1666];
+                                        let _e1793 = local_4.member_1;
+                                        let _e1795 = local_3.member_2;
                                         let _e1798 = local_4.member_2;
-                                        let _e1801 = local_3.member_2;
-                                        let _e1805 = (((((_e1777 * _e1779) + (_e1782 * _e1784)) * 2.01f) + ((_e1789 * _e1791) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1798) * (1f + _e1801))));
-                                        let _e1806 = (_e1669 * _e1707);
-                                        let _e1807 = (((_e1711 * _e1715) - (_e1720 * _e1724)) * _e1707);
-                                        let _e1808 = (((_e1760 * _e1764) - (_e1769 * _e1773)) * _e1707);
-                                        if (_e1806 < 0f) {
-                                            phi_5089_ = -(_e1806);
+                                        let _e1800 = local_3.member_1;
+                                        let _e1805 = local_4.member_2;
+                                        let _e1807 = local_3.member_2;
+                                        let _e1814 = local_4.member_2;
+                                        let _e1817 = local_3.member_2;
+                                        let _e1821 = (((((_e1793 * _e1795) + (_e1798 * _e1800)) * 2.01f) + ((_e1805 * _e1807) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1814) * (1f + _e1817))));
+                                        let _e1822 = (_e1685 * _e1723);
+                                        let _e1823 = (((_e1727 * _e1731) - (_e1736 * _e1740)) * _e1723);
+                                        let _e1824 = (((_e1776 * _e1780) - (_e1785 * _e1789)) * _e1723);
+                                        if (_e1822 < 0f) {
+                                            phi_5155_ = -(_e1822);
                                         } else {
-                                            phi_5089_ = _e1806;
+                                            phi_5155_ = _e1822;
                                         }
-                                        let _e1812 = phi_5089_;
-                                        if (_e1807 < 0f) {
-                                            phi_5095_ = -(_e1807);
+                                        let _e1828 = phi_5155_;
+                                        if (_e1823 < 0f) {
+                                            phi_5161_ = -(_e1823);
                                         } else {
-                                            phi_5095_ = _e1807;
+                                            phi_5161_ = _e1823;
                                         }
-                                        let _e1816 = phi_5095_;
-                                        if (_e1808 < 0f) {
-                                            phi_5102_ = -(_e1808);
+                                        let _e1832 = phi_5161_;
+                                        if (_e1824 < 0f) {
+                                            phi_5168_ = -(_e1824);
                                         } else {
-                                            phi_5102_ = _e1808;
+                                            phi_5168_ = _e1824;
                                         }
-                                        let _e1821 = phi_5102_;
-                                        let _e1826 = ((_e1806 - _e1807) - _e1808);
-                                        let _e1829 = (((_e1699 + _e1756) + _e1805) + (((_e1812 + _e1816) + _e1821) * (0.000000059604645f * 4f)));
-                                        local_6[0u].member = _e1807;
-                                        local_6[0u].member_1 = _e1756;
-                                        local_6[1u].member = _e1808;
-                                        local_6[1u].member_1 = _e1805;
-                                        local_6[2u].member = _e1826;
-                                        local_6[2u].member_1 = _e1829;
-                                        local_6[3u].member = _e1826;
-                                        local_6[3u].member_1 = _e1829;
-                                        phi_5145_ = type_28(0u, 4u);
-                                        phi_5148_ = true;
+                                        let _e1837 = phi_5168_;
+                                        let _e1842 = ((_e1822 - _e1823) - _e1824);
+                                        let _e1845 = (((_e1715 + _e1772) + _e1821) + (((_e1828 + _e1832) + _e1837) * (0.000000059604645f * 4f)));
+                                        local_6[0u].member = _e1823;
+                                        local_6[0u].member_1 = _e1772;
+                                        local_6[1u].member = _e1824;
+                                        local_6[1u].member_1 = _e1821;
+                                        local_6[2u].member = _e1842;
+                                        local_6[2u].member_1 = _e1845;
+                                        local_6[3u].member = _e1842;
+                                        local_6[3u].member_1 = _e1845;
+                                        phi_5211_ = type_28(0u, 4u);
+                                        phi_5214_ = true;
                                         loop {
-                                            let _e1844 = phi_5145_;
-                                            let _e1846 = phi_5148_;
-                                            local_20 = _e1846;
-                                            if (_e1844.member < _e1844.member_1) {
-                                                phi_5146_ = type_28((_e1844.member + 1u), _e1844.member_1);
-                                                phi_5171_ = type_28(1u, _e1844.member);
+                                            let _e1860 = phi_5211_;
+                                            let _e1862 = phi_5214_;
+                                            local_20 = _e1862;
+                                            if (_e1860.member < _e1860.member_1) {
+                                                phi_5212_ = type_28((_e1860.member + 1u), _e1860.member_1);
+                                                phi_5237_ = type_28(1u, _e1860.member);
                                             } else {
-                                                phi_5146_ = _e1844;
-                                                phi_5171_ = type_28(0u, type_28().member_1);
+                                                phi_5212_ = _e1860;
+                                                phi_5237_ = type_28(0u, type_28().member_1);
                                             }
-                                            let _e1860 = phi_5146_;
-                                            let _e1862 = phi_5171_;
-                                            if (bitcast<i32>(_e1862.member) != 0i) {
-                                                if (_e1862.member_1 < 4u) {
+                                            let _e1876 = phi_5212_;
+                                            let _e1878 = phi_5237_;
+                                            if (bitcast<i32>(_e1878.member) != 0i) {
+                                                if (_e1878.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1870 = local_6[_e1862.member_1].member;
-                                                let _e1873 = local_6[_e1862.member_1].member_1;
-                                                let _e1875 = (_e1870 < -(_e1873));
-                                                if _e1875 {
-                                                    phi_5198_ = bool();
-                                                    phi_5199_ = false;
+                                                let _e1886 = local_6[_e1878.member_1].member;
+                                                let _e1889 = local_6[_e1878.member_1].member_1;
+                                                let _e1891 = (_e1886 < -(_e1889));
+                                                if _e1891 {
+                                                    phi_5264_ = bool();
+                                                    phi_5265_ = false;
                                                 } else {
-                                                    phi_5198_ = (_e1846 && (_e1870 > _e1873));
-                                                    phi_5199_ = true;
+                                                    phi_5264_ = (_e1862 && (_e1886 > _e1889));
+                                                    phi_5265_ = true;
                                                 }
-                                                let _e1879 = phi_5198_;
-                                                let _e1881 = phi_5199_;
-                                                phi_5149_ = _e1879;
-                                                phi_5200_ = _e1881;
-                                                phi_5201_ = _e1875;
+                                                let _e1895 = phi_5264_;
+                                                let _e1897 = phi_5265_;
+                                                phi_5215_ = _e1895;
+                                                phi_5266_ = _e1897;
+                                                phi_5267_ = _e1891;
                                             } else {
-                                                phi_5149_ = bool();
-                                                phi_5200_ = false;
-                                                phi_5201_ = false;
+                                                phi_5215_ = bool();
+                                                phi_5266_ = false;
+                                                phi_5267_ = false;
                                             }
-                                            let _e1883 = phi_5149_;
-                                            let _e1885 = phi_5200_;
-                                            let _e1887 = phi_5201_;
-                                            local_19 = _e1887;
+                                            let _e1899 = phi_5215_;
+                                            let _e1901 = phi_5266_;
+                                            let _e1903 = phi_5267_;
+                                            local_19 = _e1903;
                                             continue;
                                             continuing {
-                                                phi_5145_ = _e1860;
-                                                phi_5148_ = _e1883;
-                                                break if !(_e1885);
+                                                phi_5211_ = _e1876;
+                                                phi_5214_ = _e1899;
+                                                break if !(_e1901);
                                             }
                                         }
-                                        let _e1890 = local_19;
-                                        if _e1890 {
-                                            phi_5205_ = false;
+                                        let _e1906 = local_19;
+                                        if _e1906 {
+                                            phi_5271_ = false;
                                         } else {
-                                            phi_5205_ = true;
+                                            phi_5271_ = true;
                                         }
-                                        let _e1892 = phi_5205_;
-                                        if _e1892 {
-                                            let _e1894 = local_20;
-                                            if _e1894 {
-                                                phi_5212_ = 1u;
+                                        let _e1908 = phi_5271_;
+                                        if _e1908 {
+                                            let _e1910 = local_20;
+                                            if _e1910 {
+                                                phi_5278_ = 1u;
                                             } else {
-                                                phi_5212_ = 2u;
+                                                phi_5278_ = 2u;
                                             }
-                                            let _e1896 = phi_5212_;
-                                            phi_5213_ = _e1896;
-                                            phi_5214_ = false;
+                                            let _e1912 = phi_5278_;
+                                            phi_5279_ = _e1912;
+                                            phi_5280_ = false;
                                         } else {
-                                            phi_5213_ = u32();
-                                            phi_5214_ = true;
+                                            phi_5279_ = u32();
+                                            phi_5280_ = true;
                                         }
-                                        let _e1898 = phi_5213_;
-                                        let _e1900 = phi_5214_;
-                                        phi_5215_ = _e1898;
-                                        phi_5216_ = 0u;
-                                        phi_5217_ = _e1900;
+                                        let _e1914 = phi_5279_;
+                                        let _e1916 = phi_5280_;
+                                        phi_5281_ = _e1914;
+                                        phi_5282_ = 0u;
+                                        phi_5283_ = _e1916;
                                     } else {
-                                        phi_5215_ = u32();
-                                        phi_5216_ = 2u;
-                                        phi_5217_ = true;
+                                        phi_5281_ = u32();
+                                        phi_5282_ = 2u;
+                                        phi_5283_ = true;
                                     }
-                                    let _e1902 = phi_5215_;
-                                    let _e1904 = phi_5216_;
-                                    let _e1906 = phi_5217_;
-                                    if _e1906 {
-                                        phi_5221_ = _e1904;
+                                    let _e1918 = phi_5281_;
+                                    let _e1920 = phi_5282_;
+                                    let _e1922 = phi_5283_;
+                                    if _e1922 {
+                                        phi_5287_ = _e1920;
                                     } else {
-                                        phi_5221_ = _e1902;
+                                        phi_5287_ = _e1918;
                                     }
-                                    let _e1908 = phi_5221_;
-                                    let _e1909 = (_e1908 == 0u);
-                                    if _e1909 {
-                                        phi_6675_ = f32();
-                                        phi_6676_ = false;
-                                        phi_6677_ = false;
-                                        phi_6678_ = false;
+                                    let _e1924 = phi_5287_;
+                                    let _e1925 = (_e1924 == 0u);
+                                    if _e1925 {
+                                        phi_6785_ = f32();
+                                        phi_6786_ = false;
+                                        phi_6787_ = false;
+                                        phi_6788_ = false;
                                     } else {
-                                        if (_e1908 == 1u) {
-                                            if _e1192.member_2 {
-                                                if ((_e1192.member_1 - _e1192.member) <= 0.0000005f) {
-                                                    phi_5241_ = false;
+                                        if (_e1924 == 1u) {
+                                            if _e1208.member_2 {
+                                                if ((_e1208.member_1 - _e1208.member) <= 0.0000005f) {
+                                                    phi_5307_ = false;
                                                 } else {
-                                                    phi_5241_ = true;
+                                                    phi_5307_ = true;
                                                 }
-                                                let _e1917 = phi_5241_;
-                                                phi_5242_ = _e1917;
+                                                let _e1933 = phi_5307_;
+                                                phi_5308_ = _e1933;
                                             } else {
-                                                phi_5242_ = true;
+                                                phi_5308_ = true;
                                             }
-                                            let _e1919 = phi_5242_;
-                                            phi_5243_ = _e1919;
+                                            let _e1935 = phi_5308_;
+                                            phi_5309_ = _e1935;
                                         } else {
-                                            phi_5243_ = true;
+                                            phi_5309_ = true;
                                         }
-                                        let _e1921 = phi_5243_;
-                                        if _e1921 {
-                                            let _e1926 = local_15.member[0u];
-                                            let _e1932 = local_15.member_1[0u];
-                                            let _e1938 = local_15.member_2[0u];
-                                            local_1 = array<array<f32, 3>, 4>(_e1926, array<f32, 3>((_e1926[0] - _e1932[0]), (_e1926[1] - _e1932[1]), (_e1926[2] - _e1932[2])), array<f32, 3>((_e1926[0] - _e1938[0]), (_e1926[1] - _e1938[1]), (_e1926[2] - _e1938[2])), _e1926);
-                                            let _e1953 = local_15.member[1u];
-                                            let _e1959 = local_15.member_1[1u];
-                                            let _e1965 = local_15.member_2[1u];
-                                            local_2 = array<array<f32, 3>, 4>(_e1953, array<f32, 3>((_e1953[0] - _e1959[0]), (_e1953[1] - _e1959[1]), (_e1953[2] - _e1959[2])), array<f32, 3>((_e1953[0] - _e1965[0]), (_e1953[1] - _e1965[1]), (_e1953[2] - _e1965[2])), _e1953);
-                                            let _e1980 = local_15.member[0u];
-                                            if (_e1980[0] < 0f) {
-                                                phi_5439_ = -(_e1980[0]);
+                                        let _e1937 = phi_5309_;
+                                        if _e1937 {
+                                            let _e1942 = local_15.member[0u];
+                                            let _e1948 = local_15.member_1[0u];
+                                            let _e1954 = local_15.member_2[0u];
+                                            local_1 = array<array<f32, 3>, 4>(_e1942, array<f32, 3>((_e1942[0] - _e1948[0]), (_e1942[1] - _e1948[1]), (_e1942[2] - _e1948[2])), array<f32, 3>((_e1942[0] - _e1954[0]), (_e1942[1] - _e1954[1]), (_e1942[2] - _e1954[2])), _e1942);
+                                            let _e1969 = local_15.member[1u];
+                                            let _e1975 = local_15.member_1[1u];
+                                            let _e1981 = local_15.member_2[1u];
+                                            local_2 = array<array<f32, 3>, 4>(_e1969, array<f32, 3>((_e1969[0] - _e1975[0]), (_e1969[1] - _e1975[1]), (_e1969[2] - _e1975[2])), array<f32, 3>((_e1969[0] - _e1981[0]), (_e1969[1] - _e1981[1]), (_e1969[2] - _e1981[2])), _e1969);
+                                            let _e1996 = local_15.member[0u];
+                                            if (_e1996[0] < 0f) {
+                                                phi_5505_ = -(_e1996[0]);
                                             } else {
-                                                phi_5439_ = _e1980[0];
+                                                phi_5505_ = _e1996[0];
                                             }
-                                            let _e1987 = phi_5439_;
-                                            if (_e1980[1] < 0f) {
-                                                phi_5446_ = -(_e1980[1]);
+                                            let _e2003 = phi_5505_;
+                                            if (_e1996[1] < 0f) {
+                                                phi_5512_ = -(_e1996[1]);
                                             } else {
-                                                phi_5446_ = _e1980[1];
+                                                phi_5512_ = _e1996[1];
                                             }
-                                            let _e1991 = phi_5446_;
-                                            if (_e1987 > _e1991) {
-                                                phi_5451_ = _e1987;
+                                            let _e2007 = phi_5512_;
+                                            if (_e2003 > _e2007) {
+                                                phi_5517_ = _e2003;
                                             } else {
-                                                phi_5451_ = _e1991;
+                                                phi_5517_ = _e2007;
                                             }
-                                            let _e1994 = phi_5451_;
-                                            if (_e1980[2] < 0f) {
-                                                phi_5458_ = -(_e1980[2]);
+                                            let _e2010 = phi_5517_;
+                                            if (_e1996[2] < 0f) {
+                                                phi_5524_ = -(_e1996[2]);
                                             } else {
-                                                phi_5458_ = _e1980[2];
+                                                phi_5524_ = _e1996[2];
                                             }
-                                            let _e1998 = phi_5458_;
-                                            if (_e1994 > _e1998) {
-                                                phi_5463_ = _e1994;
+                                            let _e2014 = phi_5524_;
+                                            if (_e2010 > _e2014) {
+                                                phi_5529_ = _e2010;
                                             } else {
-                                                phi_5463_ = _e1998;
+                                                phi_5529_ = _e2014;
                                             }
-                                            let _e2001 = phi_5463_;
-                                            let _e2004 = local_15.member[1u];
-                                            if (_e2004[0] < 0f) {
-                                                phi_5476_ = -(_e2004[0]);
+                                            let _e2017 = phi_5529_;
+                                            let _e2020 = local_15.member[1u];
+                                            if (_e2020[0] < 0f) {
+                                                phi_5542_ = -(_e2020[0]);
                                             } else {
-                                                phi_5476_ = _e2004[0];
+                                                phi_5542_ = _e2020[0];
                                             }
-                                            let _e2011 = phi_5476_;
-                                            if (_e2004[1] < 0f) {
-                                                phi_5483_ = -(_e2004[1]);
+                                            let _e2027 = phi_5542_;
+                                            if (_e2020[1] < 0f) {
+                                                phi_5549_ = -(_e2020[1]);
                                             } else {
-                                                phi_5483_ = _e2004[1];
+                                                phi_5549_ = _e2020[1];
                                             }
-                                            let _e2015 = phi_5483_;
-                                            if (_e2011 > _e2015) {
-                                                phi_5488_ = _e2011;
+                                            let _e2031 = phi_5549_;
+                                            if (_e2027 > _e2031) {
+                                                phi_5554_ = _e2027;
                                             } else {
-                                                phi_5488_ = _e2015;
+                                                phi_5554_ = _e2031;
                                             }
-                                            let _e2018 = phi_5488_;
-                                            if (_e2004[2] < 0f) {
-                                                phi_5495_ = -(_e2004[2]);
+                                            let _e2034 = phi_5554_;
+                                            if (_e2020[2] < 0f) {
+                                                phi_5561_ = -(_e2020[2]);
                                             } else {
-                                                phi_5495_ = _e2004[2];
+                                                phi_5561_ = _e2020[2];
                                             }
-                                            let _e2022 = phi_5495_;
-                                            if (_e2018 > _e2022) {
-                                                phi_5500_ = _e2018;
+                                            let _e2038 = phi_5561_;
+                                            if (_e2034 > _e2038) {
+                                                phi_5566_ = _e2034;
                                             } else {
-                                                phi_5500_ = _e2022;
+                                                phi_5566_ = _e2038;
                                             }
-                                            let _e2025 = phi_5500_;
-                                            if (_e2001 > _e2025) {
-                                                phi_5505_ = _e2001;
+                                            let _e2041 = phi_5566_;
+                                            if (_e2017 > _e2041) {
+                                                phi_5571_ = _e2017;
                                             } else {
-                                                phi_5505_ = _e2025;
+                                                phi_5571_ = _e2041;
                                             }
-                                            let _e2028 = phi_5505_;
-                                            let _e2030 = local_15.member_3;
-                                            let _e2034 = local_15.member_1[0u];
-                                            if (_e2034[0] < 0f) {
-                                                phi_5522_ = -(_e2034[0]);
+                                            let _e2044 = phi_5571_;
+                                            let _e2046 = local_15.member_3;
+                                            let _e2050 = local_15.member_1[0u];
+                                            if (_e2050[0] < 0f) {
+                                                phi_5588_ = -(_e2050[0]);
                                             } else {
-                                                phi_5522_ = _e2034[0];
+                                                phi_5588_ = _e2050[0];
                                             }
-                                            let _e2041 = phi_5522_;
-                                            if (_e2034[1] < 0f) {
-                                                phi_5529_ = -(_e2034[1]);
+                                            let _e2057 = phi_5588_;
+                                            if (_e2050[1] < 0f) {
+                                                phi_5595_ = -(_e2050[1]);
                                             } else {
-                                                phi_5529_ = _e2034[1];
+                                                phi_5595_ = _e2050[1];
                                             }
-                                            let _e2045 = phi_5529_;
-                                            if (_e2041 > _e2045) {
-                                                phi_5534_ = _e2041;
+                                            let _e2061 = phi_5595_;
+                                            if (_e2057 > _e2061) {
+                                                phi_5600_ = _e2057;
                                             } else {
-                                                phi_5534_ = _e2045;
+                                                phi_5600_ = _e2061;
                                             }
-                                            let _e2048 = phi_5534_;
-                                            if (_e2034[2] < 0f) {
-                                                phi_5541_ = -(_e2034[2]);
+                                            let _e2064 = phi_5600_;
+                                            if (_e2050[2] < 0f) {
+                                                phi_5607_ = -(_e2050[2]);
                                             } else {
-                                                phi_5541_ = _e2034[2];
+                                                phi_5607_ = _e2050[2];
                                             }
-                                            let _e2052 = phi_5541_;
-                                            if (_e2048 > _e2052) {
-                                                phi_5546_ = _e2048;
+                                            let _e2068 = phi_5607_;
+                                            if (_e2064 > _e2068) {
+                                                phi_5612_ = _e2064;
                                             } else {
-                                                phi_5546_ = _e2052;
+                                                phi_5612_ = _e2068;
                                             }
-                                            let _e2055 = phi_5546_;
-                                            let _e2058 = local_15.member_1[1u];
-                                            if (_e2058[0] < 0f) {
-                                                phi_5560_ = -(_e2058[0]);
+                                            let _e2071 = phi_5612_;
+                                            let _e2074 = local_15.member_1[1u];
+                                            if (_e2074[0] < 0f) {
+                                                phi_5626_ = -(_e2074[0]);
                                             } else {
-                                                phi_5560_ = _e2058[0];
+                                                phi_5626_ = _e2074[0];
                                             }
-                                            let _e2065 = phi_5560_;
-                                            if (_e2058[1] < 0f) {
-                                                phi_5567_ = -(_e2058[1]);
+                                            let _e2081 = phi_5626_;
+                                            if (_e2074[1] < 0f) {
+                                                phi_5633_ = -(_e2074[1]);
                                             } else {
-                                                phi_5567_ = _e2058[1];
+                                                phi_5633_ = _e2074[1];
                                             }
-                                            let _e2069 = phi_5567_;
-                                            if (_e2065 > _e2069) {
-                                                phi_5572_ = _e2065;
+                                            let _e2085 = phi_5633_;
+                                            if (_e2081 > _e2085) {
+                                                phi_5638_ = _e2081;
                                             } else {
-                                                phi_5572_ = _e2069;
+                                                phi_5638_ = _e2085;
                                             }
-                                            let _e2072 = phi_5572_;
-                                            if (_e2058[2] < 0f) {
-                                                phi_5579_ = -(_e2058[2]);
+                                            let _e2088 = phi_5638_;
+                                            if (_e2074[2] < 0f) {
+                                                phi_5645_ = -(_e2074[2]);
                                             } else {
-                                                phi_5579_ = _e2058[2];
+                                                phi_5645_ = _e2074[2];
                                             }
-                                            let _e2076 = phi_5579_;
-                                            if (_e2072 > _e2076) {
-                                                phi_5584_ = _e2072;
+                                            let _e2092 = phi_5645_;
+                                            if (_e2088 > _e2092) {
+                                                phi_5650_ = _e2088;
                                             } else {
-                                                phi_5584_ = _e2076;
+                                                phi_5650_ = _e2092;
                                             }
-                                            let _e2079 = phi_5584_;
-                                            if (_e2055 > _e2079) {
-                                                phi_5589_ = _e2055;
+                                            let _e2095 = phi_5650_;
+                                            if (_e2071 > _e2095) {
+                                                phi_5655_ = _e2071;
                                             } else {
-                                                phi_5589_ = _e2079;
+                                                phi_5655_ = _e2095;
                                             }
-                                            let _e2082 = phi_5589_;
-                                            let _e2084 = local_15.member_3;
-                                            let _e2088 = local_15.member_2[0u];
-                                            if (_e2088[0] < 0f) {
-                                                phi_5606_ = -(_e2088[0]);
+                                            let _e2098 = phi_5655_;
+                                            let _e2100 = local_15.member_3;
+                                            let _e2104 = local_15.member_2[0u];
+                                            if (_e2104[0] < 0f) {
+                                                phi_5672_ = -(_e2104[0]);
                                             } else {
-                                                phi_5606_ = _e2088[0];
+                                                phi_5672_ = _e2104[0];
                                             }
-                                            let _e2095 = phi_5606_;
-                                            if (_e2088[1] < 0f) {
-                                                phi_5613_ = -(_e2088[1]);
+                                            let _e2111 = phi_5672_;
+                                            if (_e2104[1] < 0f) {
+                                                phi_5679_ = -(_e2104[1]);
                                             } else {
-                                                phi_5613_ = _e2088[1];
+                                                phi_5679_ = _e2104[1];
                                             }
-                                            let _e2099 = phi_5613_;
-                                            if (_e2095 > _e2099) {
-                                                phi_5618_ = _e2095;
+                                            let _e2115 = phi_5679_;
+                                            if (_e2111 > _e2115) {
+                                                phi_5684_ = _e2111;
                                             } else {
-                                                phi_5618_ = _e2099;
+                                                phi_5684_ = _e2115;
                                             }
-                                            let _e2102 = phi_5618_;
-                                            if (_e2088[2] < 0f) {
-                                                phi_5625_ = -(_e2088[2]);
+                                            let _e2118 = phi_5684_;
+                                            if (_e2104[2] < 0f) {
+                                                phi_5691_ = -(_e2104[2]);
                                             } else {
-                                                phi_5625_ = _e2088[2];
+                                                phi_5691_ = _e2104[2];
                                             }
-                                            let _e2106 = phi_5625_;
-                                            if (_e2102 > _e2106) {
-                                                phi_5630_ = _e2102;
+                                            let _e2122 = phi_5691_;
+                                            if (_e2118 > _e2122) {
+                                                phi_5696_ = _e2118;
                                             } else {
-                                                phi_5630_ = _e2106;
+                                                phi_5696_ = _e2122;
                                             }
-                                            let _e2109 = phi_5630_;
-                                            let _e2112 = local_15.member_2[1u];
-                                            if (_e2112[0] < 0f) {
-                                                phi_5644_ = -(_e2112[0]);
+                                            let _e2125 = phi_5696_;
+                                            let _e2128 = local_15.member_2[1u];
+                                            if (_e2128[0] < 0f) {
+                                                phi_5710_ = -(_e2128[0]);
                                             } else {
-                                                phi_5644_ = _e2112[0];
+                                                phi_5710_ = _e2128[0];
                                             }
-                                            let _e2119 = phi_5644_;
-                                            if (_e2112[1] < 0f) {
-                                                phi_5651_ = -(_e2112[1]);
+                                            let _e2135 = phi_5710_;
+                                            if (_e2128[1] < 0f) {
+                                                phi_5717_ = -(_e2128[1]);
                                             } else {
-                                                phi_5651_ = _e2112[1];
+                                                phi_5717_ = _e2128[1];
                                             }
-                                            let _e2123 = phi_5651_;
-                                            if (_e2119 > _e2123) {
-                                                phi_5656_ = _e2119;
+                                            let _e2139 = phi_5717_;
+                                            if (_e2135 > _e2139) {
+                                                phi_5722_ = _e2135;
                                             } else {
-                                                phi_5656_ = _e2123;
+                                                phi_5722_ = _e2139;
                                             }
-                                            let _e2126 = phi_5656_;
-                                            if (_e2112[2] < 0f) {
-                                                phi_5663_ = -(_e2112[2]);
+                                            let _e2142 = phi_5722_;
+                                            if (_e2128[2] < 0f) {
+                                                phi_5729_ = -(_e2128[2]);
                                             } else {
-                                                phi_5663_ = _e2112[2];
+                                                phi_5729_ = _e2128[2];
                                             }
-                                            let _e2130 = phi_5663_;
-                                            if (_e2126 > _e2130) {
-                                                phi_5668_ = _e2126;
+                                            let _e2146 = phi_5729_;
+                                            if (_e2142 > _e2146) {
+                                                phi_5734_ = _e2142;
                                             } else {
-                                                phi_5668_ = _e2130;
+                                                phi_5734_ = _e2146;
                                             }
-                                            let _e2133 = phi_5668_;
-                                            if (_e2109 > _e2133) {
-                                                phi_5673_ = _e2109;
+                                            let _e2149 = phi_5734_;
+                                            if (_e2125 > _e2149) {
+                                                phi_5739_ = _e2125;
                                             } else {
-                                                phi_5673_ = _e2133;
+                                                phi_5739_ = _e2149;
                                             }
-                                            let _e2136 = phi_5673_;
-                                            let _e2138 = local_15.member_3;
-                                            let _e2145 = local_15.member_3;
-                                            phi_5689_ = type_28(0u, 48u);
-                                            phi_5692_ = _e1192.member;
+                                            let _e2152 = phi_5739_;
+                                            let _e2154 = local_15.member_3;
+                                            let _e2161 = local_15.member_3;
+                                            phi_5755_ = type_28(0u, 48u);
+                                            phi_5758_ = _e1208.member;
                                             loop {
-                                                let _e2151 = phi_5689_;
-                                                let _e2153 = phi_5692_;
-                                                local_60 = _e2153;
-                                                local_27 = _e2153;
-                                                local_28 = _e2153;
-                                                local_29 = _e2153;
-                                                if (_e2151.member < _e2151.member_1) {
-                                                    phi_5690_ = type_28((_e2151.member + 1u), _e2151.member_1);
-                                                    phi_5715_ = type_28(1u, _e2151.member);
+                                                let _e2167 = phi_5755_;
+                                                let _e2169 = phi_5758_;
+                                                local_65 = _e2169;
+                                                local_27 = _e2169;
+                                                local_28 = _e2169;
+                                                local_29 = _e2169;
+                                                local_30 = _e2169;
+                                                if (_e2167.member < _e2167.member_1) {
+                                                    phi_5756_ = type_28((_e2167.member + 1u), _e2167.member_1);
+                                                    phi_5781_ = type_28(1u, _e2167.member);
                                                 } else {
-                                                    phi_5690_ = _e2151;
-                                                    phi_5715_ = type_28(0u, type_28().member_1);
+                                                    phi_5756_ = _e2167;
+                                                    phi_5781_ = type_28(0u, type_28().member_1);
                                                 }
-                                                let _e2167 = phi_5690_;
-                                                let _e2169 = phi_5715_;
-                                                if (bitcast<i32>(_e2169.member) != 0i) {
-                                                    let _e2175 = local_15.member[0u];
-                                                    let _e2181 = local_15.member[1u];
-                                                    let _e2191 = (_e2175[0] + ((_e2181[0] - _e2175[0]) * _e2153));
-                                                    let _e2192 = (_e2175[1] + ((_e2181[1] - _e2175[1]) * _e2153));
-                                                    let _e2193 = (_e2175[2] + ((_e2181[2] - _e2175[2]) * _e2153));
-                                                    let _e2196 = local_15.member_1[0u];
-                                                    let _e2202 = local_15.member_1[1u];
-                                                    let _e2212 = (_e2196[0] + ((_e2202[0] - _e2196[0]) * _e2153));
-                                                    let _e2213 = (_e2196[1] + ((_e2202[1] - _e2196[1]) * _e2153));
-                                                    let _e2214 = (_e2196[2] + ((_e2202[2] - _e2196[2]) * _e2153));
-                                                    let _e2217 = local_15.member_2[0u];
-                                                    let _e2223 = local_15.member_2[1u];
-                                                    let _e2233 = (_e2217[0] + ((_e2223[0] - _e2217[0]) * _e2153));
-                                                    let _e2234 = (_e2217[1] + ((_e2223[1] - _e2217[1]) * _e2153));
-                                                    let _e2235 = (_e2217[2] + ((_e2223[2] - _e2217[2]) * _e2153));
-                                                    let _e2240 = (((_e2212 * _e2212) + (_e2213 * _e2213)) + (_e2214 * _e2214));
-                                                    let _e2245 = (((_e2212 * _e2233) + (_e2213 * _e2234)) + (_e2214 * _e2235));
-                                                    let _e2250 = (((_e2233 * _e2233) + (_e2234 * _e2234)) + (_e2235 * _e2235));
-                                                    let _e2255 = (((_e2191 * _e2212) + (_e2192 * _e2213)) + (_e2193 * _e2214));
-                                                    let _e2260 = (((_e2191 * _e2233) + (_e2192 * _e2234)) + (_e2193 * _e2235));
-                                                    let _e2263 = ((_e2240 * _e2250) - (_e2245 * _e2245));
-                                                    let _e2267 = (((_e2255 * _e2250) - (_e2260 * _e2245)) / _e2263);
-                                                    let _e2271 = (((_e2260 * _e2240) - (_e2255 * _e2245)) / _e2263);
-                                                    if (_e2267 >= 0f) {
-                                                        if (_e2271 >= 0f) {
-                                                            phi_5889_ = ((_e2267 + _e2271) <= 1f);
-                                                            phi_5890_ = false;
+                                                let _e2183 = phi_5756_;
+                                                let _e2185 = phi_5781_;
+                                                if (bitcast<i32>(_e2185.member) != 0i) {
+                                                    let _e2191 = local_15.member[0u];
+                                                    let _e2197 = local_15.member[1u];
+                                                    let _e2207 = (_e2191[0] + ((_e2197[0] - _e2191[0]) * _e2169));
+                                                    let _e2208 = (_e2191[1] + ((_e2197[1] - _e2191[1]) * _e2169));
+                                                    let _e2209 = (_e2191[2] + ((_e2197[2] - _e2191[2]) * _e2169));
+                                                    let _e2212 = local_15.member_1[0u];
+                                                    let _e2218 = local_15.member_1[1u];
+                                                    let _e2228 = (_e2212[0] + ((_e2218[0] - _e2212[0]) * _e2169));
+                                                    let _e2229 = (_e2212[1] + ((_e2218[1] - _e2212[1]) * _e2169));
+                                                    let _e2230 = (_e2212[2] + ((_e2218[2] - _e2212[2]) * _e2169));
+                                                    let _e2233 = local_15.member_2[0u];
+                                                    let _e2239 = local_15.member_2[1u];
+                                                    let _e2249 = (_e2233[0] + ((_e2239[0] - _e2233[0]) * _e2169));
+                                                    let _e2250 = (_e2233[1] + ((_e2239[1] - _e2233[1]) * _e2169));
+                                                    let _e2251 = (_e2233[2] + ((_e2239[2] - _e2233[2]) * _e2169));
+                                                    let _e2256 = (((_e2228 * _e2228) + (_e2229 * _e2229)) + (_e2230 * _e2230));
+                                                    let _e2261 = (((_e2228 * _e2249) + (_e2229 * _e2250)) + (_e2230 * _e2251));
+                                                    let _e2266 = (((_e2249 * _e2249) + (_e2250 * _e2250)) + (_e2251 * _e2251));
+                                                    let _e2271 = (((_e2207 * _e2228) + (_e2208 * _e2229)) + (_e2209 * _e2230));
+                                                    let _e2276 = (((_e2207 * _e2249) + (_e2208 * _e2250)) + (_e2209 * _e2251));
+                                                    let _e2279 = ((_e2256 * _e2266) - (_e2261 * _e2261));
+                                                    let _e2283 = (((_e2271 * _e2266) - (_e2276 * _e2261)) / _e2279);
+                                                    let _e2287 = (((_e2276 * _e2256) - (_e2271 * _e2261)) / _e2279);
+                                                    if (_e2283 >= 0f) {
+                                                        if (_e2287 >= 0f) {
+                                                            phi_5955_ = ((_e2283 + _e2287) <= 1f);
+                                                            phi_5956_ = false;
                                                         } else {
-                                                            phi_5889_ = bool();
-                                                            phi_5890_ = true;
+                                                            phi_5955_ = bool();
+                                                            phi_5956_ = true;
                                                         }
-                                                        let _e2277 = phi_5889_;
-                                                        let _e2279 = phi_5890_;
-                                                        phi_5891_ = _e2277;
-                                                        phi_5892_ = _e2279;
+                                                        let _e2293 = phi_5955_;
+                                                        let _e2295 = phi_5956_;
+                                                        phi_5957_ = _e2293;
+                                                        phi_5958_ = _e2295;
                                                     } else {
-                                                        phi_5891_ = bool();
-                                                        phi_5892_ = true;
+                                                        phi_5957_ = bool();
+                                                        phi_5958_ = true;
                                                     }
-                                                    let _e2281 = phi_5891_;
-                                                    let _e2283 = phi_5892_;
-                                                    if _e2283 {
-                                                        phi_5896_ = false;
+                                                    let _e2297 = phi_5957_;
+                                                    let _e2299 = phi_5958_;
+                                                    if _e2299 {
+                                                        phi_5962_ = false;
                                                     } else {
-                                                        phi_5896_ = _e2281;
+                                                        phi_5962_ = _e2297;
                                                     }
-                                                    let _e2285 = phi_5896_;
-                                                    if (_e2263 > 0f) {
-                                                        if _e2285 {
-                                                            phi_5918_ = array<f32, 3>((_e2191 - ((_e2212 * _e2267) + (_e2233 * _e2271))), (_e2192 - ((_e2213 * _e2267) + (_e2234 * _e2271))), (_e2193 - ((_e2214 * _e2267) + (_e2235 * _e2271))));
-                                                            phi_5919_ = false;
+                                                    let _e2301 = phi_5962_;
+                                                    if (_e2279 > 0f) {
+                                                        if _e2301 {
+                                                            phi_5984_ = array<f32, 3>((_e2207 - ((_e2228 * _e2283) + (_e2249 * _e2287))), (_e2208 - ((_e2229 * _e2283) + (_e2250 * _e2287))), (_e2209 - ((_e2230 * _e2283) + (_e2251 * _e2287))));
+                                                            phi_5985_ = false;
                                                         } else {
-                                                            phi_5918_ = array<f32, 3>();
-                                                            phi_5919_ = true;
+                                                            phi_5984_ = array<f32, 3>();
+                                                            phi_5985_ = true;
                                                         }
-                                                        let _e2301 = phi_5918_;
-                                                        let _e2303 = phi_5919_;
-                                                        phi_5920_ = _e2301;
-                                                        phi_5921_ = _e2303;
+                                                        let _e2317 = phi_5984_;
+                                                        let _e2319 = phi_5985_;
+                                                        phi_5986_ = _e2317;
+                                                        phi_5987_ = _e2319;
                                                     } else {
-                                                        phi_5920_ = array<f32, 3>();
-                                                        phi_5921_ = true;
+                                                        phi_5986_ = array<f32, 3>();
+                                                        phi_5987_ = true;
                                                     }
-                                                    let _e2305 = phi_5920_;
-                                                    let _e2307 = phi_5921_;
-                                                    if _e2307 {
-                                                        let _e2308 = (_e2191 - _e2212);
-                                                        let _e2309 = (_e2192 - _e2213);
-                                                        let _e2310 = (_e2193 - _e2214);
-                                                        let _e2311 = (_e2233 - _e2212);
-                                                        let _e2312 = (_e2234 - _e2213);
-                                                        let _e2313 = (_e2235 - _e2214);
-                                                        let _e2324 = ((((_e2308 * _e2311) + (_e2309 * _e2312)) + (_e2310 * _e2313)) / (((_e2311 * _e2311) + (_e2312 * _e2312)) + (_e2313 * _e2313)));
-                                                        if (_e2324 > 0f) {
-                                                            if (_e2324 < 1f) {
-                                                                phi_6089_ = _e2324;
+                                                    let _e2321 = phi_5986_;
+                                                    let _e2323 = phi_5987_;
+                                                    if _e2323 {
+                                                        let _e2324 = (_e2207 - _e2228);
+                                                        let _e2325 = (_e2208 - _e2229);
+                                                        let _e2326 = (_e2209 - _e2230);
+                                                        let _e2327 = (_e2249 - _e2228);
+                                                        let _e2328 = (_e2250 - _e2229);
+                                                        let _e2329 = (_e2251 - _e2230);
+                                                        let _e2340 = ((((_e2324 * _e2327) + (_e2325 * _e2328)) + (_e2326 * _e2329)) / (((_e2327 * _e2327) + (_e2328 * _e2328)) + (_e2329 * _e2329)));
+                                                        if (_e2340 > 0f) {
+                                                            if (_e2340 < 1f) {
+                                                                phi_6155_ = _e2340;
                                                             } else {
-                                                                phi_6089_ = 1f;
+                                                                phi_6155_ = 1f;
                                                             }
-                                                            let _e2328 = phi_6089_;
-                                                            phi_6090_ = _e2328;
+                                                            let _e2344 = phi_6155_;
+                                                            phi_6156_ = _e2344;
                                                         } else {
-                                                            phi_6090_ = 0f;
+                                                            phi_6156_ = 0f;
                                                         }
-                                                        let _e2330 = phi_6090_;
-                                                        let _e2334 = (_e2308 - (_e2311 * _e2330));
-                                                        let _e2335 = (_e2309 - (_e2312 * _e2330));
-                                                        let _e2336 = (_e2310 - (_e2313 * _e2330));
-                                                        let _e2347 = ((((_e2191 * _e2212) + (_e2192 * _e2213)) + (_e2193 * _e2214)) / (((_e2212 * _e2212) + (_e2213 * _e2213)) + (_e2214 * _e2214)));
-                                                        if (_e2347 > 0f) {
-                                                            if (_e2347 < 1f) {
-                                                                phi_6117_ = _e2347;
+                                                        let _e2346 = phi_6156_;
+                                                        let _e2350 = (_e2324 - (_e2327 * _e2346));
+                                                        let _e2351 = (_e2325 - (_e2328 * _e2346));
+                                                        let _e2352 = (_e2326 - (_e2329 * _e2346));
+                                                        let _e2363 = ((((_e2207 * _e2228) + (_e2208 * _e2229)) + (_e2209 * _e2230)) / (((_e2228 * _e2228) + (_e2229 * _e2229)) + (_e2230 * _e2230)));
+                                                        if (_e2363 > 0f) {
+                                                            if (_e2363 < 1f) {
+                                                                phi_6183_ = _e2363;
                                                             } else {
-                                                                phi_6117_ = 1f;
+                                                                phi_6183_ = 1f;
                                                             }
-                                                            let _e2351 = phi_6117_;
-                                                            phi_6118_ = _e2351;
+                                                            let _e2367 = phi_6183_;
+                                                            phi_6184_ = _e2367;
                                                         } else {
-                                                            phi_6118_ = 0f;
+                                                            phi_6184_ = 0f;
                                                         }
-                                                        let _e2353 = phi_6118_;
-                                                        let _e2370 = ((((_e2191 * _e2233) + (_e2192 * _e2234)) + (_e2193 * _e2235)) / (((_e2233 * _e2233) + (_e2234 * _e2234)) + (_e2235 * _e2235)));
-                                                        if (_e2370 > 0f) {
-                                                            if (_e2370 < 1f) {
-                                                                phi_6145_ = _e2370;
+                                                        let _e2369 = phi_6184_;
+                                                        let _e2386 = ((((_e2207 * _e2249) + (_e2208 * _e2250)) + (_e2209 * _e2251)) / (((_e2249 * _e2249) + (_e2250 * _e2250)) + (_e2251 * _e2251)));
+                                                        if (_e2386 > 0f) {
+                                                            if (_e2386 < 1f) {
+                                                                phi_6211_ = _e2386;
                                                             } else {
-                                                                phi_6145_ = 1f;
+                                                                phi_6211_ = 1f;
                                                             }
-                                                            let _e2374 = phi_6145_;
-                                                            phi_6146_ = _e2374;
+                                                            let _e2390 = phi_6211_;
+                                                            phi_6212_ = _e2390;
                                                         } else {
-                                                            phi_6146_ = 0f;
+                                                            phi_6212_ = 0f;
                                                         }
-                                                        let _e2376 = phi_6146_;
-                                                        local[0u] = array<f32, 3>((_e2191 - (_e2212 * _e2353)), (_e2192 - (_e2213 * _e2353)), (_e2193 - (_e2214 * _e2353)));
-                                                        local[1u] = array<f32, 3>((_e2191 - (_e2233 * _e2376)), (_e2192 - (_e2234 * _e2376)), (_e2193 - (_e2235 * _e2376)));
-                                                        local[2u] = array<f32, 3>(_e2334, _e2335, _e2336);
-                                                        local[3u] = array<f32, 3>(_e2334, _e2335, _e2336);
-                                                        let _e2392 = local[0u];
-                                                        phi_6182_ = type_28(1u, 4u);
-                                                        phi_6185_ = array<f32, 3>(_e2392[0], _e2392[1], _e2392[2]);
+                                                        let _e2392 = phi_6212_;
+                                                        local[0u] = array<f32, 3>((_e2207 - (_e2228 * _e2369)), (_e2208 - (_e2229 * _e2369)), (_e2209 - (_e2230 * _e2369)));
+                                                        local[1u] = array<f32, 3>((_e2207 - (_e2249 * _e2392)), (_e2208 - (_e2250 * _e2392)), (_e2209 - (_e2251 * _e2392)));
+                                                        local[2u] = array<f32, 3>(_e2350, _e2351, _e2352);
+                                                        local[3u] = array<f32, 3>(_e2350, _e2351, _e2352);
+                                                        let _e2408 = local[0u];
+                                                        phi_6248_ = type_28(1u, 4u);
+                                                        phi_6251_ = array<f32, 3>(_e2408[0], _e2408[1], _e2408[2]);
                                                         loop {
-                                                            let _e2398 = phi_6182_;
-                                                            let _e2400 = phi_6185_;
-                                                            local_50 = _e2400;
-                                                            if (_e2398.member < _e2398.member_1) {
-                                                                phi_6183_ = type_28((_e2398.member + 1u), _e2398.member_1);
-                                                                phi_6208_ = type_28(1u, _e2398.member);
+                                                            let _e2414 = phi_6248_;
+                                                            let _e2416 = phi_6251_;
+                                                            local_52 = _e2416;
+                                                            if (_e2414.member < _e2414.member_1) {
+                                                                phi_6249_ = type_28((_e2414.member + 1u), _e2414.member_1);
+                                                                phi_6274_ = type_28(1u, _e2414.member);
                                                             } else {
-                                                                phi_6183_ = _e2398;
-                                                                phi_6208_ = type_28(0u, type_28().member_1);
+                                                                phi_6249_ = _e2414;
+                                                                phi_6274_ = type_28(0u, type_28().member_1);
                                                             }
-                                                            let _e2414 = phi_6183_;
-                                                            let _e2416 = phi_6208_;
-                                                            let _e2420 = (bitcast<i32>(_e2416.member) != 0i);
-                                                            if _e2420 {
-                                                                if (_e2416.member_1 < 4u) {
+                                                            let _e2430 = phi_6249_;
+                                                            let _e2432 = phi_6274_;
+                                                            let _e2436 = (bitcast<i32>(_e2432.member) != 0i);
+                                                            if _e2436 {
+                                                                if (_e2432.member_1 < 4u) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e2423 = local[_e2416.member_1];
-                                                                if (_e2416.member_1 < 4u) {
+                                                                let _e2439 = local[_e2432.member_1];
+                                                                if (_e2432.member_1 < 4u) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e2429 = local[_e2416.member_1];
-                                                                if ((((_e2423[0] * _e2429[0]) + (_e2423[1] * _e2429[1])) + (_e2423[2] * _e2429[2])) < (((_e2400[0] * _e2400[0]) + (_e2400[1] * _e2400[1])) + (_e2400[2] * _e2400[2]))) {
-                                                                    if (_e2416.member_1 < 4u) {
+                                                                let _e2445 = local[_e2432.member_1];
+                                                                if ((((_e2439[0] * _e2445[0]) + (_e2439[1] * _e2445[1])) + (_e2439[2] * _e2445[2])) < (((_e2416[0] * _e2416[0]) + (_e2416[1] * _e2416[1])) + (_e2416[2] * _e2416[2]))) {
+                                                                    if (_e2432.member_1 < 4u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2452 = local[_e2416.member_1];
-                                                                    phi_6275_ = array<f32, 3>(_e2452[0], _e2452[1], _e2452[2]);
+                                                                    let _e2468 = local[_e2432.member_1];
+                                                                    phi_6341_ = array<f32, 3>(_e2468[0], _e2468[1], _e2468[2]);
                                                                 } else {
-                                                                    phi_6275_ = _e2400;
+                                                                    phi_6341_ = _e2416;
                                                                 }
-                                                                let _e2458 = phi_6275_;
-                                                                phi_6186_ = _e2458;
+                                                                let _e2474 = phi_6341_;
+                                                                phi_6252_ = _e2474;
                                                             } else {
-                                                                phi_6186_ = array<f32, 3>();
+                                                                phi_6252_ = array<f32, 3>();
                                                             }
-                                                            let _e2460 = phi_6186_;
+                                                            let _e2476 = phi_6252_;
                                                             continue;
                                                             continuing {
-                                                                phi_6182_ = _e2414;
-                                                                phi_6185_ = _e2460;
-                                                                break if !(_e2420);
+                                                                phi_6248_ = _e2430;
+                                                                phi_6251_ = _e2476;
+                                                                break if !(_e2436);
                                                             }
                                                         }
-                                                        let _e4935 = local_50;
-                                                        phi_6276_ = _e4935;
+                                                        let _e5078 = local_52;
+                                                        phi_6342_ = _e5078;
                                                     } else {
-                                                        phi_6276_ = _e2305;
+                                                        phi_6342_ = _e2321;
                                                     }
-                                                    let _e2463 = phi_6276_;
-                                                    if (_e2463[0] < 0f) {
-                                                        phi_6283_ = -(_e2463[0]);
+                                                    let _e2479 = phi_6342_;
+                                                    if (_e2479[0] < 0f) {
+                                                        phi_6349_ = -(_e2479[0]);
                                                     } else {
-                                                        phi_6283_ = _e2463[0];
+                                                        phi_6349_ = _e2479[0];
                                                     }
-                                                    let _e2468 = phi_6283_;
-                                                    if (_e2463[1] < 0f) {
-                                                        phi_6290_ = -(_e2463[1]);
+                                                    let _e2484 = phi_6349_;
+                                                    if (_e2479[1] < 0f) {
+                                                        phi_6356_ = -(_e2479[1]);
                                                     } else {
-                                                        phi_6290_ = _e2463[1];
+                                                        phi_6356_ = _e2479[1];
                                                     }
-                                                    let _e2473 = phi_6290_;
-                                                    if (_e2463[2] < 0f) {
-                                                        phi_6298_ = -(_e2463[2]);
+                                                    let _e2489 = phi_6356_;
+                                                    if (_e2479[2] < 0f) {
+                                                        phi_6364_ = -(_e2479[2]);
                                                     } else {
-                                                        phi_6298_ = _e2463[2];
+                                                        phi_6364_ = _e2479[2];
                                                     }
-                                                    let _e2479 = phi_6298_;
-                                                    let _e2480 = ((_e2468 + _e2473) + _e2479);
-                                                    if (_e2480 > 0f) {
-                                                        if ((bitcast<u32>(_e2480) & 2139095040u) != 2139095040u) {
-                                                            let _e2485 = (1f / _e2480);
-                                                            let _e2487 = (_e2463[0] * _e2485);
-                                                            let _e2489 = (_e2463[1] * _e2485);
-                                                            let _e2491 = (_e2463[2] * _e2485);
-                                                            let _e2496 = (((_e2487 * _e2487) + (_e2489 * _e2489)) + (_e2491 * _e2491));
-                                                            if (_e2496 <= 0.000000000000000000000000000000000000011754944f) {
-                                                                if (_e2496 > 0f) {
-                                                                    phi_6335_ = (0.000000000000000000106433627f * 2f);
+                                                    let _e2495 = phi_6364_;
+                                                    let _e2496 = ((_e2484 + _e2489) + _e2495);
+                                                    if (_e2496 > 0f) {
+                                                        if ((bitcast<u32>(_e2496) & 2139095040u) != 2139095040u) {
+                                                            let _e2501 = (1f / _e2496);
+                                                            let _e2503 = (_e2479[0] * _e2501);
+                                                            let _e2505 = (_e2479[1] * _e2501);
+                                                            let _e2507 = (_e2479[2] * _e2501);
+                                                            let _e2512 = (((_e2503 * _e2503) + (_e2505 * _e2505)) + (_e2507 * _e2507));
+                                                            if (_e2512 <= 0.000000000000000000000000000000000000011754944f) {
+                                                                if (_e2512 > 0f) {
+                                                                    phi_6401_ = (0.000000000000000000106433627f * 2f);
                                                                 } else {
-                                                                    phi_6335_ = 0f;
+                                                                    phi_6401_ = 0f;
                                                                 }
-                                                                let _e2555 = phi_6335_;
-                                                                phi_6399_ = _e2555;
+                                                                let _e2571 = phi_6401_;
+                                                                phi_6465_ = _e2571;
                                                             } else {
-                                                                phi_6342_ = type_26(0i, 5i);
-                                                                phi_6345_ = bitcast<f32>(((bitcast<u32>(_e2496) >> bitcast<u32>(1i)) + 532369198u));
+                                                                phi_6408_ = type_26(0i, 5i);
+                                                                phi_6411_ = bitcast<f32>(((bitcast<u32>(_e2512) >> bitcast<u32>(1i)) + 532369198u));
                                                                 loop {
-                                                                    let _e2504 = phi_6342_;
-                                                                    let _e2506 = phi_6345_;
-                                                                    local_21 = _e2506;
-                                                                    if (_e2504.member < _e2504.member_1) {
-                                                                        let _e2514 = (_e2504.member + 1i);
-                                                                        if ((false == (_e2514 > _e2504.member)) != false) {
-                                                                            phi_6366_ = true;
+                                                                    let _e2520 = phi_6408_;
+                                                                    let _e2522 = phi_6411_;
+                                                                    local_21 = _e2522;
+                                                                    if (_e2520.member < _e2520.member_1) {
+                                                                        let _e2530 = (_e2520.member + 1i);
+                                                                        if ((false == (_e2530 > _e2520.member)) != false) {
+                                                                            phi_6432_ = true;
                                                                         } else {
-                                                                            phi_6366_ = false;
+                                                                            phi_6432_ = false;
                                                                         }
-                                                                        let _e2519 = phi_6366_;
-                                                                        if _e2519 {
-                                                                            phi_6372_ = type_27(0u, type_27().member_1);
+                                                                        let _e2535 = phi_6432_;
+                                                                        if _e2535 {
+                                                                            phi_6438_ = type_27(0u, type_27().member_1);
                                                                         } else {
-                                                                            phi_6372_ = type_27(1u, _e2514);
+                                                                            phi_6438_ = type_27(1u, _e2530);
                                                                         }
-                                                                        let _e2525 = phi_6372_;
-                                                                        if (bitcast<i32>(_e2525.member) != 0i) {
+                                                                        let _e2541 = phi_6438_;
+                                                                        if (bitcast<i32>(_e2541.member) != 0i) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        phi_6343_ = type_26(_e2525.member_1, _e2504.member_1);
-                                                                        phi_6386_ = type_27(1u, _e2504.member);
+                                                                        phi_6409_ = type_26(_e2541.member_1, _e2520.member_1);
+                                                                        phi_6452_ = type_27(1u, _e2520.member);
                                                                     } else {
-                                                                        phi_6343_ = _e2504;
-                                                                        phi_6386_ = type_27(0u, type_27().member_1);
+                                                                        phi_6409_ = _e2520;
+                                                                        phi_6452_ = type_27(0u, type_27().member_1);
                                                                     }
-                                                                    let _e2535 = phi_6343_;
-                                                                    let _e2537 = phi_6386_;
-                                                                    let _e2540 = (bitcast<i32>(_e2537.member) != 0i);
-                                                                    if _e2540 {
-                                                                        phi_6346_ = (0.5f * (_e2506 + (_e2496 / _e2506)));
+                                                                    let _e2551 = phi_6409_;
+                                                                    let _e2553 = phi_6452_;
+                                                                    let _e2556 = (bitcast<i32>(_e2553.member) != 0i);
+                                                                    if _e2556 {
+                                                                        phi_6412_ = (0.5f * (_e2522 + (_e2512 / _e2522)));
                                                                     } else {
-                                                                        phi_6346_ = f32();
+                                                                        phi_6412_ = f32();
                                                                     }
-                                                                    let _e2545 = phi_6346_;
+                                                                    let _e2561 = phi_6412_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_6342_ = _e2535;
-                                                                        phi_6345_ = _e2545;
-                                                                        break if !(_e2540);
+                                                                        phi_6408_ = _e2551;
+                                                                        phi_6411_ = _e2561;
+                                                                        break if !(_e2556);
                                                                     }
                                                                 }
-                                                                let _e2550 = local_21;
-                                                                phi_6399_ = (_e2550 * (1f + (4f * 0.000000059604645f)));
+                                                                let _e2566 = local_21;
+                                                                phi_6465_ = (_e2566 * (1f + (8f * 0.000000059604645f)));
                                                             }
-                                                            let _e2557 = phi_6399_;
-                                                            phi_6408_ = type_28(0u, 4u);
-                                                            phi_6411_ = 2f;
+                                                            let _e2573 = phi_6465_;
+                                                            phi_6474_ = type_28(0u, 4u);
+                                                            phi_6477_ = 2f;
                                                             loop {
-                                                                let _e2565 = phi_6408_;
-                                                                let _e2567 = phi_6411_;
-                                                                local_23 = _e2567;
-                                                                local_24 = _e2567;
-                                                                local_25 = _e2567;
-                                                                local_51 = _e2567;
-                                                                local_52 = _e2567;
-                                                                if (_e2565.member < _e2565.member_1) {
-                                                                    phi_6409_ = type_28((_e2565.member + 1u), _e2565.member_1);
-                                                                    phi_6434_ = type_28(1u, _e2565.member);
+                                                                let _e2581 = phi_6474_;
+                                                                let _e2583 = phi_6477_;
+                                                                local_23 = _e2583;
+                                                                local_24 = _e2583;
+                                                                local_25 = _e2583;
+                                                                local_55 = _e2583;
+                                                                local_56 = _e2583;
+                                                                if (_e2581.member < _e2581.member_1) {
+                                                                    phi_6475_ = type_28((_e2581.member + 1u), _e2581.member_1);
+                                                                    phi_6500_ = type_28(1u, _e2581.member);
                                                                 } else {
-                                                                    phi_6409_ = _e2565;
-                                                                    phi_6434_ = type_28(0u, type_28().member_1);
+                                                                    phi_6475_ = _e2581;
+                                                                    phi_6500_ = type_28(0u, type_28().member_1);
                                                                 }
-                                                                let _e2581 = phi_6409_;
-                                                                let _e2583 = phi_6434_;
-                                                                if (bitcast<i32>(_e2583.member) != 0i) {
-                                                                    if (_e2583.member_1 < 4u) {
+                                                                let _e2597 = phi_6475_;
+                                                                let _e2599 = phi_6500_;
+                                                                if (bitcast<i32>(_e2599.member) != 0i) {
+                                                                    if (_e2599.member_1 < 4u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2590 = local_1[_e2583.member_1];
-                                                                    let _e2598 = (((_e2487 * _e2590[0]) + (_e2489 * _e2590[1])) + (_e2491 * _e2590[2]));
-                                                                    if (_e2583.member_1 < 4u) {
+                                                                    let _e2606 = local_1[_e2599.member_1];
+                                                                    let _e2614 = (((_e2503 * _e2606[0]) + (_e2505 * _e2606[1])) + (_e2507 * _e2606[2]));
+                                                                    if (_e2599.member_1 < 4u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2601 = local_2[_e2583.member_1];
-                                                                    let _e2609 = (((_e2487 * _e2601[0]) + (_e2489 * _e2601[1])) + (_e2491 * _e2601[2]));
-                                                                    if (_e2598 < 0f) {
-                                                                        phi_6485_ = -(_e2598);
+                                                                    let _e2617 = local_2[_e2599.member_1];
+                                                                    let _e2625 = (((_e2503 * _e2617[0]) + (_e2505 * _e2617[1])) + (_e2507 * _e2617[2]));
+                                                                    if (_e2614 < 0f) {
+                                                                        phi_6551_ = -(_e2614);
                                                                     } else {
-                                                                        phi_6485_ = _e2598;
+                                                                        phi_6551_ = _e2614;
                                                                     }
-                                                                    let _e2613 = phi_6485_;
-                                                                    if (_e2609 < 0f) {
-                                                                        phi_6491_ = -(_e2609);
+                                                                    let _e2629 = phi_6551_;
+                                                                    if (_e2625 < 0f) {
+                                                                        phi_6557_ = -(_e2625);
                                                                     } else {
-                                                                        phi_6491_ = _e2609;
+                                                                        phi_6557_ = _e2625;
                                                                     }
-                                                                    let _e2617 = phi_6491_;
-                                                                    let _e2621 = (((((((((_e2028 + _e2030) + (_e2082 + _e2084)) + (_e2136 + _e2138)) * (0.000000059604645f * 16f)) + (_e2145 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e2557) * (1f + (0.000000059604645f * 8f)))) + ((_e2613 + _e2617) * (0.000000059604645f * 8f)));
-                                                                    if (_e2598 > _e2621) {
-                                                                        if (_e2609 > _e2621) {
-                                                                            phi_6504_ = false;
+                                                                    let _e2633 = phi_6557_;
+                                                                    let _e2637 = (((((((((_e2044 + _e2046) + (_e2098 + _e2100)) + (_e2152 + _e2154)) * (0.000000059604645f * 16f)) + (_e2161 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e2573) * (1f + (0.000000059604645f * 8f)))) + ((_e2629 + _e2633) * (0.000000059604645f * 8f)));
+                                                                    if (_e2614 > _e2637) {
+                                                                        if (_e2625 > _e2637) {
+                                                                            phi_6570_ = false;
                                                                         } else {
-                                                                            phi_6504_ = true;
+                                                                            phi_6570_ = true;
                                                                         }
-                                                                        let _e2625 = phi_6504_;
-                                                                        phi_6505_ = _e2625;
+                                                                        let _e2641 = phi_6570_;
+                                                                        phi_6571_ = _e2641;
                                                                     } else {
-                                                                        phi_6505_ = true;
+                                                                        phi_6571_ = true;
                                                                     }
-                                                                    let _e2627 = phi_6505_;
-                                                                    if _e2627 {
-                                                                        let _e2631 = ((_e2598 + ((_e2609 - _e2598) * _e2153)) > _e2621);
-                                                                        if _e2631 {
-                                                                            if (_e2609 < _e2598) {
-                                                                                let _e2638 = (((_e2598 - _e2621) / (_e2598 - _e2609)) * (1f - (0.000000059604645f * 16f)));
-                                                                                if (_e2567 < _e2638) {
-                                                                                    phi_6530_ = _e2567;
+                                                                    let _e2643 = phi_6571_;
+                                                                    if _e2643 {
+                                                                        if ((_e2614 + ((_e2625 - _e2614) * _e2169)) > _e2637) {
+                                                                            if (_e2625 < _e2614) {
+                                                                                let _e2651 = ((_e2614 - _e2625) <= (0.25f / 0.000000000000000000000000000000000000011754944f));
+                                                                                if _e2651 {
+                                                                                    let _e2657 = (((_e2614 - _e2637) / (_e2614 - _e2625)) * (1f - (0.000000059604645f * 16f)));
+                                                                                    if (_e2583 < _e2657) {
+                                                                                        phi_6602_ = _e2583;
+                                                                                    } else {
+                                                                                        phi_6602_ = _e2657;
+                                                                                    }
+                                                                                    let _e2660 = phi_6602_;
+                                                                                    phi_6603_ = _e2660;
                                                                                 } else {
-                                                                                    phi_6530_ = _e2638;
+                                                                                    phi_6603_ = f32();
                                                                                 }
-                                                                                let _e2641 = phi_6530_;
-                                                                                phi_6531_ = _e2641;
+                                                                                let _e2662 = phi_6603_;
+                                                                                phi_6604_ = _e2662;
+                                                                                phi_6605_ = _e2651;
                                                                             } else {
-                                                                                phi_6531_ = _e2567;
+                                                                                phi_6604_ = _e2583;
+                                                                                phi_6605_ = true;
                                                                             }
-                                                                            let _e2643 = phi_6531_;
-                                                                            phi_6532_ = _e2643;
+                                                                            let _e2664 = phi_6604_;
+                                                                            let _e2666 = phi_6605_;
+                                                                            if _e2666 {
+                                                                                phi_6609_ = false;
+                                                                            } else {
+                                                                                phi_6609_ = true;
+                                                                            }
+                                                                            let _e2668 = phi_6609_;
+                                                                            phi_6610_ = _e2664;
+                                                                            phi_6611_ = _e2666;
+                                                                            phi_6612_ = _e2668;
+                                                                            phi_6613_ = false;
                                                                         } else {
-                                                                            phi_6532_ = f32();
+                                                                            phi_6610_ = f32();
+                                                                            phi_6611_ = false;
+                                                                            phi_6612_ = false;
+                                                                            phi_6613_ = true;
                                                                         }
-                                                                        let _e2645 = phi_6532_;
-                                                                        phi_6533_ = _e2645;
-                                                                        phi_6534_ = _e2631;
+                                                                        let _e2670 = phi_6610_;
+                                                                        let _e2672 = phi_6611_;
+                                                                        let _e2674 = phi_6612_;
+                                                                        let _e2676 = phi_6613_;
+                                                                        phi_6614_ = _e2670;
+                                                                        phi_6615_ = _e2672;
+                                                                        phi_6616_ = _e2674;
+                                                                        phi_6617_ = _e2676;
                                                                     } else {
-                                                                        phi_6533_ = _e2567;
-                                                                        phi_6534_ = true;
+                                                                        phi_6614_ = _e2583;
+                                                                        phi_6615_ = true;
+                                                                        phi_6616_ = false;
+                                                                        phi_6617_ = false;
                                                                     }
-                                                                    let _e2647 = phi_6533_;
-                                                                    let _e2649 = phi_6534_;
-                                                                    phi_6412_ = _e2647;
-                                                                    phi_6535_ = _e2649;
-                                                                    phi_6536_ = false;
+                                                                    let _e2678 = phi_6614_;
+                                                                    let _e2680 = phi_6615_;
+                                                                    let _e2682 = phi_6616_;
+                                                                    let _e2684 = phi_6617_;
+                                                                    phi_6478_ = _e2678;
+                                                                    phi_6618_ = _e2680;
+                                                                    phi_6619_ = false;
+                                                                    phi_6620_ = _e2682;
+                                                                    phi_6621_ = _e2684;
                                                                 } else {
-                                                                    phi_6412_ = f32();
-                                                                    phi_6535_ = false;
-                                                                    phi_6536_ = true;
+                                                                    phi_6478_ = f32();
+                                                                    phi_6618_ = false;
+                                                                    phi_6619_ = true;
+                                                                    phi_6620_ = false;
+                                                                    phi_6621_ = false;
                                                                 }
-                                                                let _e2651 = phi_6412_;
-                                                                let _e2653 = phi_6535_;
-                                                                let _e2655 = phi_6536_;
-                                                                local_22 = _e2655;
+                                                                let _e2686 = phi_6478_;
+                                                                let _e2688 = phi_6618_;
+                                                                let _e2690 = phi_6619_;
+                                                                let _e2692 = phi_6620_;
+                                                                let _e2694 = phi_6621_;
+                                                                local_22 = _e2690;
+                                                                local_53 = _e2692;
+                                                                local_54 = _e2694;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_6408_ = _e2581;
-                                                                    phi_6411_ = _e2651;
-                                                                    break if !(_e2653);
+                                                                    phi_6474_ = _e2597;
+                                                                    phi_6477_ = _e2686;
+                                                                    break if !(_e2688);
                                                                 }
                                                             }
-                                                            let _e2658 = local_22;
-                                                            if _e2658 {
-                                                                let _e2660 = local_23;
-                                                                let _e2661 = (_e2660 > _e1192.member_1);
-                                                                if _e2661 {
-                                                                    phi_6557_ = false;
-                                                                    phi_6558_ = false;
-                                                                    phi_6559_ = false;
+                                                            let _e2697 = local_22;
+                                                            if _e2697 {
+                                                                let _e2699 = local_23;
+                                                                let _e2700 = (_e2699 > _e1208.member_1);
+                                                                if _e2700 {
+                                                                    phi_6642_ = false;
+                                                                    phi_6643_ = false;
+                                                                    phi_6644_ = false;
                                                                 } else {
-                                                                    let _e2663 = local_24;
-                                                                    if (_e2663 > _e2153) {
-                                                                        let _e2666 = local_25;
-                                                                        let _e2668 = ((_e2666 - _e2153) < 0.00000000023283064f);
-                                                                        if _e2668 {
-                                                                            phi_6553_ = false;
+                                                                    let _e2702 = local_24;
+                                                                    if (_e2702 > _e2169) {
+                                                                        let _e2705 = local_25;
+                                                                        let _e2707 = ((_e2705 - _e2169) < 0.00000000023283064f);
+                                                                        if _e2707 {
+                                                                            phi_6638_ = false;
                                                                         } else {
-                                                                            phi_6553_ = true;
+                                                                            phi_6638_ = true;
                                                                         }
-                                                                        let _e2670 = phi_6553_;
-                                                                        phi_6554_ = _e2670;
-                                                                        phi_6555_ = _e2668;
-                                                                        phi_6556_ = false;
+                                                                        let _e2709 = phi_6638_;
+                                                                        phi_6639_ = _e2709;
+                                                                        phi_6640_ = _e2707;
+                                                                        phi_6641_ = false;
                                                                     } else {
-                                                                        phi_6554_ = false;
-                                                                        phi_6555_ = false;
-                                                                        phi_6556_ = true;
+                                                                        phi_6639_ = false;
+                                                                        phi_6640_ = false;
+                                                                        phi_6641_ = true;
                                                                     }
-                                                                    let _e2672 = phi_6554_;
-                                                                    let _e2674 = phi_6555_;
-                                                                    let _e2676 = phi_6556_;
-                                                                    phi_6557_ = _e2672;
-                                                                    phi_6558_ = _e2674;
-                                                                    phi_6559_ = _e2676;
+                                                                    let _e2711 = phi_6639_;
+                                                                    let _e2713 = phi_6640_;
+                                                                    let _e2715 = phi_6641_;
+                                                                    phi_6642_ = _e2711;
+                                                                    phi_6643_ = _e2713;
+                                                                    phi_6644_ = _e2715;
                                                                 }
-                                                                let _e2678 = phi_6557_;
-                                                                let _e2680 = phi_6558_;
-                                                                let _e2682 = phi_6559_;
-                                                                phi_6560_ = _e2678;
-                                                                phi_6561_ = _e2661;
-                                                                phi_6562_ = _e2680;
-                                                                phi_6563_ = _e2682;
-                                                                phi_6564_ = false;
+                                                                let _e2717 = phi_6642_;
+                                                                let _e2719 = phi_6643_;
+                                                                let _e2721 = phi_6644_;
+                                                                phi_6645_ = _e2717;
+                                                                phi_6646_ = _e2700;
+                                                                phi_6647_ = _e2719;
+                                                                phi_6648_ = _e2721;
+                                                                phi_6649_ = false;
+                                                                phi_6650_ = false;
                                                             } else {
-                                                                phi_6560_ = false;
-                                                                phi_6561_ = false;
-                                                                phi_6562_ = false;
-                                                                phi_6563_ = false;
-                                                                phi_6564_ = true;
+                                                                phi_6645_ = false;
+                                                                phi_6646_ = false;
+                                                                phi_6647_ = false;
+                                                                phi_6648_ = false;
+                                                                let _e5135 = local_53;
+                                                                phi_6649_ = _e5135;
+                                                                let _e5138 = local_54;
+                                                                phi_6650_ = _e5138;
                                                             }
-                                                            let _e2684 = phi_6560_;
-                                                            let _e2686 = phi_6561_;
-                                                            let _e2688 = phi_6562_;
-                                                            let _e2690 = phi_6563_;
-                                                            let _e2692 = phi_6564_;
-                                                            let _e4983 = local_51;
-                                                            phi_6565_ = _e4983;
-                                                            let _e4986 = local_52;
-                                                            phi_6566_ = _e4986;
-                                                            phi_6567_ = _e2684;
-                                                            phi_6568_ = _e2686;
-                                                            phi_6569_ = _e2688;
-                                                            phi_6570_ = _e2690;
-                                                            phi_6571_ = _e2692;
-                                                            phi_6572_ = false;
+                                                            let _e2723 = phi_6645_;
+                                                            let _e2725 = phi_6646_;
+                                                            let _e2727 = phi_6647_;
+                                                            let _e2729 = phi_6648_;
+                                                            let _e2731 = phi_6649_;
+                                                            let _e2733 = phi_6650_;
+                                                            let _e5141 = local_55;
+                                                            phi_6651_ = _e5141;
+                                                            let _e5144 = local_56;
+                                                            phi_6652_ = _e5144;
+                                                            phi_6653_ = _e2723;
+                                                            phi_6654_ = _e2725;
+                                                            phi_6655_ = _e2727;
+                                                            phi_6656_ = _e2729;
+                                                            phi_6657_ = _e2731;
+                                                            phi_6658_ = _e2733;
+                                                            phi_6659_ = false;
                                                         } else {
-                                                            phi_6565_ = f32();
-                                                            phi_6566_ = f32();
-                                                            phi_6567_ = false;
-                                                            phi_6568_ = false;
-                                                            phi_6569_ = false;
-                                                            phi_6570_ = false;
-                                                            phi_6571_ = false;
-                                                            phi_6572_ = true;
+                                                            phi_6651_ = f32();
+                                                            phi_6652_ = f32();
+                                                            phi_6653_ = false;
+                                                            phi_6654_ = false;
+                                                            phi_6655_ = false;
+                                                            phi_6656_ = false;
+                                                            phi_6657_ = false;
+                                                            phi_6658_ = false;
+                                                            phi_6659_ = true;
                                                         }
-                                                        let _e2694 = phi_6565_;
-                                                        let _e2696 = phi_6566_;
-                                                        let _e2698 = phi_6567_;
-                                                        let _e2700 = phi_6568_;
-                                                        let _e2702 = phi_6569_;
-                                                        let _e2704 = phi_6570_;
-                                                        let _e2706 = phi_6571_;
-                                                        let _e2708 = phi_6572_;
-                                                        phi_6573_ = _e2694;
-                                                        phi_6574_ = _e2696;
-                                                        phi_6575_ = _e2698;
-                                                        phi_6576_ = _e2700;
-                                                        phi_6577_ = _e2702;
-                                                        phi_6578_ = _e2704;
-                                                        phi_6579_ = _e2706;
-                                                        phi_6580_ = _e2708;
-                                                        phi_6581_ = false;
+                                                        let _e2735 = phi_6651_;
+                                                        let _e2737 = phi_6652_;
+                                                        let _e2739 = phi_6653_;
+                                                        let _e2741 = phi_6654_;
+                                                        let _e2743 = phi_6655_;
+                                                        let _e2745 = phi_6656_;
+                                                        let _e2747 = phi_6657_;
+                                                        let _e2749 = phi_6658_;
+                                                        let _e2751 = phi_6659_;
+                                                        phi_6660_ = _e2735;
+                                                        phi_6661_ = _e2737;
+                                                        phi_6662_ = _e2739;
+                                                        phi_6663_ = _e2741;
+                                                        phi_6664_ = _e2743;
+                                                        phi_6665_ = _e2745;
+                                                        phi_6666_ = _e2747;
+                                                        phi_6667_ = _e2749;
+                                                        phi_6668_ = _e2751;
+                                                        phi_6669_ = false;
                                                     } else {
-                                                        phi_6573_ = f32();
-                                                        phi_6574_ = f32();
-                                                        phi_6575_ = false;
-                                                        phi_6576_ = false;
-                                                        phi_6577_ = false;
-                                                        phi_6578_ = false;
-                                                        phi_6579_ = false;
-                                                        phi_6580_ = false;
-                                                        phi_6581_ = true;
+                                                        phi_6660_ = f32();
+                                                        phi_6661_ = f32();
+                                                        phi_6662_ = false;
+                                                        phi_6663_ = false;
+                                                        phi_6664_ = false;
+                                                        phi_6665_ = false;
+                                                        phi_6666_ = false;
+                                                        phi_6667_ = false;
+                                                        phi_6668_ = false;
+                                                        phi_6669_ = true;
                                                     }
-                                                    let _e2710 = phi_6573_;
-                                                    let _e2712 = phi_6574_;
-                                                    let _e2714 = phi_6575_;
-                                                    let _e2716 = phi_6576_;
-                                                    let _e2718 = phi_6577_;
-                                                    let _e2720 = phi_6578_;
-                                                    let _e2722 = phi_6579_;
-                                                    let _e2724 = phi_6580_;
-                                                    let _e2726 = phi_6581_;
-                                                    phi_6582_ = _e2710;
-                                                    phi_5693_ = _e2712;
-                                                    phi_6583_ = _e2714;
-                                                    phi_6584_ = _e2716;
-                                                    phi_6585_ = _e2718;
-                                                    phi_6586_ = false;
-                                                    phi_6587_ = _e2720;
-                                                    phi_6588_ = _e2722;
-                                                    phi_6589_ = _e2724;
-                                                    phi_6590_ = _e2726;
+                                                    let _e2753 = phi_6660_;
+                                                    let _e2755 = phi_6661_;
+                                                    let _e2757 = phi_6662_;
+                                                    let _e2759 = phi_6663_;
+                                                    let _e2761 = phi_6664_;
+                                                    let _e2763 = phi_6665_;
+                                                    let _e2765 = phi_6666_;
+                                                    let _e2767 = phi_6667_;
+                                                    let _e2769 = phi_6668_;
+                                                    let _e2771 = phi_6669_;
+                                                    phi_6670_ = _e2753;
+                                                    phi_5759_ = _e2755;
+                                                    phi_6671_ = _e2757;
+                                                    phi_6672_ = _e2759;
+                                                    phi_6673_ = _e2761;
+                                                    phi_6674_ = false;
+                                                    phi_6675_ = _e2763;
+                                                    phi_6676_ = _e2765;
+                                                    phi_6677_ = _e2767;
+                                                    phi_6678_ = _e2769;
+                                                    phi_6679_ = _e2771;
                                                 } else {
-                                                    phi_6582_ = f32();
-                                                    phi_5693_ = f32();
-                                                    phi_6583_ = false;
-                                                    phi_6584_ = false;
-                                                    phi_6585_ = false;
-                                                    phi_6586_ = true;
-                                                    phi_6587_ = false;
-                                                    phi_6588_ = false;
-                                                    phi_6589_ = false;
-                                                    phi_6590_ = false;
+                                                    phi_6670_ = f32();
+                                                    phi_5759_ = f32();
+                                                    phi_6671_ = false;
+                                                    phi_6672_ = false;
+                                                    phi_6673_ = false;
+                                                    phi_6674_ = true;
+                                                    phi_6675_ = false;
+                                                    phi_6676_ = false;
+                                                    phi_6677_ = false;
+                                                    phi_6678_ = false;
+                                                    phi_6679_ = false;
                                                 }
-                                                let _e2728 = phi_6582_;
-                                                let _e2730 = phi_5693_;
-                                                let _e2732 = phi_6583_;
-                                                let _e2734 = phi_6584_;
-                                                let _e2736 = phi_6585_;
-                                                let _e2738 = phi_6586_;
-                                                let _e2740 = phi_6587_;
-                                                let _e2742 = phi_6588_;
-                                                let _e2744 = phi_6589_;
-                                                let _e2746 = phi_6590_;
-                                                local_26 = _e2734;
-                                                local_53 = _e2736;
-                                                local_54 = _e2738;
-                                                local_55 = _e2740;
-                                                local_56 = _e2742;
-                                                local_57 = _e2744;
-                                                local_58 = _e2746;
-                                                local_59 = _e2728;
-                                                local_61 = _e2734;
+                                                let _e2773 = phi_6670_;
+                                                let _e2775 = phi_5759_;
+                                                let _e2777 = phi_6671_;
+                                                let _e2779 = phi_6672_;
+                                                let _e2781 = phi_6673_;
+                                                let _e2783 = phi_6674_;
+                                                let _e2785 = phi_6675_;
+                                                let _e2787 = phi_6676_;
+                                                let _e2789 = phi_6677_;
+                                                let _e2791 = phi_6678_;
+                                                let _e2793 = phi_6679_;
+                                                local_26 = _e2779;
+                                                local_57 = _e2781;
+                                                local_58 = _e2783;
+                                                local_59 = _e2785;
+                                                local_60 = _e2787;
+                                                local_61 = _e2789;
+                                                local_62 = _e2791;
+                                                local_63 = _e2793;
+                                                local_64 = _e2773;
+                                                local_66 = _e2779;
                                                 continue;
                                                 continuing {
-                                                    phi_5689_ = _e2167;
-                                                    phi_5692_ = _e2730;
-                                                    break if !(_e2732);
+                                                    phi_5755_ = _e2183;
+                                                    phi_5758_ = _e2775;
+                                                    break if !(_e2777);
                                                 }
                                             }
-                                            let _e2749 = local_26;
-                                            if _e2749 {
-                                                phi_6595_ = type_55(0u, type_55().member_1);
-                                                phi_6596_ = false;
-                                                phi_6597_ = false;
-                                                phi_6598_ = false;
-                                                phi_6599_ = false;
-                                                phi_6600_ = false;
-                                                phi_6601_ = false;
+                                            let _e2796 = local_26;
+                                            if _e2796 {
+                                                phi_6684_ = type_55(0u, type_55().member_1);
+                                                phi_6685_ = false;
+                                                phi_6686_ = false;
+                                                phi_6687_ = false;
+                                                phi_6688_ = false;
+                                                phi_6689_ = false;
+                                                phi_6690_ = false;
+                                                phi_6691_ = false;
                                             } else {
-                                                phi_6595_ = type_55();
-                                                let _e5016 = local_53;
-                                                phi_6596_ = _e5016;
-                                                let _e5019 = local_54;
-                                                phi_6597_ = _e5019;
-                                                let _e5022 = local_55;
-                                                phi_6598_ = _e5022;
-                                                let _e5025 = local_56;
-                                                phi_6599_ = _e5025;
-                                                let _e5028 = local_57;
-                                                phi_6600_ = _e5028;
-                                                let _e5031 = local_58;
-                                                phi_6601_ = _e5031;
+                                                phi_6684_ = type_55();
+                                                let _e5177 = local_57;
+                                                phi_6685_ = _e5177;
+                                                let _e5180 = local_58;
+                                                phi_6686_ = _e5180;
+                                                let _e5183 = local_59;
+                                                phi_6687_ = _e5183;
+                                                let _e5186 = local_60;
+                                                phi_6688_ = _e5186;
+                                                let _e5189 = local_61;
+                                                phi_6689_ = _e5189;
+                                                let _e5192 = local_62;
+                                                phi_6690_ = _e5192;
+                                                let _e5195 = local_63;
+                                                phi_6691_ = _e5195;
                                             }
-                                            let _e2754 = phi_6595_;
-                                            let _e2756 = phi_6596_;
-                                            let _e2758 = phi_6597_;
-                                            let _e2760 = phi_6598_;
-                                            let _e2762 = phi_6599_;
-                                            let _e2764 = phi_6600_;
-                                            let _e2766 = phi_6601_;
-                                            if _e2756 {
-                                                let _e5034 = local_59;
-                                                phi_6605_ = _e5034;
-                                                phi_6606_ = true;
-                                                phi_6607_ = false;
-                                                phi_6608_ = false;
-                                                phi_6609_ = false;
-                                                phi_6610_ = false;
-                                                phi_6611_ = false;
+                                            let _e2801 = phi_6684_;
+                                            let _e2803 = phi_6685_;
+                                            let _e2805 = phi_6686_;
+                                            let _e2807 = phi_6687_;
+                                            let _e2809 = phi_6688_;
+                                            let _e2811 = phi_6689_;
+                                            let _e2813 = phi_6690_;
+                                            let _e2815 = phi_6691_;
+                                            if _e2803 {
+                                                let _e5198 = local_64;
+                                                phi_6695_ = _e5198;
+                                                phi_6696_ = true;
+                                                phi_6697_ = false;
+                                                phi_6698_ = false;
+                                                phi_6699_ = false;
+                                                phi_6700_ = false;
+                                                phi_6701_ = false;
+                                                phi_6702_ = false;
                                             } else {
-                                                let _e5036 = local_60;
-                                                phi_6605_ = _e5036;
-                                                phi_6606_ = _e2758;
-                                                phi_6607_ = _e2760;
-                                                phi_6608_ = _e2762;
-                                                let _e5042 = local_61;
-                                                phi_6609_ = _e5042;
-                                                phi_6610_ = _e2764;
-                                                phi_6611_ = _e2766;
+                                                let _e5200 = local_65;
+                                                phi_6695_ = _e5200;
+                                                phi_6696_ = _e2805;
+                                                phi_6697_ = _e2807;
+                                                phi_6698_ = _e2809;
+                                                phi_6699_ = _e2811;
+                                                let _e5207 = local_66;
+                                                phi_6700_ = _e5207;
+                                                phi_6701_ = _e2813;
+                                                phi_6702_ = _e2815;
                                             }
-                                            let _e2768 = phi_6605_;
-                                            let _e2770 = phi_6606_;
-                                            let _e2772 = phi_6607_;
-                                            let _e2774 = phi_6608_;
-                                            let _e2776 = phi_6609_;
-                                            let _e2778 = phi_6610_;
-                                            let _e2780 = phi_6611_;
-                                            if _e2770 {
-                                                phi_6616_ = type_55(1u, _e2768);
-                                                phi_6617_ = false;
-                                                phi_6618_ = false;
-                                                phi_6619_ = false;
-                                                phi_6620_ = false;
-                                                phi_6621_ = false;
-                                            } else {
-                                                phi_6616_ = type_55();
-                                                phi_6617_ = _e2772;
-                                                phi_6618_ = _e2774;
-                                                phi_6619_ = _e2776;
-                                                phi_6620_ = _e2778;
-                                                phi_6621_ = _e2780;
-                                            }
-                                            let _e2783 = phi_6616_;
-                                            let _e2785 = phi_6617_;
-                                            let _e2787 = phi_6618_;
-                                            let _e2789 = phi_6619_;
-                                            let _e2791 = phi_6620_;
-                                            let _e2793 = phi_6621_;
-                                            if _e2785 {
-                                                let _e2795 = local_27;
-                                                phi_6626_ = type_55(1u, _e2795);
-                                                phi_6627_ = false;
-                                                phi_6628_ = true;
-                                                phi_6629_ = false;
-                                                phi_6630_ = false;
-                                            } else {
-                                                phi_6626_ = _e2754;
-                                                phi_6627_ = _e2787;
-                                                phi_6628_ = _e2789;
-                                                phi_6629_ = _e2791;
-                                                phi_6630_ = _e2793;
-                                            }
-                                            let _e2798 = phi_6626_;
-                                            let _e2800 = phi_6627_;
-                                            let _e2802 = phi_6628_;
-                                            let _e2804 = phi_6629_;
-                                            let _e2806 = phi_6630_;
-                                            if _e2800 {
-                                                let _e2808 = local_28;
-                                                phi_6635_ = type_55(1u, _e2808);
-                                                phi_6636_ = true;
-                                                phi_6637_ = false;
-                                                phi_6638_ = false;
-                                            } else {
-                                                phi_6635_ = _e2798;
-                                                phi_6636_ = _e2802;
-                                                phi_6637_ = _e2804;
-                                                phi_6638_ = _e2806;
-                                            }
-                                            let _e2811 = phi_6635_;
-                                            let _e2813 = phi_6636_;
-                                            let _e2815 = phi_6637_;
-                                            let _e2817 = phi_6638_;
-                                            if _e2813 {
-                                                phi_6642_ = false;
-                                                phi_6643_ = false;
-                                            } else {
-                                                phi_6642_ = _e2815;
-                                                phi_6643_ = _e2817;
-                                            }
-                                            let _e2819 = phi_6642_;
-                                            let _e2821 = phi_6643_;
+                                            let _e2817 = phi_6695_;
+                                            let _e2819 = phi_6696_;
+                                            let _e2821 = phi_6697_;
+                                            let _e2823 = phi_6698_;
+                                            let _e2825 = phi_6699_;
+                                            let _e2827 = phi_6700_;
+                                            let _e2829 = phi_6701_;
+                                            let _e2831 = phi_6702_;
                                             if _e2819 {
-                                                phi_6647_ = false;
-                                                phi_6648_ = false;
+                                                phi_6707_ = type_55(1u, _e2817);
+                                                phi_6708_ = false;
+                                                phi_6709_ = false;
+                                                phi_6710_ = false;
+                                                phi_6711_ = false;
+                                                phi_6712_ = false;
+                                                phi_6713_ = false;
                                             } else {
-                                                phi_6647_ = _e2821;
-                                                phi_6648_ = _e2813;
+                                                phi_6707_ = type_55();
+                                                phi_6708_ = _e2821;
+                                                phi_6709_ = _e2823;
+                                                phi_6710_ = _e2825;
+                                                phi_6711_ = _e2827;
+                                                phi_6712_ = _e2829;
+                                                phi_6713_ = _e2831;
                                             }
-                                            let _e2823 = phi_6647_;
-                                            let _e2825 = phi_6648_;
-                                            if _e2823 {
-                                                phi_6652_ = true;
-                                                phi_6653_ = false;
-                                            } else {
-                                                phi_6652_ = _e2819;
-                                                phi_6653_ = _e2825;
-                                            }
-                                            let _e2827 = phi_6652_;
-                                            let _e2829 = phi_6653_;
-                                            if _e2827 {
-                                                let _e2831 = local_29;
-                                                phi_6658_ = type_55(1u, _e2831);
-                                                phi_6659_ = true;
-                                            } else {
-                                                phi_6658_ = _e2811;
-                                                phi_6659_ = _e2829;
-                                            }
-                                            let _e2834 = phi_6658_;
-                                            let _e2836 = phi_6659_;
+                                            let _e2834 = phi_6707_;
+                                            let _e2836 = phi_6708_;
+                                            let _e2838 = phi_6709_;
+                                            let _e2840 = phi_6710_;
+                                            let _e2842 = phi_6711_;
+                                            let _e2844 = phi_6712_;
+                                            let _e2846 = phi_6713_;
                                             if _e2836 {
-                                                phi_6663_ = _e2834;
+                                                let _e2848 = local_27;
+                                                phi_6718_ = type_55(1u, _e2848);
+                                                phi_6719_ = false;
+                                                phi_6720_ = false;
+                                                phi_6721_ = true;
+                                                phi_6722_ = false;
+                                                phi_6723_ = false;
                                             } else {
-                                                phi_6663_ = _e2783;
+                                                phi_6718_ = _e2801;
+                                                phi_6719_ = _e2838;
+                                                phi_6720_ = _e2840;
+                                                phi_6721_ = _e2842;
+                                                phi_6722_ = _e2844;
+                                                phi_6723_ = _e2846;
                                             }
-                                            let _e2838 = phi_6663_;
-                                            let _e2841 = (_e2838.member != 0u);
-                                            if _e2841 {
-                                                phi_6670_ = false;
+                                            let _e2851 = phi_6718_;
+                                            let _e2853 = phi_6719_;
+                                            let _e2855 = phi_6720_;
+                                            let _e2857 = phi_6721_;
+                                            let _e2859 = phi_6722_;
+                                            let _e2861 = phi_6723_;
+                                            if _e2853 {
+                                                let _e2863 = local_28;
+                                                phi_6728_ = type_55(1u, _e2863);
+                                                phi_6729_ = false;
+                                                phi_6730_ = false;
+                                                phi_6731_ = false;
+                                                phi_6732_ = false;
                                             } else {
-                                                phi_6670_ = true;
+                                                phi_6728_ = type_55();
+                                                phi_6729_ = _e2855;
+                                                phi_6730_ = _e2857;
+                                                phi_6731_ = _e2859;
+                                                phi_6732_ = _e2861;
                                             }
-                                            let _e2843 = phi_6670_;
-                                            phi_6671_ = _e2838.member_1;
-                                            phi_6672_ = _e2843;
-                                            phi_6673_ = _e2841;
-                                            phi_6674_ = false;
+                                            let _e2866 = phi_6728_;
+                                            let _e2868 = phi_6729_;
+                                            let _e2870 = phi_6730_;
+                                            let _e2872 = phi_6731_;
+                                            let _e2874 = phi_6732_;
+                                            if _e2868 {
+                                                let _e2876 = local_29;
+                                                phi_6737_ = type_55(1u, _e2876);
+                                                phi_6738_ = true;
+                                                phi_6739_ = false;
+                                                phi_6740_ = false;
+                                                phi_6741_ = false;
+                                            } else {
+                                                phi_6737_ = _e2866;
+                                                phi_6738_ = _e2853;
+                                                phi_6739_ = _e2870;
+                                                phi_6740_ = _e2872;
+                                                phi_6741_ = _e2874;
+                                            }
+                                            let _e2879 = phi_6737_;
+                                            let _e2881 = phi_6738_;
+                                            let _e2883 = phi_6739_;
+                                            let _e2885 = phi_6740_;
+                                            let _e2887 = phi_6741_;
+                                            if _e2881 {
+                                                phi_6745_ = _e2879;
+                                                phi_6746_ = true;
+                                                phi_6747_ = false;
+                                                phi_6748_ = false;
+                                            } else {
+                                                phi_6745_ = _e2851;
+                                                phi_6746_ = _e2883;
+                                                phi_6747_ = _e2885;
+                                                phi_6748_ = _e2887;
+                                            }
+                                            let _e2889 = phi_6745_;
+                                            let _e2891 = phi_6746_;
+                                            let _e2893 = phi_6747_;
+                                            let _e2895 = phi_6748_;
+                                            if _e2891 {
+                                                phi_6752_ = false;
+                                                phi_6753_ = false;
+                                            } else {
+                                                phi_6752_ = _e2893;
+                                                phi_6753_ = _e2895;
+                                            }
+                                            let _e2897 = phi_6752_;
+                                            let _e2899 = phi_6753_;
+                                            if _e2897 {
+                                                phi_6757_ = false;
+                                                phi_6758_ = false;
+                                            } else {
+                                                phi_6757_ = _e2899;
+                                                phi_6758_ = _e2891;
+                                            }
+                                            let _e2901 = phi_6757_;
+                                            let _e2903 = phi_6758_;
+                                            if _e2901 {
+                                                phi_6762_ = true;
+                                                phi_6763_ = false;
+                                            } else {
+                                                phi_6762_ = _e2897;
+                                                phi_6763_ = _e2903;
+                                            }
+                                            let _e2905 = phi_6762_;
+                                            let _e2907 = phi_6763_;
+                                            if _e2905 {
+                                                let _e2909 = local_30;
+                                                phi_6768_ = type_55(1u, _e2909);
+                                                phi_6769_ = true;
+                                            } else {
+                                                phi_6768_ = _e2889;
+                                                phi_6769_ = _e2907;
+                                            }
+                                            let _e2912 = phi_6768_;
+                                            let _e2914 = phi_6769_;
+                                            if _e2914 {
+                                                phi_6773_ = _e2912;
+                                            } else {
+                                                phi_6773_ = _e2834;
+                                            }
+                                            let _e2916 = phi_6773_;
+                                            let _e2919 = (_e2916.member != 0u);
+                                            if _e2919 {
+                                                phi_6780_ = false;
+                                            } else {
+                                                phi_6780_ = true;
+                                            }
+                                            let _e2921 = phi_6780_;
+                                            phi_6781_ = _e2916.member_1;
+                                            phi_6782_ = _e2921;
+                                            phi_6783_ = _e2919;
+                                            phi_6784_ = false;
                                         } else {
-                                            phi_6671_ = f32();
-                                            phi_6672_ = false;
-                                            phi_6673_ = false;
-                                            phi_6674_ = true;
+                                            phi_6781_ = f32();
+                                            phi_6782_ = false;
+                                            phi_6783_ = false;
+                                            phi_6784_ = true;
                                         }
-                                        let _e2845 = phi_6671_;
-                                        let _e2847 = phi_6672_;
-                                        let _e2849 = phi_6673_;
-                                        let _e2851 = phi_6674_;
-                                        phi_6675_ = _e2845;
-                                        phi_6676_ = _e2847;
-                                        phi_6677_ = _e2849;
-                                        phi_6678_ = _e2851;
+                                        let _e2923 = phi_6781_;
+                                        let _e2925 = phi_6782_;
+                                        let _e2927 = phi_6783_;
+                                        let _e2929 = phi_6784_;
+                                        phi_6785_ = _e2923;
+                                        phi_6786_ = _e2925;
+                                        phi_6787_ = _e2927;
+                                        phi_6788_ = _e2929;
                                     }
-                                    let _e2853 = phi_6675_;
-                                    let _e2855 = phi_6676_;
-                                    let _e2857 = phi_6677_;
-                                    let _e2859 = phi_6678_;
-                                    phi_6679_ = _e2853;
-                                    phi_6680_ = _e1909;
-                                    phi_6681_ = _e2855;
-                                    phi_6682_ = _e2857;
-                                    phi_6683_ = _e2859;
+                                    let _e2931 = phi_6785_;
+                                    let _e2933 = phi_6786_;
+                                    let _e2935 = phi_6787_;
+                                    let _e2937 = phi_6788_;
+                                    phi_6789_ = _e2931;
+                                    phi_6790_ = _e1925;
+                                    phi_6791_ = _e2933;
+                                    phi_6792_ = _e2935;
+                                    phi_6793_ = _e2937;
                                 }
-                                let _e2861 = phi_6679_;
-                                let _e2863 = phi_6680_;
-                                let _e2865 = phi_6681_;
-                                let _e2867 = phi_6682_;
-                                let _e2869 = phi_6683_;
-                                if _e2863 {
-                                    phi_6687_ = true;
-                                    phi_6688_ = false;
-                                    phi_6689_ = false;
+                                let _e2939 = phi_6789_;
+                                let _e2941 = phi_6790_;
+                                let _e2943 = phi_6791_;
+                                let _e2945 = phi_6792_;
+                                let _e2947 = phi_6793_;
+                                if _e2941 {
+                                    phi_6797_ = true;
+                                    phi_6798_ = false;
+                                    phi_6799_ = false;
                                 } else {
-                                    phi_6687_ = _e2865;
-                                    phi_6688_ = _e2867;
-                                    phi_6689_ = _e2869;
+                                    phi_6797_ = _e2943;
+                                    phi_6798_ = _e2945;
+                                    phi_6799_ = _e2947;
                                 }
-                                let _e2871 = phi_6687_;
-                                let _e2873 = phi_6688_;
-                                let _e2875 = phi_6689_;
-                                phi_6690_ = _e2861;
-                                phi_6691_ = _e1192;
-                                phi_6692_ = _e2871;
-                                phi_6693_ = false;
-                                phi_6694_ = _e2873;
-                                phi_6695_ = _e2875;
+                                let _e2949 = phi_6797_;
+                                let _e2951 = phi_6798_;
+                                let _e2953 = phi_6799_;
+                                phi_6800_ = _e2939;
+                                phi_6801_ = _e1208;
+                                phi_6802_ = _e2949;
+                                phi_6803_ = false;
+                                phi_6804_ = _e2951;
+                                phi_6805_ = _e2953;
                             } else {
-                                phi_6690_ = f32();
-                                phi_6691_ = type_56();
-                                phi_6692_ = false;
-                                phi_6693_ = true;
-                                phi_6694_ = false;
-                                phi_6695_ = false;
+                                phi_6800_ = f32();
+                                phi_6801_ = type_56();
+                                phi_6802_ = false;
+                                phi_6803_ = true;
+                                phi_6804_ = false;
+                                phi_6805_ = false;
                             }
-                            let _e2877 = phi_6690_;
-                            let _e2879 = phi_6691_;
-                            let _e2881 = phi_6692_;
-                            let _e2883 = phi_6693_;
-                            let _e2885 = phi_6694_;
-                            let _e2887 = phi_6695_;
-                            local_30 = _e2883;
-                            local_62 = _e2885;
-                            local_63 = _e2887;
-                            local_31 = _e2877;
-                            local_32 = _e2879;
+                            let _e2955 = phi_6800_;
+                            let _e2957 = phi_6801_;
+                            let _e2959 = phi_6802_;
+                            let _e2961 = phi_6803_;
+                            let _e2963 = phi_6804_;
+                            let _e2965 = phi_6805_;
+                            local_31 = _e2961;
+                            local_67 = _e2963;
+                            local_68 = _e2965;
+                            local_32 = _e2955;
+                            local_33 = _e2957;
                             continue;
                             continuing {
-                                phi_3776_ = _e891;
-                                break if !(_e2881);
+                                phi_3842_ = _e907;
+                                break if !(_e2959);
                             }
                         }
-                        let _e2890 = local_30;
-                        if _e2890 {
-                            phi_6700_ = type_55(0u, type_55().member_1);
-                            phi_6701_ = false;
-                            phi_6702_ = false;
+                        let _e2968 = local_31;
+                        if _e2968 {
+                            phi_6810_ = type_55(0u, type_55().member_1);
+                            phi_6811_ = false;
+                            phi_6812_ = false;
                         } else {
-                            phi_6700_ = type_55();
-                            let _e5099 = local_62;
-                            phi_6701_ = _e5099;
-                            let _e5102 = local_63;
-                            phi_6702_ = _e5102;
+                            phi_6810_ = type_55();
+                            let _e5277 = local_67;
+                            phi_6811_ = _e5277;
+                            let _e5280 = local_68;
+                            phi_6812_ = _e5280;
                         }
-                        let _e2895 = phi_6700_;
-                        let _e2897 = phi_6701_;
-                        let _e2899 = phi_6702_;
-                        if _e2897 {
-                            let _e2901 = local_31;
-                            phi_6707_ = type_55(2u, _e2901);
-                            phi_6708_ = false;
+                        let _e2973 = phi_6810_;
+                        let _e2975 = phi_6811_;
+                        let _e2977 = phi_6812_;
+                        if _e2975 {
+                            let _e2979 = local_32;
+                            phi_6817_ = type_55(2u, _e2979);
+                            phi_6818_ = false;
                         } else {
-                            phi_6707_ = type_55();
-                            phi_6708_ = _e2899;
+                            phi_6817_ = type_55();
+                            phi_6818_ = _e2977;
                         }
-                        let _e2904 = phi_6707_;
-                        let _e2906 = phi_6708_;
-                        if _e2906 {
-                            let _e2908 = local_32;
-                            phi_6714_ = type_55(1u, _e2908.member);
-                            phi_6715_ = true;
+                        let _e2982 = phi_6817_;
+                        let _e2984 = phi_6818_;
+                        if _e2984 {
+                            let _e2986 = local_33;
+                            phi_6824_ = type_55(1u, _e2986.member);
+                            phi_6825_ = true;
                         } else {
-                            phi_6714_ = _e2904;
-                            phi_6715_ = _e2897;
+                            phi_6824_ = _e2982;
+                            phi_6825_ = _e2975;
                         }
-                        let _e2912 = phi_6714_;
-                        let _e2914 = phi_6715_;
-                        if _e2914 {
-                            phi_6719_ = _e2912;
+                        let _e2990 = phi_6824_;
+                        let _e2992 = phi_6825_;
+                        if _e2992 {
+                            phi_6829_ = _e2990;
                         } else {
-                            phi_6719_ = _e2895;
+                            phi_6829_ = _e2973;
                         }
-                        let _e2916 = phi_6719_;
-                        phi_6723_ = _e2916;
+                        let _e2994 = phi_6829_;
+                        phi_6833_ = _e2994;
                     }
-                    let _e4441 = phi_6723_;
-                    phi_6724_ = _e4441;
+                    let _e4581 = phi_6833_;
+                    phi_6834_ = _e4581;
                 }
-                let _e4446 = phi_6724_;
-                switch bitcast<i32>(_e4446.member) {
+                let _e4586 = phi_6834_;
+                switch bitcast<i32>(_e4586.member) {
                     case 0: {
-                        phi_6785_ = type_58(0u, array<u32, 2>(0u, 0u), false);
+                        phi_6895_ = type_58(0u, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e4476 = bitcast<u32>(_e4446.member_1);
-                        if (_e4476 < 8388608u) {
-                            phi_6752_ = array<u32, 2>();
-                            phi_6753_ = true;
+                        let _e4616 = bitcast<u32>(_e4586.member_1);
+                        if (_e4616 < 8388608u) {
+                            phi_6862_ = array<u32, 2>();
+                            phi_6863_ = true;
                         } else {
-                            let _e4480 = ((_e4476 >> bitcast<u32>(31i)) == 1u);
-                            if _e4480 {
-                                phi_6751_ = array<u32, 2>();
+                            let _e4620 = ((_e4616 >> bitcast<u32>(31i)) == 1u);
+                            if _e4620 {
+                                phi_6861_ = array<u32, 2>();
                             } else {
-                                phi_6751_ = array<u32, 2>((_e4476 << bitcast<u32>(29i)), ((((_e4476 >> bitcast<u32>(23i)) + 896u) << bitcast<u32>(20i)) | ((_e4476 & 8388607u) >> bitcast<u32>(3i))));
+                                phi_6861_ = array<u32, 2>((_e4616 << bitcast<u32>(29i)), ((((_e4616 >> bitcast<u32>(23i)) + 896u) << bitcast<u32>(20i)) | ((_e4616 & 8388607u) >> bitcast<u32>(3i))));
                             }
-                            let _e4494 = phi_6751_;
-                            phi_6752_ = _e4494;
-                            phi_6753_ = _e4480;
+                            let _e4634 = phi_6861_;
+                            phi_6862_ = _e4634;
+                            phi_6863_ = _e4620;
                         }
-                        let _e4496 = phi_6752_;
-                        let _e4498 = phi_6753_;
-                        if _e4498 {
-                            phi_6757_ = array<u32, 2>(0u, 0u);
+                        let _e4636 = phi_6862_;
+                        let _e4638 = phi_6863_;
+                        if _e4638 {
+                            phi_6867_ = array<u32, 2>(0u, 0u);
                         } else {
-                            phi_6757_ = _e4496;
+                            phi_6867_ = _e4636;
                         }
-                        let _e4500 = phi_6757_;
-                        phi_6785_ = type_58(0u, _e4500, true);
+                        let _e4640 = phi_6867_;
+                        phi_6895_ = type_58(0u, _e4640, true);
                         break;
                     }
                     case 2: {
-                        let _e4450 = bitcast<u32>(_e4446.member_1);
-                        if (_e4450 < 8388608u) {
-                            phi_6778_ = array<u32, 2>();
-                            phi_6779_ = true;
+                        let _e4590 = bitcast<u32>(_e4586.member_1);
+                        if (_e4590 < 8388608u) {
+                            phi_6888_ = array<u32, 2>();
+                            phi_6889_ = true;
                         } else {
-                            let _e4454 = ((_e4450 >> bitcast<u32>(31i)) == 1u);
-                            if _e4454 {
-                                phi_6777_ = array<u32, 2>();
+                            let _e4594 = ((_e4590 >> bitcast<u32>(31i)) == 1u);
+                            if _e4594 {
+                                phi_6887_ = array<u32, 2>();
                             } else {
-                                phi_6777_ = array<u32, 2>((_e4450 << bitcast<u32>(29i)), ((((_e4450 >> bitcast<u32>(23i)) + 896u) << bitcast<u32>(20i)) | ((_e4450 & 8388607u) >> bitcast<u32>(3i))));
+                                phi_6887_ = array<u32, 2>((_e4590 << bitcast<u32>(29i)), ((((_e4590 >> bitcast<u32>(23i)) + 896u) << bitcast<u32>(20i)) | ((_e4590 & 8388607u) >> bitcast<u32>(3i))));
                             }
-                            let _e4468 = phi_6777_;
-                            phi_6778_ = _e4468;
-                            phi_6779_ = _e4454;
+                            let _e4608 = phi_6887_;
+                            phi_6888_ = _e4608;
+                            phi_6889_ = _e4594;
                         }
-                        let _e4470 = phi_6778_;
-                        let _e4472 = phi_6779_;
-                        if _e4472 {
-                            phi_6783_ = array<u32, 2>(0u, 0u);
+                        let _e4610 = phi_6888_;
+                        let _e4612 = phi_6889_;
+                        if _e4612 {
+                            phi_6893_ = array<u32, 2>(0u, 0u);
                         } else {
-                            phi_6783_ = _e4470;
+                            phi_6893_ = _e4610;
                         }
-                        let _e4474 = phi_6783_;
-                        phi_6785_ = type_58(1u, _e4474, true);
+                        let _e4614 = phi_6893_;
+                        phi_6895_ = type_58(1u, _e4614, true);
                         break;
                     }
                     default: {
-                        phi_6785_ = type_58();
+                        phi_6895_ = type_58();
                         break;
                     }
                 }
-                let _e4503 = phi_6785_;
-                if _e4503.member_2 {
-                    phi_6792_ = (_e4503.member == 0u);
+                let _e4643 = phi_6895_;
+                if _e4643.member_2 {
+                    phi_6902_ = (_e4643.member == 0u);
                 } else {
-                    phi_6792_ = false;
+                    phi_6902_ = false;
                 }
-                let _e4508 = phi_6792_;
-                if _e4508 {
-                    let _e4516 = (_e4503.member_1[1] >> bitcast<u32>(20i));
-                    if (_e4516 <= 896u) {
-                        phi_6816_ = 0u;
+                let _e4648 = phi_6902_;
+                if _e4648 {
+                    let _e4656 = (_e4643.member_1[1] >> bitcast<u32>(20i));
+                    if (_e4656 <= 896u) {
+                        phi_6926_ = 0u;
                     } else {
-                        phi_6816_ = ((((_e4516 - 896u) << bitcast<u32>(23i)) | ((_e4503.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e4503.member_1[0] >> bitcast<u32>(29i)));
+                        phi_6926_ = ((((_e4656 - 896u) << bitcast<u32>(23i)) | ((_e4643.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e4643.member_1[0] >> bitcast<u32>(29i)));
                     }
-                    let _e4531 = phi_6816_;
-                    let _e4533 = atomicMin((&earliest.member[0u]), _e4531);
+                    let _e4671 = phi_6926_;
+                    let _e4673 = atomicMin((&earliest.member[0u]), _e4671);
                 }
-                phi_6820_ = type_48(_e175, 0u, _e181, _e184, _e4503.member_1);
-                phi_6821_ = _e4508;
-                phi_6822_ = (_e4503.member != 0u);
+                phi_6930_ = type_48(_e177, 0u, _e183, _e186, _e4643.member_1);
+                phi_6931_ = _e4648;
+                phi_6932_ = (_e4643.member != 0u);
             } else {
-                phi_6820_ = type_48(_e175, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
-                phi_6821_ = false;
-                phi_6822_ = false;
+                phi_6930_ = type_48(_e177, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
+                phi_6931_ = false;
+                phi_6932_ = false;
             }
-            let _e4535 = phi_6820_;
-            let _e4537 = phi_6821_;
-            let _e4539 = phi_6822_;
-            let _e4541 = params.member.member_1;
-            if ((_e4541 & 16u) != 0u) {
-                if (_e106 == 0u) {
+            let _e4675 = phi_6930_;
+            let _e4677 = phi_6931_;
+            let _e4679 = phi_6932_;
+            let _e4681 = params.member.member_1;
+            if ((_e4681 & 16u) != 0u) {
+                if (_e108 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e4537 {
-                    let _e4547 = atomicAdd((&counters[0u]), 1u);
-                    phi_6840_ = _e4547;
+                if _e4677 {
+                    let _e4687 = atomicAdd((&counters[0u]), 1u);
+                    phi_6950_ = _e4687;
                 } else {
-                    phi_6840_ = 0u;
+                    phi_6950_ = 0u;
                 }
-                let _e4549 = phi_6840_;
+                let _e4689 = phi_6950_;
                 workgroupBarrier();
-                if (_e106 == 0u) {
-                    let _e4552 = atomicLoad((&counters[0u]));
-                    if (_e4552 > 0u) {
-                        let _e4555 = atomicAdd((&contacts.member[0u]), _e4552);
-                        atomicStore((&counters[1u]), _e4555);
+                if (_e108 == 0u) {
+                    let _e4692 = atomicLoad((&counters[0u]));
+                    if (_e4692 > 0u) {
+                        let _e4695 = atomicAdd((&contacts.member[0u]), _e4692);
+                        atomicStore((&counters[1u]), _e4695);
                     }
                 }
                 workgroupBarrier();
-                let _e4558 = atomicLoad((&counters[1u]));
-                let _e4559 = (_e4558 + _e4549);
-                if _e4537 {
-                    let _e4561 = params.member.member_16;
-                    if (_e4559 < _e4561) {
-                        let _e4563 = (6u * _e4559);
-                        atomicStore((&contacts.member[(4u + _e4563)]), _e4535.member);
-                        atomicStore((&contacts.member[(_e4563 + 5u)]), _e4535.member_1);
-                        atomicStore((&contacts.member[(_e4563 + 6u)]), _e4535.member_2);
-                        atomicStore((&contacts.member[(_e4563 + 7u)]), _e4535.member_3);
-                        atomicStore((&contacts.member[(_e4563 + 8u)]), _e4535.member_4[0]);
-                        atomicStore((&contacts.member[(_e4563 + 9u)]), _e4535.member_4[1]);
+                let _e4698 = atomicLoad((&counters[1u]));
+                let _e4699 = (_e4698 + _e4689);
+                if _e4677 {
+                    let _e4701 = params.member.member_16;
+                    if (_e4699 < _e4701) {
+                        let _e4703 = (6u * _e4699);
+                        atomicStore((&contacts.member[(4u + _e4703)]), _e4675.member);
+                        atomicStore((&contacts.member[(_e4703 + 5u)]), _e4675.member_1);
+                        atomicStore((&contacts.member[(_e4703 + 6u)]), _e4675.member_2);
+                        atomicStore((&contacts.member[(_e4703 + 7u)]), _e4675.member_3);
+                        atomicStore((&contacts.member[(_e4703 + 8u)]), _e4675.member_4[0]);
+                        atomicStore((&contacts.member[(_e4703 + 9u)]), _e4675.member_4[1]);
                     }
                 }
             }
             workgroupBarrier();
-            if (_e106 == 0u) {
+            if (_e108 == 0u) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e4539 {
-                let _e4587 = atomicAdd((&counters[0u]), 1u);
-                phi_6902_ = _e4587;
+            if _e4679 {
+                let _e4727 = atomicAdd((&counters[0u]), 1u);
+                phi_7012_ = _e4727;
             } else {
-                phi_6902_ = 0u;
+                phi_7012_ = 0u;
             }
-            let _e4589 = phi_6902_;
+            let _e4729 = phi_7012_;
             workgroupBarrier();
-            if (_e106 == 0u) {
-                let _e4592 = atomicLoad((&counters[0u]));
-                if (_e4592 > 0u) {
-                    let _e4595 = atomicAdd((&undecided.member[0u]), _e4592);
-                    atomicStore((&counters[1u]), _e4595);
+            if (_e108 == 0u) {
+                let _e4732 = atomicLoad((&counters[0u]));
+                if (_e4732 > 0u) {
+                    let _e4735 = atomicAdd((&undecided.member[0u]), _e4732);
+                    atomicStore((&counters[1u]), _e4735);
                 }
             }
             workgroupBarrier();
-            let _e4598 = atomicLoad((&counters[1u]));
-            let _e4599 = (_e4598 + _e4589);
-            if _e4539 {
-                atomicStore((&undecided.member[(4u + (2u * _e4599))]), _e4535.member_2);
-                atomicStore((&undecided.member[((2u * _e4599) + 5u)]), _e4535.member_3);
+            let _e4738 = atomicLoad((&counters[1u]));
+            let _e4739 = (_e4738 + _e4729);
+            if _e4679 {
+                atomicStore((&undecided.member[(4u + (2u * _e4739))]), _e4675.member_2);
+                atomicStore((&undecided.member[((2u * _e4739) + 5u)]), _e4675.member_3);
             }
         }
         continue;
         continuing {
-            phi_242_ = _e163;
-            break if !(_e169);
+            phi_244_ = _e165;
+            break if !(_e171);
         }
     }
     return;

@@ -38,19 +38,21 @@ fn function_() {
     var local: f32;
     var phi_141_: f32;
     var phi_205_: f32;
-    var phi_226_: f32;
-    var phi_227_: f32;
-    var phi_228_: f32;
-    var phi_250_: f32;
-    var phi_251_: f32;
-    var phi_252_: f32;
-    var phi_274_: u32;
-    var phi_275_: bool;
-    var phi_276_: u32;
-    var phi_277_: bool;
-    var phi_281_: u32;
+    var phi_217_: bool;
+    var phi_234_: f32;
+    var phi_235_: f32;
+    var phi_236_: f32;
+    var phi_249_: bool;
+    var phi_266_: f32;
+    var phi_267_: f32;
+    var phi_268_: f32;
+    var phi_290_: u32;
+    var phi_291_: bool;
     var phi_292_: u32;
-    var phi_300_: u32;
+    var phi_293_: bool;
+    var phi_297_: u32;
+    var phi_308_: u32;
+    var phi_316_: u32;
 
     let _e38 = id_1;
     let _e39 = n_1;
@@ -134,86 +136,98 @@ fn function_() {
                 }
             }
             let _e141 = local;
-            phi_205_ = (_e141 * (1f + (4f * 0.000000059604645f)));
+            phi_205_ = (_e141 * (1f + (8f * 0.000000059604645f)));
         }
         let _e148 = phi_205_;
         let _e150 = bitcast<u32>(_e57);
         if ((_e150 & 2139095040u) == 2139095040u) {
-            phi_228_ = _e57;
+            phi_217_ = (_e57 < 0f);
         } else {
+            phi_217_ = true;
+        }
+        let _e155 = phi_217_;
+        if _e155 {
             if (_e57 > 0f) {
-                phi_227_ = bitcast<f32>((_e150 + 1u));
+                phi_235_ = bitcast<f32>((_e150 + 1u));
             } else {
                 if (_e57 < 0f) {
-                    phi_226_ = bitcast<f32>((_e150 - 1u));
+                    phi_234_ = bitcast<f32>((_e150 - 1u));
                 } else {
-                    phi_226_ = 0.000000000000000000000000000000000000000000001f;
+                    phi_234_ = 0.000000000000000000000000000000000000000000001f;
                 }
-                let _e158 = phi_226_;
-                phi_227_ = _e158;
+                let _e161 = phi_234_;
+                phi_235_ = _e161;
             }
-            let _e162 = phi_227_;
-            phi_228_ = _e162;
-        }
-        let _e164 = phi_228_;
-        let _e166 = -(_e57);
-        let _e167 = bitcast<u32>(_e166);
-        if ((_e167 & 2139095040u) == 2139095040u) {
-            phi_252_ = _e166;
+            let _e165 = phi_235_;
+            phi_236_ = _e165;
         } else {
-            if (_e166 > 0f) {
-                phi_251_ = bitcast<f32>((_e167 + 1u));
-            } else {
-                if (_e166 < 0f) {
-                    phi_250_ = bitcast<f32>((_e167 - 1u));
-                } else {
-                    phi_250_ = 0.000000000000000000000000000000000000000000001f;
-                }
-                let _e175 = phi_250_;
-                phi_251_ = _e175;
-            }
-            let _e179 = phi_251_;
-            phi_252_ = _e179;
+            phi_236_ = _e57;
         }
-        let _e181 = phi_252_;
+        let _e167 = phi_236_;
+        let _e169 = -(_e57);
+        let _e170 = bitcast<u32>(_e169);
+        if ((_e170 & 2139095040u) == 2139095040u) {
+            phi_249_ = (_e169 < 0f);
+        } else {
+            phi_249_ = true;
+        }
+        let _e175 = phi_249_;
+        if _e175 {
+            if (_e169 > 0f) {
+                phi_267_ = bitcast<f32>((_e170 + 1u));
+            } else {
+                if (_e169 < 0f) {
+                    phi_266_ = bitcast<f32>((_e170 - 1u));
+                } else {
+                    phi_266_ = 0.000000000000000000000000000000000000000000001f;
+                }
+                let _e181 = phi_266_;
+                phi_267_ = _e181;
+            }
+            let _e185 = phi_267_;
+            phi_268_ = _e185;
+        } else {
+            phi_268_ = _e169;
+        }
+        let _e187 = phi_268_;
         if (_e57 > 0f) {
             if (_e57 < 4000000000f) {
-                phi_274_ = select(select(u32(_e57), 0u, (_e57 < 0f)), 4294967295u, (_e57 > 4294967000f));
-                phi_275_ = false;
+                phi_290_ = select(select(u32(_e57), 0u, (_e57 < 0f)), 4294967295u, (_e57 > 4294967000f));
+                phi_291_ = false;
             } else {
-                phi_274_ = u32();
-                phi_275_ = true;
+                phi_290_ = u32();
+                phi_291_ = true;
             }
-            let _e196 = phi_274_;
-            let _e198 = phi_275_;
-            phi_276_ = _e196;
-            phi_277_ = _e198;
+            let _e202 = phi_290_;
+            let _e204 = phi_291_;
+            phi_292_ = _e202;
+            phi_293_ = _e204;
         } else {
-            phi_276_ = u32();
-            phi_277_ = true;
+            phi_292_ = u32();
+            phi_293_ = true;
         }
-        let _e200 = phi_276_;
-        let _e202 = phi_277_;
-        if _e202 {
-            phi_281_ = 0u;
+        let _e206 = phi_292_;
+        let _e208 = phi_293_;
+        if _e208 {
+            phi_297_ = 0u;
         } else {
-            phi_281_ = _e200;
+            phi_297_ = _e206;
         }
-        let _e204 = phi_281_;
-        let _e207 = bitcast<u32>(_e57);
-        if ((_e207 >> bitcast<u32>(31i)) == 1u) {
-            phi_292_ = ~(_e207);
+        let _e210 = phi_297_;
+        let _e213 = bitcast<u32>(_e57);
+        if ((_e213 >> bitcast<u32>(31i)) == 1u) {
+            phi_308_ = ~(_e213);
         } else {
-            phi_292_ = (_e207 | 2147483648u);
+            phi_308_ = (_e213 | 2147483648u);
         }
-        let _e214 = phi_292_;
+        let _e220 = phi_308_;
         if ((_e54[0] >> bitcast<u32>(31i)) == 1u) {
-            phi_300_ = (_e54[0] & 2147483647u);
+            phi_316_ = (_e54[0] & 2147483647u);
         } else {
-            phi_300_ = ~(_e54[0]);
+            phi_316_ = ~(_e54[0]);
         }
-        let _e221 = phi_300_;
-        out.member[_e51] = array<u32, 24>(bitcast<u32>((_e57 + _e58)), bitcast<u32>((_e57 - _e58)), bitcast<u32>((_e57 * _e58)), bitcast<u32>((_e57 / _e58)), bitcast<u32>(-(_e57)), bitcast<u32>(_e72), bitcast<u32>(_e76), bitcast<u32>(_e80), select(0u, 1u, (_e57 < _e58)), select(0u, 1u, (_e57 <= _e58)), select(0u, 1u, (_e57 == _e58)), bitcast<u32>(_e148), bitcast<u32>(_e164), bitcast<u32>(-(_e181)), select(0u, 1u, ((bitcast<u32>(_e57) & 2139095040u) != 2139095040u)), _e204, bitcast<u32>(f32(_e54[0])), _e214, bitcast<u32>(bitcast<f32>(_e221)), select((bitcast<u32>(31i) - firstLeadingBit(_e54[0])), 32u, (_e54[0] == 0u)), select(firstTrailingBit(_e54[0]), 32u, (_e54[0] == 0u)), countOneBits(_e54[0]), (_e54[0] * _e54[1]), ((_e54[0] << bitcast<u32>(((_e54[1] & 31u) & 31u))) ^ (_e54[0] >> bitcast<u32>(((_e54[1] & 31u) & 31u)))));
+        let _e227 = phi_316_;
+        out.member[_e51] = array<u32, 24>(bitcast<u32>((_e57 + _e58)), bitcast<u32>((_e57 - _e58)), bitcast<u32>((_e57 * _e58)), bitcast<u32>((_e57 / _e58)), bitcast<u32>(-(_e57)), bitcast<u32>(_e72), bitcast<u32>(_e76), bitcast<u32>(_e80), select(0u, 1u, (_e57 < _e58)), select(0u, 1u, (_e57 <= _e58)), select(0u, 1u, (_e57 == _e58)), bitcast<u32>(_e148), bitcast<u32>(_e167), bitcast<u32>(-(_e187)), select(0u, 1u, ((bitcast<u32>(_e57) & 2139095040u) != 2139095040u)), _e210, bitcast<u32>(f32(_e54[0])), _e220, bitcast<u32>(bitcast<f32>(_e227)), select((bitcast<u32>(31i) - firstLeadingBit(_e54[0])), 32u, (_e54[0] == 0u)), select(firstTrailingBit(_e54[0]), 32u, (_e54[0] == 0u)), countOneBits(_e54[0]), (_e54[0] * _e54[1]), ((_e54[0] << bitcast<u32>(((_e54[1] & 31u) & 31u))) ^ (_e54[0] >> bitcast<u32>(((_e54[1] & 31u) & 31u)))));
     }
     return;
 }

@@ -45,19 +45,22 @@ fn function_() {
     var local_2: f64;
     var phi_195_: f64;
     var phi_259_: f64;
-    var phi_284_: f64;
-    var phi_285_: f64;
-    var phi_286_: f64;
-    var phi_312_: f64;
-    var phi_313_: f64;
-    var phi_314_: f64;
-    var phi_347_: f32;
-    var phi_348_: f32;
-    var phi_349_: f32;
-    var phi_351_: f32;
-    var phi_408_: type_11;
-    var phi_409_: type_11;
+    var phi_275_: bool;
+    var phi_292_: f64;
+    var phi_293_: f64;
+    var phi_294_: f64;
+    var phi_311_: bool;
+    var phi_328_: f64;
+    var phi_329_: f64;
+    var phi_330_: f64;
+    var phi_354_: bool;
+    var phi_371_: f32;
+    var phi_372_: f32;
+    var phi_373_: f32;
+    var phi_375_: f32;
     var phi_432_: type_11;
+    var phi_433_: type_11;
+    var phi_456_: type_11;
 
     let _e50 = id_1;
     let _e51 = n_1;
@@ -148,78 +151,96 @@ fn function_() {
                 }
             }
             let _e179 = local_2;
-            phi_259_ = (_e179 * (1.0lf + (4.0lf * 1.1102230246251565e-16lf)));
+            phi_259_ = (_e179 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
         }
         let _e186 = phi_259_;
         let _e187 = bitcast<u64>(_e186);
         let _e191 = bitcast<u64>(_e73);
         if ((_e191 & 9218868437227405312lu) == 9218868437227405312lu) {
-            phi_286_ = _e73;
+            phi_275_ = (_e73 < 0.0lf);
         } else {
+            phi_275_ = true;
+        }
+        let _e196 = phi_275_;
+        if _e196 {
             if (_e73 > 0.0lf) {
-                phi_285_ = bitcast<f64>((_e191 + 1lu));
+                phi_293_ = bitcast<f64>((_e191 + 1lu));
             } else {
                 if (_e73 < 0.0lf) {
-                    phi_284_ = bitcast<f64>((_e191 - 1lu));
+                    phi_292_ = bitcast<f64>((_e191 - 1lu));
                 } else {
-                    phi_284_ = 5e-324lf;
+                    phi_292_ = 5e-324lf;
                 }
-                let _e199 = phi_284_;
-                phi_285_ = _e199;
+                let _e202 = phi_292_;
+                phi_293_ = _e202;
             }
-            let _e203 = phi_285_;
-            phi_286_ = _e203;
-        }
-        let _e205 = phi_286_;
-        let _e206 = bitcast<u64>(_e205);
-        let _e210 = -(_e73);
-        let _e211 = bitcast<u64>(_e210);
-        if ((_e211 & 9218868437227405312lu) == 9218868437227405312lu) {
-            phi_314_ = _e210;
+            let _e206 = phi_293_;
+            phi_294_ = _e206;
         } else {
-            if (_e210 > 0.0lf) {
-                phi_313_ = bitcast<f64>((_e211 + 1lu));
-            } else {
-                if (_e210 < 0.0lf) {
-                    phi_312_ = bitcast<f64>((_e211 - 1lu));
-                } else {
-                    phi_312_ = 5e-324lf;
-                }
-                let _e219 = phi_312_;
-                phi_313_ = _e219;
-            }
-            let _e223 = phi_313_;
-            phi_314_ = _e223;
+            phi_294_ = _e73;
         }
-        let _e225 = phi_314_;
-        let _e227 = bitcast<u64>(-(_e225));
-        let _e231 = f32(_e73);
-        if (f64(_e231) > _e73) {
-            let _e234 = -(_e231);
-            let _e235 = bitcast<u32>(_e234);
-            if ((_e235 & 2139095040u) == 2139095040u) {
-                phi_349_ = _e234;
+        let _e208 = phi_294_;
+        let _e209 = bitcast<u64>(_e208);
+        let _e213 = -(_e73);
+        let _e214 = bitcast<u64>(_e213);
+        if ((_e214 & 9218868437227405312lu) == 9218868437227405312lu) {
+            phi_311_ = (_e213 < 0.0lf);
+        } else {
+            phi_311_ = true;
+        }
+        let _e219 = phi_311_;
+        if _e219 {
+            if (_e213 > 0.0lf) {
+                phi_329_ = bitcast<f64>((_e214 + 1lu));
             } else {
-                if (_e234 > 0f) {
-                    phi_348_ = bitcast<f32>((_e235 + 1u));
+                if (_e213 < 0.0lf) {
+                    phi_328_ = bitcast<f64>((_e214 - 1lu));
                 } else {
-                    if (_e234 < 0f) {
-                        phi_347_ = bitcast<f32>((_e235 - 1u));
+                    phi_328_ = 5e-324lf;
+                }
+                let _e225 = phi_328_;
+                phi_329_ = _e225;
+            }
+            let _e229 = phi_329_;
+            phi_330_ = _e229;
+        } else {
+            phi_330_ = _e213;
+        }
+        let _e231 = phi_330_;
+        let _e233 = bitcast<u64>(-(_e231));
+        let _e237 = f32(_e73);
+        if (f64(_e237) > _e73) {
+            let _e240 = -(_e237);
+            let _e241 = bitcast<u32>(_e240);
+            if ((_e241 & 2139095040u) == 2139095040u) {
+                phi_354_ = (_e240 < 0f);
+            } else {
+                phi_354_ = true;
+            }
+            let _e246 = phi_354_;
+            if _e246 {
+                if (_e240 > 0f) {
+                    phi_372_ = bitcast<f32>((_e241 + 1u));
+                } else {
+                    if (_e240 < 0f) {
+                        phi_371_ = bitcast<f32>((_e241 - 1u));
                     } else {
-                        phi_347_ = 0.000000000000000000000000000000000000000000001f;
+                        phi_371_ = 0.000000000000000000000000000000000000000000001f;
                     }
-                    let _e243 = phi_347_;
-                    phi_348_ = _e243;
+                    let _e252 = phi_371_;
+                    phi_372_ = _e252;
                 }
-                let _e247 = phi_348_;
-                phi_349_ = _e247;
+                let _e256 = phi_372_;
+                phi_373_ = _e256;
+            } else {
+                phi_373_ = _e240;
             }
-            let _e249 = phi_349_;
-            phi_351_ = -(_e249);
+            let _e258 = phi_373_;
+            phi_375_ = -(_e258);
         } else {
-            phi_351_ = _e231;
+            phi_375_ = _e237;
         }
-        let _e252 = phi_351_;
+        let _e261 = phi_375_;
         local_1[0u] = array<u32, 2>(u32(_e82), u32((_e82 / 4294967296lu)));
         local_1[1u] = array<u32, 2>(u32(_e87), u32((_e87 / 4294967296lu)));
         local_1[2u] = array<u32, 2>(u32(_e92), u32((_e92 / 4294967296lu)));
@@ -229,55 +250,55 @@ fn function_() {
         local_1[6u] = array<u32, 2>(u32(_e119), u32((_e119 / 4294967296lu)));
         local_1[7u] = array<u32, 2>(select(0u, 1u, (_e73 < _e80)), select(0u, 1u, (_e73 <= _e80)));
         local_1[8u] = array<u32, 2>(u32(_e187), u32((_e187 / 4294967296lu)));
-        local_1[9u] = array<u32, 2>(u32(_e206), u32((_e206 / 4294967296lu)));
-        local_1[10u] = array<u32, 2>(u32(_e227), u32((_e227 / 4294967296lu)));
-        local_1[11u] = array<u32, 2>(bitcast<u32>(_e252), select(0u, 1u, ((bitcast<u64>(_e73) & 9218868437227405312lu) != 9218868437227405312lu)));
+        local_1[9u] = array<u32, 2>(u32(_e209), u32((_e209 / 4294967296lu)));
+        local_1[10u] = array<u32, 2>(u32(_e233), u32((_e233 / 4294967296lu)));
+        local_1[11u] = array<u32, 2>(bitcast<u32>(_e261), select(0u, 1u, ((bitcast<u64>(_e73) & 9218868437227405312lu) != 9218868437227405312lu)));
         local = array<u32, 24>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-        phi_408_ = type_11(0u, 12u);
+        phi_432_ = type_11(0u, 12u);
         loop {
-            let _e283 = phi_408_;
-            if (_e283.member < _e283.member_1) {
-                phi_409_ = type_11((_e283.member + 1u), _e283.member_1);
-                phi_432_ = type_11(1u, _e283.member);
+            let _e292 = phi_432_;
+            if (_e292.member < _e292.member_1) {
+                phi_433_ = type_11((_e292.member + 1u), _e292.member_1);
+                phi_456_ = type_11(1u, _e292.member);
             } else {
-                phi_409_ = _e283;
-                phi_432_ = type_11(0u, type_11().member_1);
+                phi_433_ = _e292;
+                phi_456_ = type_11(0u, type_11().member_1);
             }
-            let _e297 = phi_409_;
-            let _e299 = phi_432_;
-            let _e303 = (bitcast<i32>(_e299.member) != 0i);
-            if _e303 {
-                if (_e299.member_1 < 12u) {
+            let _e306 = phi_433_;
+            let _e308 = phi_456_;
+            let _e312 = (bitcast<i32>(_e308.member) != 0i);
+            if _e312 {
+                if (_e308.member_1 < 12u) {
                 } else {
                     return;
                 }
-                let _e307 = local_1[_e299.member_1][0u];
-                let _e308 = (2u * _e299.member_1);
-                if (_e308 < 24u) {
+                let _e316 = local_1[_e308.member_1][0u];
+                let _e317 = (2u * _e308.member_1);
+                if (_e317 < 24u) {
                 } else {
                     return;
                 }
-                local[_e308] = _e307;
-                if (_e299.member_1 < 12u) {
+                local[_e317] = _e316;
+                if (_e308.member_1 < 12u) {
                 } else {
                     return;
                 }
-                let _e314 = local_1[_e299.member_1][1u];
-                let _e316 = ((2u * _e299.member_1) + 1u);
-                if (_e316 < 24u) {
+                let _e323 = local_1[_e308.member_1][1u];
+                let _e325 = ((2u * _e308.member_1) + 1u);
+                if (_e325 < 24u) {
                 } else {
                     return;
                 }
-                local[_e316] = _e314;
+                local[_e325] = _e323;
             }
             continue;
             continuing {
-                phi_408_ = _e297;
-                break if !(_e303);
+                phi_432_ = _e306;
+                break if !(_e312);
             }
         }
-        let _e320 = local;
-        out.member[_e63] = array<u32, 24>(_e320[0], _e320[1], _e320[2], _e320[3], _e320[4], _e320[5], _e320[6], _e320[7], _e320[8], _e320[9], _e320[10], _e320[11], _e320[12], _e320[13], _e320[14], _e320[15], _e320[16], _e320[17], _e320[18], _e320[19], _e320[20], _e320[21], _e320[22], _e320[23]);
+        let _e329 = local;
+        out.member[_e63] = array<u32, 24>(_e329[0], _e329[1], _e329[2], _e329[3], _e329[4], _e329[5], _e329[6], _e329[7], _e329[8], _e329[9], _e329[10], _e329[11], _e329[12], _e329[13], _e329[14], _e329[15], _e329[16], _e329[17], _e329[18], _e329[19], _e329[20], _e329[21], _e329[22], _e329[23]);
     }
     return;
 }

@@ -63,319 +63,347 @@ fn function_() {
     var local_2: type_6;
     var local_3: type_6;
     var local_4: type_6;
-    var phi_139_: type_24;
     var phi_140_: type_24;
-    var phi_163_: type_24;
-    var phi_189_: f32;
-    var phi_216_: f32;
-    var phi_253_: type_24;
+    var phi_141_: type_24;
+    var phi_164_: type_24;
+    var phi_190_: f32;
+    var phi_217_: f32;
     var phi_254_: type_24;
-    var phi_277_: type_24;
-    var phi_313_: f32;
-    var phi_314_: f32;
-    var phi_315_: f32;
-    var phi_351_: f32;
-    var phi_352_: f32;
-    var phi_353_: f32;
-    var phi_397_: type_24;
-    var phi_398_: type_24;
-    var phi_421_: type_24;
-    var phi_460_: f32;
-    var phi_461_: f32;
-    var phi_462_: f32;
-    var phi_464_: f32;
-    var phi_470_: f32;
-    var phi_475_: f32;
-    var phi_513_: f32;
-    var phi_514_: f32;
-    var phi_515_: f32;
-    var phi_516_: f32;
-    var phi_522_: f32;
-    var phi_527_: f32;
+    var phi_255_: type_24;
+    var phi_278_: type_24;
+    var phi_305_: bool;
+    var phi_322_: f32;
+    var phi_323_: f32;
+    var phi_324_: f32;
+    var phi_351_: bool;
+    var phi_368_: f32;
+    var phi_369_: f32;
+    var phi_370_: f32;
+    var phi_414_: type_24;
+    var phi_415_: type_24;
+    var phi_438_: type_24;
+    var phi_468_: bool;
+    var phi_485_: f32;
+    var phi_486_: f32;
+    var phi_487_: f32;
+    var phi_489_: f32;
+    var phi_495_: f32;
+    var phi_500_: f32;
+    var phi_529_: bool;
+    var phi_546_: f32;
+    var phi_547_: f32;
+    var phi_548_: f32;
+    var phi_549_: f32;
+    var phi_555_: f32;
+    var phi_560_: f32;
 
-    let _e30 = id_1;
-    let _e31 = n_1;
-    let _e32 = lane_1;
-    let _e42 = ((((_e30.y * _e31.x) + _e30.x) * 256u) + _e32);
-    let _e45 = params.member.member[0u];
-    if (_e42 < _e45) {
-        let _e48 = paths.member[_e42];
-        let _e50 = params.member.member_3;
-        local_3 = type_6(array<f32, 3>(_e48.member_1[0], _e48.member_1[1], _e48.member_1[2]), array<f32, 3>(_e48.member_1[0], _e48.member_1[1], _e48.member_1[2]));
-        local_2 = type_6(array<f32, 3>(_e48.member[0], _e48.member[1], _e48.member[2]), array<f32, 3>(_e48.member[0], _e48.member[1], _e48.member[2]));
-        phi_139_ = type_24(0u, 3u);
+    let _e31 = id_1;
+    let _e32 = n_1;
+    let _e33 = lane_1;
+    let _e43 = ((((_e31.y * _e32.x) + _e31.x) * 256u) + _e33);
+    let _e46 = params.member.member[0u];
+    if (_e43 < _e46) {
+        let _e49 = paths.member[_e43];
+        let _e51 = params.member.member_3;
+        local_3 = type_6(array<f32, 3>(_e49.member_1[0], _e49.member_1[1], _e49.member_1[2]), array<f32, 3>(_e49.member_1[0], _e49.member_1[1], _e49.member_1[2]));
+        local_2 = type_6(array<f32, 3>(_e49.member[0], _e49.member[1], _e49.member[2]), array<f32, 3>(_e49.member[0], _e49.member[1], _e49.member[2]));
+        phi_140_ = type_24(0u, 3u);
         loop {
-            let _e66 = phi_139_;
-            if (_e66.member < _e66.member_1) {
-                phi_140_ = type_24((_e66.member + 1u), _e66.member_1);
-                phi_163_ = type_24(1u, _e66.member);
+            let _e67 = phi_140_;
+            if (_e67.member < _e67.member_1) {
+                phi_141_ = type_24((_e67.member + 1u), _e67.member_1);
+                phi_164_ = type_24(1u, _e67.member);
             } else {
-                phi_140_ = _e66;
-                phi_163_ = type_24(0u, type_24().member_1);
+                phi_141_ = _e67;
+                phi_164_ = type_24(0u, type_24().member_1);
             }
-            let _e80 = phi_140_;
-            let _e82 = phi_163_;
-            let _e86 = (bitcast<i32>(_e82.member) != 0i);
-            if _e86 {
-                if (_e82.member_1 < 3u) {
+            let _e81 = phi_141_;
+            let _e83 = phi_164_;
+            let _e87 = (bitcast<i32>(_e83.member) != 0i);
+            if _e87 {
+                if (_e83.member_1 < 3u) {
                 } else {
                     return;
                 }
-                let _e90 = local_2.member[_e82.member_1];
-                if (_e82.member_1 < 3u) {
+                let _e91 = local_2.member[_e83.member_1];
+                if (_e83.member_1 < 3u) {
                 } else {
                     return;
                 }
-                let _e94 = local_3.member[_e82.member_1];
-                if (_e90 < _e94) {
-                    phi_189_ = _e90;
+                let _e95 = local_3.member[_e83.member_1];
+                if (_e91 < _e95) {
+                    phi_190_ = _e91;
                 } else {
-                    phi_189_ = _e94;
+                    phi_190_ = _e95;
                 }
-                let _e97 = phi_189_;
-                if (_e82.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                local_2.member[_e82.member_1] = _e97;
-                if (_e82.member_1 < 3u) {
+                let _e98 = phi_190_;
+                if (_e83.member_1 < 3u) {
                 } else {
                     return;
                 }
-                let _e104 = local_2.member_1[_e82.member_1];
-                if (_e82.member_1 < 3u) {
+                local_2.member[_e83.member_1] = _e98;
+                if (_e83.member_1 < 3u) {
                 } else {
                     return;
                 }
-                let _e108 = local_3.member_1[_e82.member_1];
-                if (_e104 > _e108) {
-                    phi_216_ = _e104;
-                } else {
-                    phi_216_ = _e108;
-                }
-                let _e111 = phi_216_;
-                if (_e82.member_1 < 3u) {
+                let _e105 = local_2.member_1[_e83.member_1];
+                if (_e83.member_1 < 3u) {
                 } else {
                     return;
                 }
-                local_2.member_1[_e82.member_1] = _e111;
+                let _e109 = local_3.member_1[_e83.member_1];
+                if (_e105 > _e109) {
+                    phi_217_ = _e105;
+                } else {
+                    phi_217_ = _e109;
+                }
+                let _e112 = phi_217_;
+                if (_e83.member_1 < 3u) {
+                } else {
+                    return;
+                }
+                local_2.member_1[_e83.member_1] = _e112;
             }
             continue;
             continuing {
-                phi_139_ = _e80;
-                break if !(_e86);
+                phi_140_ = _e81;
+                break if !(_e87);
             }
         }
-        let _e116 = local_2;
-        if (_e50 > 0f) {
-            local_1 = _e116;
-            phi_253_ = type_24(0u, 3u);
+        let _e117 = local_2;
+        if (_e51 > 0f) {
+            local_1 = _e117;
+            phi_254_ = type_24(0u, 3u);
             loop {
-                let _e119 = phi_253_;
-                if (_e119.member < _e119.member_1) {
-                    phi_254_ = type_24((_e119.member + 1u), _e119.member_1);
-                    phi_277_ = type_24(1u, _e119.member);
+                let _e120 = phi_254_;
+                if (_e120.member < _e120.member_1) {
+                    phi_255_ = type_24((_e120.member + 1u), _e120.member_1);
+                    phi_278_ = type_24(1u, _e120.member);
                 } else {
-                    phi_254_ = _e119;
-                    phi_277_ = type_24(0u, type_24().member_1);
+                    phi_255_ = _e120;
+                    phi_278_ = type_24(0u, type_24().member_1);
                 }
-                let _e133 = phi_254_;
-                let _e135 = phi_277_;
-                let _e139 = (bitcast<i32>(_e135.member) != 0i);
-                if _e139 {
-                    if (_e135.member_1 < 3u) {
+                let _e134 = phi_255_;
+                let _e136 = phi_278_;
+                let _e140 = (bitcast<i32>(_e136.member) != 0i);
+                if _e140 {
+                    if (_e136.member_1 < 3u) {
                     } else {
                         return;
                     }
-                    let _e143 = local_1.member[_e135.member_1];
-                    let _e145 = -((_e143 - _e50));
-                    let _e146 = bitcast<u32>(_e145);
-                    if ((_e146 & 2139095040u) == 2139095040u) {
-                        phi_315_ = _e145;
+                    let _e144 = local_1.member[_e136.member_1];
+                    let _e146 = -((_e144 - _e51));
+                    let _e147 = bitcast<u32>(_e146);
+                    if ((_e147 & 2139095040u) == 2139095040u) {
+                        phi_305_ = (_e146 < 0f);
                     } else {
-                        if (_e145 > 0f) {
-                            phi_314_ = bitcast<f32>((_e146 + 1u));
+                        phi_305_ = true;
+                    }
+                    let _e152 = phi_305_;
+                    if _e152 {
+                        if (_e146 > 0f) {
+                            phi_323_ = bitcast<f32>((_e147 + 1u));
                         } else {
-                            if (_e145 < 0f) {
-                                phi_313_ = bitcast<f32>((_e146 - 1u));
+                            if (_e146 < 0f) {
+                                phi_322_ = bitcast<f32>((_e147 - 1u));
                             } else {
-                                phi_313_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_322_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e154 = phi_313_;
-                            phi_314_ = _e154;
+                            let _e158 = phi_322_;
+                            phi_323_ = _e158;
                         }
-                        let _e158 = phi_314_;
-                        phi_315_ = _e158;
+                        let _e162 = phi_323_;
+                        phi_324_ = _e162;
+                    } else {
+                        phi_324_ = _e146;
                     }
-                    let _e160 = phi_315_;
-                    if (_e135.member_1 < 3u) {
+                    let _e164 = phi_324_;
+                    if (_e136.member_1 < 3u) {
                     } else {
                         return;
                     }
-                    local_1.member[_e135.member_1] = -(_e160);
-                    if (_e135.member_1 < 3u) {
+                    local_1.member[_e136.member_1] = -(_e164);
+                    if (_e136.member_1 < 3u) {
                     } else {
                         return;
                     }
-                    let _e168 = local_1.member_1[_e135.member_1];
-                    let _e169 = (_e168 + _e50);
-                    let _e170 = bitcast<u32>(_e169);
-                    if ((_e170 & 2139095040u) == 2139095040u) {
-                        phi_353_ = _e169;
+                    let _e172 = local_1.member_1[_e136.member_1];
+                    let _e173 = (_e172 + _e51);
+                    let _e174 = bitcast<u32>(_e173);
+                    if ((_e174 & 2139095040u) == 2139095040u) {
+                        phi_351_ = (_e173 < 0f);
                     } else {
-                        if (_e169 > 0f) {
-                            phi_352_ = bitcast<f32>((_e170 + 1u));
+                        phi_351_ = true;
+                    }
+                    let _e179 = phi_351_;
+                    if _e179 {
+                        if (_e173 > 0f) {
+                            phi_369_ = bitcast<f32>((_e174 + 1u));
                         } else {
-                            if (_e169 < 0f) {
-                                phi_351_ = bitcast<f32>((_e170 - 1u));
+                            if (_e173 < 0f) {
+                                phi_368_ = bitcast<f32>((_e174 - 1u));
                             } else {
-                                phi_351_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_368_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e178 = phi_351_;
-                            phi_352_ = _e178;
+                            let _e185 = phi_368_;
+                            phi_369_ = _e185;
                         }
-                        let _e182 = phi_352_;
-                        phi_353_ = _e182;
+                        let _e189 = phi_369_;
+                        phi_370_ = _e189;
+                    } else {
+                        phi_370_ = _e173;
                     }
-                    let _e184 = phi_353_;
-                    if (_e135.member_1 < 3u) {
+                    let _e191 = phi_370_;
+                    if (_e136.member_1 < 3u) {
                     } else {
                         return;
                     }
-                    local_1.member_1[_e135.member_1] = _e184;
+                    local_1.member_1[_e136.member_1] = _e191;
                 }
                 continue;
                 continuing {
-                    phi_253_ = _e133;
-                    break if !(_e139);
+                    phi_254_ = _e134;
+                    break if !(_e140);
                 }
             }
         } else {
-            local_1 = _e116;
+            local_1 = _e117;
         }
-        let _e189 = local_1;
-        local_4 = _e189;
+        let _e196 = local_1;
+        local_4 = _e196;
         local = type_6(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_397_ = type_24(0u, 3u);
+        phi_414_ = type_24(0u, 3u);
         loop {
-            let _e191 = phi_397_;
-            if (_e191.member < _e191.member_1) {
-                phi_398_ = type_24((_e191.member + 1u), _e191.member_1);
-                phi_421_ = type_24(1u, _e191.member);
+            let _e198 = phi_414_;
+            if (_e198.member < _e198.member_1) {
+                phi_415_ = type_24((_e198.member + 1u), _e198.member_1);
+                phi_438_ = type_24(1u, _e198.member);
             } else {
-                phi_398_ = _e191;
-                phi_421_ = type_24(0u, type_24().member_1);
+                phi_415_ = _e198;
+                phi_438_ = type_24(0u, type_24().member_1);
             }
-            let _e205 = phi_398_;
-            let _e207 = phi_421_;
-            let _e211 = (bitcast<i32>(_e207.member) != 0i);
-            if _e211 {
-                if (_e207.member_1 < 3u) {
+            let _e212 = phi_415_;
+            let _e214 = phi_438_;
+            let _e218 = (bitcast<i32>(_e214.member) != 0i);
+            if _e218 {
+                if (_e214.member_1 < 3u) {
                 } else {
                     return;
                 }
-                let _e215 = local_4.member[_e207.member_1];
-                if (_e215 > _e215) {
-                    let _e217 = -(_e215);
-                    let _e218 = bitcast<u32>(_e217);
-                    if ((_e218 & 2139095040u) == 2139095040u) {
-                        phi_462_ = _e217;
+                let _e222 = local_4.member[_e214.member_1];
+                if (_e222 > _e222) {
+                    let _e224 = -(_e222);
+                    let _e225 = bitcast<u32>(_e224);
+                    if ((_e225 & 2139095040u) == 2139095040u) {
+                        phi_468_ = (_e224 < 0f);
                     } else {
-                        if (_e217 > 0f) {
-                            phi_461_ = bitcast<f32>((_e218 + 1u));
-                        } else {
-                            if (_e217 < 0f) {
-                                phi_460_ = bitcast<f32>((_e218 - 1u));
-                            } else {
-                                phi_460_ = 0.000000000000000000000000000000000000000000001f;
-                            }
-                            let _e226 = phi_460_;
-                            phi_461_ = _e226;
-                        }
-                        let _e230 = phi_461_;
-                        phi_462_ = _e230;
+                        phi_468_ = true;
                     }
-                    let _e232 = phi_462_;
-                    phi_464_ = -(_e232);
-                } else {
-                    phi_464_ = _e215;
-                }
-                let _e235 = phi_464_;
-                let _e236 = -(290000000000000000000000000000000000000f);
-                if (_e235 > _e236) {
-                    phi_470_ = _e235;
-                } else {
-                    phi_470_ = _e236;
-                }
-                let _e239 = phi_470_;
-                if (_e239 < 290000000000000000000000000000000000000f) {
-                    phi_475_ = _e239;
-                } else {
-                    phi_475_ = 290000000000000000000000000000000000000f;
-                }
-                let _e242 = phi_475_;
-                if (_e207.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                local.member[_e207.member_1] = _e242;
-                if (_e207.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                let _e249 = local_4.member_1[_e207.member_1];
-                if (_e249 < _e249) {
-                    let _e251 = bitcast<u32>(_e249);
-                    if ((_e251 & 2139095040u) == 2139095040u) {
-                        phi_515_ = _e249;
+                    let _e230 = phi_468_;
+                    if _e230 {
+                        if (_e224 > 0f) {
+                            phi_486_ = bitcast<f32>((_e225 + 1u));
+                        } else {
+                            if (_e224 < 0f) {
+                                phi_485_ = bitcast<f32>((_e225 - 1u));
+                            } else {
+                                phi_485_ = 0.000000000000000000000000000000000000000000001f;
+                            }
+                            let _e236 = phi_485_;
+                            phi_486_ = _e236;
+                        }
+                        let _e240 = phi_486_;
+                        phi_487_ = _e240;
                     } else {
-                        if (_e249 > 0f) {
-                            phi_514_ = bitcast<f32>((_e251 + 1u));
-                        } else {
-                            if (_e249 < 0f) {
-                                phi_513_ = bitcast<f32>((_e251 - 1u));
-                            } else {
-                                phi_513_ = 0.000000000000000000000000000000000000000000001f;
-                            }
-                            let _e259 = phi_513_;
-                            phi_514_ = _e259;
-                        }
-                        let _e263 = phi_514_;
-                        phi_515_ = _e263;
+                        phi_487_ = _e224;
                     }
-                    let _e265 = phi_515_;
-                    phi_516_ = _e265;
+                    let _e242 = phi_487_;
+                    phi_489_ = -(_e242);
                 } else {
-                    phi_516_ = _e249;
+                    phi_489_ = _e222;
                 }
-                let _e267 = phi_516_;
-                let _e268 = -(290000000000000000000000000000000000000f);
-                if (_e267 > _e268) {
-                    phi_522_ = _e267;
+                let _e245 = phi_489_;
+                let _e246 = -(290000000000000000000000000000000000000f);
+                if (_e245 > _e246) {
+                    phi_495_ = _e245;
                 } else {
-                    phi_522_ = _e268;
+                    phi_495_ = _e246;
                 }
-                let _e271 = phi_522_;
-                if (_e271 < 290000000000000000000000000000000000000f) {
-                    phi_527_ = _e271;
+                let _e249 = phi_495_;
+                if (_e249 < 290000000000000000000000000000000000000f) {
+                    phi_500_ = _e249;
                 } else {
-                    phi_527_ = 290000000000000000000000000000000000000f;
+                    phi_500_ = 290000000000000000000000000000000000000f;
                 }
-                let _e274 = phi_527_;
-                if (_e207.member_1 < 3u) {
+                let _e252 = phi_500_;
+                if (_e214.member_1 < 3u) {
                 } else {
                     return;
                 }
-                local.member_1[_e207.member_1] = _e274;
+                local.member[_e214.member_1] = _e252;
+                if (_e214.member_1 < 3u) {
+                } else {
+                    return;
+                }
+                let _e259 = local_4.member_1[_e214.member_1];
+                if (_e259 < _e259) {
+                    let _e261 = bitcast<u32>(_e259);
+                    if ((_e261 & 2139095040u) == 2139095040u) {
+                        phi_529_ = (_e259 < 0f);
+                    } else {
+                        phi_529_ = true;
+                    }
+                    let _e266 = phi_529_;
+                    if _e266 {
+                        if (_e259 > 0f) {
+                            phi_547_ = bitcast<f32>((_e261 + 1u));
+                        } else {
+                            if (_e259 < 0f) {
+                                phi_546_ = bitcast<f32>((_e261 - 1u));
+                            } else {
+                                phi_546_ = 0.000000000000000000000000000000000000000000001f;
+                            }
+                            let _e272 = phi_546_;
+                            phi_547_ = _e272;
+                        }
+                        let _e276 = phi_547_;
+                        phi_548_ = _e276;
+                    } else {
+                        phi_548_ = _e259;
+                    }
+                    let _e278 = phi_548_;
+                    phi_549_ = _e278;
+                } else {
+                    phi_549_ = _e259;
+                }
+                let _e280 = phi_549_;
+                let _e281 = -(290000000000000000000000000000000000000f);
+                if (_e280 > _e281) {
+                    phi_555_ = _e280;
+                } else {
+                    phi_555_ = _e281;
+                }
+                let _e284 = phi_555_;
+                if (_e284 < 290000000000000000000000000000000000000f) {
+                    phi_560_ = _e284;
+                } else {
+                    phi_560_ = 290000000000000000000000000000000000000f;
+                }
+                let _e287 = phi_560_;
+                if (_e214.member_1 < 3u) {
+                } else {
+                    return;
+                }
+                local.member_1[_e214.member_1] = _e287;
             }
             continue;
             continuing {
-                phi_397_ = _e205;
-                break if !(_e211);
+                phi_414_ = _e212;
+                break if !(_e218);
             }
         }
-        let _e279 = local;
-        boxes.member[_e42] = type_6(array<f32, 3>(_e279.member[0], _e279.member[1], _e279.member[2]), array<f32, 3>(_e279.member_1[0], _e279.member_1[1], _e279.member_1[2]));
+        let _e292 = local;
+        boxes.member[_e43] = type_6(array<f32, 3>(_e292.member[0], _e292.member[1], _e292.member[2]), array<f32, 3>(_e292.member_1[0], _e292.member_1[1], _e292.member_1[2]));
     }
     return;
 }

@@ -90,7 +90,10 @@ pub(crate) struct Pipeline {
 
 impl fmt::Debug for Device {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Device").field("adapter", &self.inner.info.adapter.name).field("path", &self.inner.info.path).finish_non_exhaustive()
+        f.debug_struct("Device")
+            .field("adapter", &self.inner.info.adapter.name)
+            .field("path", &self.inner.info.path)
+            .finish_non_exhaustive()
     }
 }
 
@@ -163,6 +166,11 @@ impl Device {
             None if can_pass => (Path::Passthrough, "the device takes compiled shaders"),
             None => (Path::Wgsl, "the device takes no compiled shaders"),
         };
+        if adapter.backend == wgpu::Backend::Gl {
+            // Its kernels were seen to end without results and without an error.
+            let why = format!("{} through OpenGL: kernels do not run there; Vulkan, Metal, DX12 and WebGPU are supported", adapter.name);
+            return Err(Error::Unavailable { why });
+        }
         let limits = device.limits();
         check_limits(&adapter, &limits)?;
         let wide_features = wgpu::Features::SHADER_F64 | wgpu::Features::SHADER_INT64;
@@ -197,7 +205,8 @@ impl Device {
     pub(crate) fn guarded<T>(&self, what: &'static str, bytes: u64, work: impl FnOnce() -> T) -> Result<T, Error> {
         self.check_lost()?;
         let device = &self.inner.device;
-        let scopes = [wgpu::ErrorFilter::Internal, wgpu::ErrorFilter::Validation, wgpu::ErrorFilter::OutOfMemory].map(|f| device.push_error_scope(f));
+        let scopes = [wgpu::ErrorFilter::Internal, wgpu::ErrorFilter::Validation, wgpu::ErrorFilter::OutOfMemory]
+            .map(|f| device.push_error_scope(f));
         let out = work();
         let [internal, validation, memory] = scopes;
         let memory = pollster::block_on(memory.pop());

@@ -2,10 +2,11 @@
 mod broad;
 mod device;
 mod error;
+mod frame;
 pub mod harness;
 mod levels;
-mod modules;
 mod list;
+mod modules;
 mod readback;
 mod recorder;
 mod session;

@@ -55,19 +55,30 @@ impl Readback {
 
     /// Waits and reads all parts.
     pub fn read(&self, device: &Device, parts: &[Part]) -> Result<Vec<Vec<u8>>, Error> {
-        let Some(buffer) = &self.buffer else { return Ok(Vec::new()) };
-        let bytes = map(device, buffer, self.used)?;
-        Ok(parts.iter().map(|p| bytes[p.at as usize..(p.at + p.bytes) as usize].to_vec()).collect())
+        let read = |bytes: &[u8]| parts.iter().map(|p| p.of(bytes).to_vec()).collect();
+        self.with(device, read).map(Option::unwrap_or_default)
+    }
+
+    /// Waits and calls `read` with what was planned, from which each part takes its own.
+    pub fn with<T>(&self, device: &Device, read: impl FnOnce(&[u8]) -> T) -> Result<Option<T>, Error> {
+        self.buffer.as_ref().map(|buffer| map(device, buffer, self.used, read)).transpose()
     }
 }
 
-/// Waits for the device and returns the first bytes of a mappable buffer.
-pub fn map(device: &Device, buffer: &wgpu::Buffer, bytes: u64) -> Result<Vec<u8>, Error> {
+impl Part {
+    /// The part's bytes among all that was planned.
+    pub fn of(self, bytes: &[u8]) -> &[u8] {
+        &bytes[self.at as usize..(self.at + self.bytes) as usize]
+    }
+}
+
+/// Waits for the device and calls `read` with the first bytes of a mappable buffer.
+pub fn map<T>(device: &Device, buffer: &wgpu::Buffer, bytes: u64, read: impl FnOnce(&[u8]) -> T) -> Result<T, Error> {
     let slice = buffer.slice(..bytes);
     device.guarded("results", bytes, || slice.map_async(wgpu::MapMode::Read, |_| {}))?;
     device.wait()?;
     let view = slice.get_mapped_range().map_err(|e| Error::Lost { why: e.to_string() })?;
-    let out = view.to_vec();
+    let out = read(&view);
     drop(view);
     buffer.unmap();
     Ok(out)

@@ -35,7 +35,14 @@ impl Bench {
     pub fn new(device: &Device) -> Result<Self, Error> {
         use wgpu::BufferUsages as U;
         let params = device.buffer("parameters", PARAMS_STRIDE * MAX_DISPATCHES, U::STORAGE | U::COPY_DST)?;
-        Ok(Self { device: device.clone(), params, groups: HashMap::new(), timer: None, details: false, fold: device.info().limits.max_compute_workgroups_per_dimension.min(65_535) })
+        Ok(Self {
+            device: device.clone(),
+            params,
+            groups: HashMap::new(),
+            timer: None,
+            details: false,
+            fold: device.info().limits.max_compute_workgroups_per_dimension.min(65_535),
+        })
     }
 
     /// Starts or stops timing stages; where there are no timestamps, nothing is timed.
@@ -68,8 +75,9 @@ impl Bench {
     /// Milliseconds between the first and the last timestamp of each stage that was recorded last; the work must be done.
     pub fn times(&self, stages: &[&'static str]) -> Result<Vec<(&'static str, f64)>, Error> {
         let Some(timer) = &self.timer else { return Ok(Vec::new()) };
-        let bytes = crate::readback::map(&self.device, &timer.read, stages.len() as u64 * 16)?;
-        let ticks: Vec<u64> = bytes.chunks_exact(8).map(|b| u64::from_le_bytes(b.try_into().unwrap_or_default())).collect();
+        let ticks: Vec<u64> = crate::readback::map(&self.device, &timer.read, stages.len() as u64 * 16, |bytes| {
+            bytes.chunks_exact(8).map(|b| u64::from_le_bytes(b.try_into().unwrap_or_default())).collect()
+        })?;
         let period = self.device.queue().get_timestamp_period() as f64 * 1e-6;
         Ok(stages.iter().zip(ticks.chunks_exact(2)).map(|(name, t)| (*name, t[1].saturating_sub(t[0]) as f64 * period)).collect())
     }
@@ -125,8 +133,7 @@ impl Recorder<'_> {
             let params = wgpu::BufferBinding { buffer: &bench.params, offset: 0, size: wgpu::BufferSize::new(size_of::<Params>() as u64) };
             let first = takes_params.then_some(wgpu::BindingResource::Buffer(params));
             let resources = first.into_iter().chain(buffers.iter().map(|b| b.as_entire_binding()));
-            let entries: Vec<_> =
-                resources.enumerate().map(|(i, resource)| wgpu::BindGroupEntry { binding: i as u32, resource }).collect();
+            let entries: Vec<_> = resources.enumerate().map(|(i, resource)| wgpu::BindGroupEntry { binding: i as u32, resource }).collect();
             let descriptor = wgpu::BindGroupDescriptor { label: Some(id.row().name), layout: &pipeline.layout, entries: &entries };
             bench.device.wgpu().create_bind_group(&descriptor)
         });

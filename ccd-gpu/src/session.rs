@@ -2,20 +2,18 @@
 
 use crate::device::Device;
 use crate::error::Error;
+use crate::frame::{Buffers, Goal, SAMPLE, frame_params};
 use crate::list::{HEADER_BYTES, List};
 use crate::readback::Readback;
 use crate::recorder::{Bench, Recorder};
 use crate::tail;
-use crate::tree::Tree;
-use crate::upload::Positions;
+use ccd_core::Real;
 use ccd_core::error::check_min_distance;
-use ccd_core::kernel::{Id, decide};
-use ccd_core::layout::{LIST_HEADER, Pair, Params, Path, Touch};
-use ccd_core::report::{Contact, Kind, Options, PerKind, Report, State};
+use ccd_core::kernel::decide;
+use ccd_core::layout::{Pair, Touch};
+use ccd_core::report::{Kind, Options, PerKind, Report, State};
 use ccd_core::topology::Mesh;
-use ccd_core::{Num, Real};
 use std::time::Instant;
-use wgpu::BufferUsages as U;
 
 /// Continuous collision detection of one mesh over many steps, on a GPU.
 pub struct Session {
@@ -28,47 +26,26 @@ pub struct Session {
     report: Report,
     stages: Vec<(&'static str, f64)>,
     grown: u32,
-}
-
-/// Everything on the device.
-struct Buffers {
-    tree: Tree,
-    positions: Positions,
-    /// Paths up to the earliest time of impact so far.
-    shortened: wgpu::Buffer,
-    edges: wgpu::Buffer,
-    faces: wgpu::Buffer,
-    bodies: wgpu::Buffer,
-    /// Pairs that the filters leave, by kind.
-    survivors: [List; 2],
-    /// Pairs that `f32` leaves open, by kind.
-    undecided: [List; 2],
-    contacts: List,
-    /// Candidates, by kind; as small as possible until they are asked for.
-    candidates: [List; 2],
-    /// The key of the earliest time of impact.
-    earliest: wgpu::Buffer,
-    never: wgpu::Buffer,
-}
-
-/// What a frame is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Goal {
-    Contacts,
-    Earliest,
-    Candidates,
+    /// Contacts as the device wrote them.
+    touches: Vec<Touch>,
+    order: tail::Order,
+    /// Calls for which the earliest time is looked for at once, because a sample did not pay the last time.
+    at_once: u32,
+    left_open: PerKind,
 }
 
 /// Results where a device has them, for work that goes on there. Valid until the session's next call.
 ///
-/// A list is a header of four words, of which the first is the number of entries, then the entries. That number may exceed the room: then entries are missing, and
-/// [`Session::step`] must be called instead, which makes room.
+/// A list is a header of four words, of which the first is the number of entries, then the entries. That number may exceed the room of a list in
+/// [`OnDevice::lists`]: then results are incomplete, and [`Session::step`] must be called instead, which makes room.
 #[derive(Clone, Debug)]
 pub struct OnDevice<'a> {
     /// Contacts: entries are [`Touch`].
     pub contacts: &'a List,
     /// Pairs of vertices and faces, and of edges, that `f32` could not decide, to be treated as contacts; empty where `f64` is used on the device.
     pub undecided: [&'a List; 2],
+    /// Every list of the frame, also those between stages: if the first word of any of them exceeds its room, results are incomplete.
+    pub lists: Vec<&'a List>,
     /// One word: the bits of the earliest time of impact as `f32`, rounded down; greater than those of 1 if there is none. Without the undecided pairs.
     pub earliest: &'a wgpu::Buffer,
 }
@@ -99,6 +76,10 @@ impl Session {
             report: Report::default(),
             stages: Vec::new(),
             grown: 0,
+            touches: Vec::new(),
+            order: tail::Order::default(),
+            at_once: 0,
+            left_open: PerKind::default(),
         })
     }
 
@@ -141,6 +122,11 @@ impl Session {
         &self.stages
     }
 
+    /// Pairs of the last call that `f32` on the device left open and the CPU decided.
+    pub fn left_open(&self) -> PerKind {
+        self.left_open
+    }
+
     /// How often a list was too short since the session began, so that a frame ran again.
     pub fn grown(&self) -> u32 {
         self.grown
@@ -169,7 +155,9 @@ impl Session {
     ///
     /// It is not later than the earliest contact, and rounded down to an `f32`.
     pub fn earliest_toi<T: Real>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Option<f64>, Error> {
-        self.run(x0, x1, Goal::Earliest)?;
+        let goal = if self.at_once > 0 { Goal::EarliestAtOnce } else { Goal::Earliest };
+        self.at_once = self.at_once.saturating_sub(1);
+        self.run(x0, x1, goal)?;
         Ok(self.report.toi)
     }
 
@@ -185,11 +173,19 @@ impl Session {
                 readback.copy(recorder, *part, list.buffer());
             }
         })?;
-        let mut lists = readback.read(device, &parts)?.into_iter().map(|bytes| bytemuck::pod_collect_to_vec::<u8, Pair>(&bytes[HEADER_BYTES as usize..]));
-        Ok(Candidates { vf: lists.next().unwrap_or_default(), ee: lists.next().unwrap_or_default() })
+        let pairs = |bytes: &[u8]| bytemuck::pod_collect_to_vec::<u8, Pair>(&bytes[HEADER_BYTES as usize..]);
+        let read = readback.with(device, |bytes| Candidates { vf: pairs(parts[0].of(bytes)), ee: pairs(parts[1].of(bytes)) })?;
+        Ok(read.unwrap_or_default())
     }
 
-    /// The buffer of positions that [`Session::record`] reads: one [`Path`] per vertex. May be written by copies and by kernels.
+    /// As [`Session::candidates`], but leaves the pairs on the device: vertex-face and edge-edge, until the next call. All of them fit.
+    pub fn candidates_on_device<T: Real>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<[&List; 2], Error> {
+        self.run(x0, x1, Goal::Candidates)?;
+        let [vf, ee] = &self.buffers.candidates;
+        Ok([vf, ee])
+    }
+
+    /// The buffer of positions that [`Session::record`] reads: one [`ccd_core::layout::Path`] per vertex. May be written by copies and by kernels.
     pub fn paths(&self) -> &wgpu::Buffer {
         &self.buffers.positions.paths
     }
@@ -208,7 +204,8 @@ impl Session {
             recorder.finish().map(|_| ())
         })??;
         let b = &self.buffers;
-        Ok(OnDevice { contacts: &b.contacts, undecided: [&b.undecided[0], &b.undecided[1]], earliest: &b.earliest })
+        let lists = b.lists().collect();
+        Ok(OnDevice { contacts: &b.contacts, undecided: [&b.undecided[0], &b.undecided[1]], lists, earliest: &b.earliest })
     }
 
     fn run<T: Real>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]], goal: Goal) -> Result<(), Error> {
@@ -247,7 +244,7 @@ impl Session {
         let params = frame_params(buffers, &self.options, &self.mesh);
         let heads: Vec<List> = buffers.lists().cloned().collect();
         let guess = (expected + expected / 4 + 256).min(buffers.contacts.room());
-        let mut sizes = vec![4];
+        let mut sizes = vec![4, 8];
         sizes.extend(heads.iter().map(|_| HEADER_BYTES));
         sizes.push(buffers.contacts.bytes(guess));
         let parts = readback.plan(device, &sizes)?;
@@ -256,17 +253,25 @@ impl Session {
             buffers.frame(recorder, &params, goal, wide);
             recorder.stage("read back");
             readback.copy(recorder, parts[0], &buffers.earliest);
-            for (part, list) in parts[1..].iter().zip(&heads) {
+            readback.copy(recorder, parts[1], &buffers.sample);
+            for (part, list) in parts[2..].iter().zip(&heads) {
                 readback.copy(recorder, *part, list.buffer());
             }
             if goal == Goal::Contacts {
                 readback.copy(recorder, parts[parts.len() - 1], buffers.contacts.buffer());
             }
         })?;
-        let read = readback.read(device, &parts)?;
-        self.stages = bench.times(&stages)?;
         let word = |bytes: &[u8], i: usize| bytes[4 * i..4 * i + 4].iter().rev().fold(0, |w, &b| w << 8 | b as u32);
-        let wanted: Vec<u32> = read[1..=heads.len()].iter().map(|h| word(h, 0)).collect();
+        let (earliest, sampled, wanted, seconds) = readback
+            .with(device, |bytes| {
+                let heads = parts[2..heads.len() + 2].iter().map(|p| p.of(bytes));
+                let wanted: Vec<u32> = heads.clone().map(|h| word(h, 0)).collect();
+                read_touches(&mut self.touches, parts[parts.len() - 1].of(bytes), wanted[CONTACTS]);
+                let sampled = word(parts[1].of(bytes), 0) as u64 + word(parts[1].of(bytes), 1) as u64;
+                (word(parts[0].of(bytes), 0), sampled, wanted, heads.map(|h| word(h, 1)).collect::<Vec<u32>>())
+            })?
+            .unwrap_or_default();
+        self.stages = bench.times(&stages)?;
         let mut grown = false;
         for (list, &wanted) in buffers.lists_mut().zip(&wanted) {
             grown |= list.grow(device, wanted)?;
@@ -279,16 +284,17 @@ impl Session {
             bench.forget();
             return Ok(None);
         }
-        // The lists in the order of `Buffers::lists`: five that a frame ends with, then those of the descent.
-        let [c0, c1, s0, s1, u0, u1, n_contacts] = wanted[..7] else { return Ok(None) };
-        let mut found = Found { earliest: word(&read[0], 0), ..Found::default() };
-        found.filtered = PerKind { vf: s0 as u64, ee: s1 as u64 };
+        // The lists in the order of `Buffers::lists`: those that a frame ends with, then those of the descent.
+        let [c0, c1, s0, s1, u0, u1, n_contacts] = wanted[..=CONTACTS] else { return Ok(None) };
+        let mut found = Found { earliest, filtered: PerKind { vf: s0 as u64, ee: s1 as u64 }, ..Found::default() };
         found.candidates = if goal == Goal::Candidates {
             PerKind { vf: c0 as u64, ee: c1 as u64 }
         } else {
-            PerKind { vf: word(&read[3], 1) as u64, ee: word(&read[4], 1) as u64 }
+            PerKind { vf: seconds[2] as u64, ee: seconds[3] as u64 }
         };
-        let mut contacts = read.into_iter().next_back().unwrap_or_default();
+        if goal == Goal::Earliest && found.candidates.total() > sampled * SAMPLE as u64 / 4 {
+            self.at_once = AT_ONCE;
+        }
         let open = !wide && u0 + u1 > 0;
         if goal == Goal::Contacts && n_contacts > guess || open {
             let sizes = [buffers.contacts.bytes(n_contacts), buffers.undecided[0].bytes(u0), buffers.undecided[1].bytes(u1)];
@@ -298,14 +304,12 @@ impl Session {
                     readback.copy(recorder, *part, list.buffer());
                 }
             })?;
-            let mut read = readback.read(device, &parts)?.into_iter();
-            contacts = read.next().unwrap_or_default();
-            found.open = [0, 1].map(|_| read.next().map(|b| bytemuck::pod_collect_to_vec(&b[HEADER_BYTES as usize..])).unwrap_or_default());
-        }
-        if goal == Goal::Contacts {
-            let words: Vec<u32> = bytemuck::pod_collect_to_vec(&contacts);
-            let entries = &words[LIST_HEADER..LIST_HEADER + n_contacts as usize * size_of::<Touch>() / 4];
-            found.touches = bytemuck::cast_slice(entries).to_vec();
+            let pairs = |bytes: &[u8]| bytemuck::pod_collect_to_vec(&bytes[HEADER_BYTES as usize..]);
+            let open = readback.with(device, |bytes| {
+                read_touches(&mut self.touches, parts[0].of(bytes), n_contacts);
+                [pairs(parts[1].of(bytes)), pairs(parts[2].of(bytes))]
+            })?;
+            found.open = open.unwrap_or_default();
         }
         Ok(Some(found))
     }
@@ -313,22 +317,27 @@ impl Session {
     /// Decides what the device left open, and makes the report.
     fn take<T: Real>(&mut self, found: Found, goal: Goal, x0: &[[T; 3]], x1: &[[T; 3]]) {
         let report = &mut self.report;
+        self.left_open = PerKind { vf: found.open[0].len() as u64, ee: found.open[1].len() as u64 };
         report.candidates = found.candidates;
         report.filtered = found.filtered;
         let contacts = &mut report.contacts;
-        contacts.extend(found.touches.iter().map(contact));
+        if goal == Goal::Contacts {
+            self.order.sort(&self.touches, &self.mesh, contacts);
+        }
         for (kind, open) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(&found.open) {
             tail::decide(&self.mesh, kind, open, x0, x1, self.options.min_distance, contacts);
         }
         report.toi = contacts.iter().map(|c| c.toi).reduce(f64::min);
-        if goal == Goal::Earliest {
+        if goal != Goal::Contacts {
             // Contacts that the device counted are not in the list; their earliest time is.
             let device = (found.earliest != decide::NEVER).then(|| f32::from_bits(found.earliest) as f64);
             report.toi = report.toi.into_iter().chain(device).reduce(f64::min);
             contacts.clear();
         }
+        if found.open.iter().any(|open| !open.is_empty()) {
+            contacts.sort_unstable_by_key(|c| (c.kind, c.a, c.b));
+        }
         report.undecided = contacts.iter().filter(|c| c.state == State::Undecided).count() as u64;
-        tail::sort(contacts, &self.mesh);
     }
 }
 
@@ -339,17 +348,17 @@ struct Found {
     candidates: PerKind,
     filtered: PerKind,
     open: [Vec<Pair>; 2],
-    touches: Vec<Touch>,
 }
 
-fn contact(touch: &Touch) -> Contact {
-    Contact {
-        kind: if touch.kind == 0 { Kind::VertexFace } else { Kind::EdgeEdge },
-        state: if touch.state == 0 { State::Hit } else { State::Undecided },
-        a: touch.a,
-        b: touch.b,
-        toi: ccd_core::layout::join(touch.toi),
-    }
+/// Which of `Buffers::lists` holds contacts.
+const CONTACTS: usize = 6;
+
+/// Takes what was read of a list of contacts that has `n`.
+fn read_touches(touches: &mut Vec<Touch>, list: &[u8], n: u32) {
+    let entries = list.get(HEADER_BYTES as usize..).unwrap_or_default();
+    let n = (n as usize).min(entries.len() / size_of::<Touch>());
+    touches.resize(n, Touch::default());
+    bytemuck::cast_slice_mut::<Touch, u8>(touches).copy_from_slice(&entries[..n * size_of::<Touch>()]);
 }
 
 /// Records with `work`, submits, and returns the stages.
@@ -364,157 +373,6 @@ pub(crate) fn submit(device: &Device, bench: &mut Bench, work: impl FnOnce(&mut 
     })?
 }
 
-/// Parameters that all kernels of a frame share.
-fn frame_params(buffers: &Buffers, options: &Options, mesh: &Mesh) -> Params {
-    let mut params = buffers.tree.params();
-    params.flags |= Params::FLAG_TOPOLOGY;
-    buffers.positions.params(&mut params, options.min_distance);
-    if let Some(bodies) = &options.bodies {
-        params.flags |= Params::FLAG_BODIES;
-        // A body against itself is wanted if it is wanted of any.
-        let wanted = (0..mesh.n_vertices() as u32).map(|v| bodies.body(v)).any(|b| !bodies.fixed(b) && bodies.wants(b, b));
-        params.flags |= if wanted { Params::FLAG_SELF_CONTACT } else { 0 };
-    }
-    params
-}
-
-impl Buffers {
-    fn new(device: &Device, mesh: &Mesh, options: &Options) -> Result<Self, Error> {
-        let count = [mesh.n_vertices(), mesh.edges().len(), mesh.faces().len()].map(|n| n as u32);
-        let fixed = |what, bytes: &[u8]| -> Result<wgpu::Buffer, Error> {
-            let buffer = device.buffer(what, bytes.len() as u64, U::STORAGE | U::COPY_SRC | U::COPY_DST)?;
-            device.queue().write_buffer(&buffer, 0, bytes);
-            Ok(buffer)
-        };
-        let bodies: Vec<u32> = match &options.bodies {
-            Some(b) => (0..count[0]).map(|v| b.body(v) << 1 | b.fixed(b.body(v)) as u32).collect(),
-            None => Vec::new(),
-        };
-        let list = |what, words, room: u32| List::new(device, what, words, room.max(1024));
-        let features = count[0] + count[1] + count[2];
-        Ok(Self {
-            tree: Tree::new(device, count)?,
-            positions: Positions::new(device, mesh.n_vertices())?,
-            shortened: device.buffer("paths", count[0] as u64 * size_of::<Path>() as u64, U::STORAGE)?,
-            edges: fixed("edges", bytemuck::cast_slice(mesh.edges()))?,
-            faces: fixed("faces", bytemuck::cast_slice(mesh.faces()))?,
-            bodies: fixed("bodies", bytemuck::cast_slice(&bodies))?,
-            survivors: [list("filtered vertex-face pairs", 2, features / 2)?, list("filtered edge-edge pairs", 2, features)?],
-            undecided: [list("undecided vertex-face pairs", 2, features / 2)?, list("undecided edge-edge pairs", 2, features)?],
-            contacts: list("contacts", (size_of::<Touch>() / 4) as u32, features / 2)?,
-            candidates: [list("vertex-face candidates", 2, 0)?, list("edge-edge candidates", 2, 0)?],
-            earliest: fixed("time of impact", &[0; 4])?,
-            never: fixed("no time of impact", &[0xff; 16])?,
-        })
-    }
-
-    /// All lists: those that a frame ends with in the order that `Session::attempt` reads, then those of the descent.
-    fn lists(&self) -> impl Iterator<Item = &List> {
-        let ends = self.candidates.iter().chain(&self.survivors).chain(&self.undecided).chain([&self.contacts]);
-        ends.chain(self.tree.lists())
-    }
-
-    fn lists_mut(&mut self) -> impl Iterator<Item = &mut List> {
-        let ends = self.candidates.iter_mut().chain(&mut self.survivors).chain(&mut self.undecided).chain([&mut self.contacts]);
-        ends.chain(self.tree.pairs.iter_mut().flatten())
-    }
-
-    /// Everything from positions to results.
-    fn frame(&self, recorder: &mut Recorder, params: &Params, goal: Goal, wide: bool) {
-        self.clear(recorder);
-        recorder.copy(&self.never, 0, &self.earliest, 0, 4);
-        self.tree.clear_bounds(recorder);
-        recorder.stage("boxes");
-        self.sweep(recorder, params, &self.positions.paths, self.positions.boxes_uploaded());
-        self.tree.sort(recorder, params, params.count[0]);
-        recorder.stage("build");
-        self.tree.fit(recorder, params, &self.edges, &self.faces);
-        match goal {
-            Goal::Candidates => self.pairs(recorder, params, |recorder, p| self.list(recorder, p)),
-            Goal::Contacts => {
-                let p = Params { flags: params.flags | Params::FLAG_KEEP, ..*params };
-                self.contacts(recorder, &p, &self.positions.paths, 1, wide);
-            }
-            Goal::Earliest => {
-                // A part of the block pairs first; what it finds bounds the time that matters, and shorter paths have smaller boxes.
-                self.contacts(recorder, params, &self.positions.paths, SAMPLE, wide);
-                let error = params.path_error + self.positions.reach * (16.0 * f32::UNIT) + f32::MIN_NORMAL;
-                let cut = Params { path_error: error, margin: (params.margin + error).next_up(), flags: params.flags & !Params::FLAG_CONFIRM, ..*params };
-                recorder.stage("shorten");
-                recorder.dispatch(Id::Shorten, &cut, &[&self.positions.paths, &self.earliest, &self.shortened], cut.count[0].div_ceil(256));
-                self.clear(recorder);
-                self.sweep(recorder, &cut, &self.shortened, false);
-                self.tree.fit(recorder, &cut, &self.edges, &self.faces);
-                self.contacts(recorder, &cut, &self.shortened, 1, wide);
-            }
-        }
-    }
-
-    fn clear(&self, recorder: &mut Recorder) {
-        for list in self.lists() {
-            recorder.clear(list.buffer(), HEADER_BYTES);
-        }
-    }
-
-    fn sweep(&self, recorder: &mut Recorder, params: &Params, paths: &wgpu::Buffer, vertices_done: bool) {
-        let [v, e, f] = params.count;
-        if !vertices_done {
-            recorder.dispatch(Id::SweepVertices, params, &[paths, &self.tree.boxes], v.div_ceil(256));
-        }
-        recorder.dispatch(Id::SweepEdges, params, &[&self.edges, &self.tree.boxes], e.div_ceil(256));
-        recorder.dispatch(Id::SweepFaces, params, &[&self.faces, &self.tree.boxes], f.div_ceil(256));
-    }
-
-    /// Descends for both kinds, then calls `leaves` for each.
-    fn pairs(&self, recorder: &mut Recorder, params: &Params, mut leaves: impl FnMut(&mut Recorder, &Params)) {
-        recorder.stage("block pairs");
-        for kind in [0, 1] {
-            self.tree.descend(recorder, &Params { kind, ..*params });
-        }
-        for kind in [0, 1] {
-            leaves(recorder, &Params { kind, ..*params });
-        }
-    }
-
-    fn list(&self, recorder: &mut Recorder, params: &Params) {
-        recorder.stage(["list vertex-face", "list edge-edge"][params.kind as usize]);
-        let (tree, output) = (&self.tree, &self.candidates[params.kind as usize]);
-        let input = tree.block_pairs(params.kind as usize);
-        tree.each_part(params, 1, input, output.room(), 1, |p| {
-            let buffers = [&tree.nodes, &tree.leaves, &self.bodies, &self.positions.keys, input.buffer(), output.buffer()];
-            recorder.dispatch(Id::ListCandidates, p, &buffers, self.tree.groups.min(input.room()));
-        });
-    }
-
-    /// Filters candidates of every `step`-th block pair and decides what is left.
-    fn contacts(&self, recorder: &mut Recorder, params: &Params, paths: &wgpu::Buffer, step: u32, wide: bool) {
-        self.pairs(recorder, params, |recorder, params| {
-            let kind = params.kind as usize;
-            recorder.stage(["filter vertex-face", "filter edge-edge"][kind]);
-            let (tree, output) = (&self.tree, &self.survivors[kind]);
-            let input = tree.block_pairs(kind);
-            tree.each_part(params, 1, input, output.room(), step, |p| {
-                let buffers = [&tree.nodes, &tree.leaves, &self.bodies, &self.positions.keys, paths, input.buffer(), output.buffer()];
-                recorder.dispatch([Id::FilterVertexFace, Id::FilterEdgeEdge][kind], p, &buffers, self.tree.groups.min(input.room()));
-            });
-        });
-        for kind in [0, 1] {
-            recorder.stage(["decide vertex-face", "decide edge-edge"][kind]);
-            let input = &self.survivors[kind];
-            let elements = [&self.faces, &self.edges][kind];
-            let p = Params { kind: kind as u32, room_in: input.room(), room_out: self.contacts.room(), path_error: self.positions.path_error, ..*params };
-            let groups = self.tree.groups.min(input.room().div_ceil(64));
-            let (paths, survivors, contacts) = (&self.positions.paths, input.buffer(), self.contacts.buffer());
-            if wide {
-                let buffers = [paths, &self.positions.wide, elements, survivors, contacts, &self.earliest];
-                recorder.dispatch([Id::DecideVertexFaceWide, Id::DecideEdgeEdgeWide][kind], &p, &buffers, groups);
-            } else {
-                let buffers = [paths, elements, survivors, contacts, self.undecided[kind].buffer(), &self.earliest];
-                recorder.dispatch([Id::DecideVertexFace, Id::DecideEdgeEdge][kind], &p, &buffers, groups);
-            }
-        }
-    }
-}
-
-/// Of how many pairs of blocks one is sampled to bound the earliest time of impact.
-const SAMPLE: u32 = 64;
+/// If more than a quarter of the candidates is left after paths were cut, so many of the next calls do without: what is cut takes less time than the
+/// sample, the cut and the second fit only where most candidates go.
+const AT_ONCE: u32 = 63;

@@ -3,7 +3,7 @@
 use ccd_core::Real;
 use ccd_core::Verdict;
 use ccd_core::kernel::narrow;
-use ccd_core::layout::Pair;
+use ccd_core::layout::{Pair, Touch, join};
 use ccd_core::report::{Contact, Kind, State};
 use ccd_core::topology::Mesh;
 
@@ -20,7 +20,8 @@ pub fn decide<T: Real>(mesh: &Mesh, kind: Kind, pairs: &[Pair], x0: &[[T; 3]], x
         return;
     }
     let (x0, x1): (Vec<_>, Vec<_>) = (x0.iter().map(wide).collect(), x1.iter().map(wide).collect());
-    let work = |pairs: &[Pair]| -> Vec<Contact> { pairs.iter().filter_map(|&pair| one(mesh, kind, pair, &x0, &x1, min_distance)).collect() };
+    let work =
+        |pairs: &[Pair]| -> Vec<Contact> { pairs.iter().filter_map(|&pair| one(mesh, kind, pair, &x0, &x1, min_distance)).collect() };
     if pairs.len() <= MIN_SHARE {
         out.extend(work(pairs));
         return;
@@ -49,35 +50,55 @@ fn one(mesh: &Mesh, kind: Kind, pair: Pair, x0: &[[f64; 3]], x1: &[[f64; 3]], mi
     Some(Contact { kind, state, a: pair.a, b: pair.b, toi })
 }
 
-/// Sorts by kind, `a`, `b`: counted by kind and `a`, then each run by `b`. Runs are short, so this is linear.
-pub fn sort(contacts: &mut Vec<Contact>, mesh: &Mesh) {
-    let n_vertices = mesh.n_vertices();
-    let key = |c: &Contact| match c.kind {
-        Kind::VertexFace => c.a as usize,
-        Kind::EdgeEdge => n_vertices + c.a as usize,
-    };
-    let n_keys = n_vertices + mesh.edges().len();
-    if contacts.len() < n_keys / 16 {
-        contacts.sort_unstable_by_key(|c| (c.kind, c.a, c.b));
-        return;
-    }
-    let mut starts = vec![0u32; n_keys + 1];
-    contacts.iter().for_each(|c| starts[key(c) + 1] += 1);
-    for i in 0..n_keys {
-        starts[i + 1] += starts[i];
-    }
-    let mut next = starts.clone();
-    let mut sorted = contacts.clone();
-    for c in contacts.iter() {
-        let to = &mut next[key(c)];
-        sorted[*to as usize] = *c;
-        *to += 1;
-    }
-    for i in 0..n_keys {
-        let run = &mut sorted[starts[i] as usize..starts[i + 1] as usize];
-        if run.len() > 1 {
-            run.sort_unstable_by_key(|c| c.b);
+/// Puts contacts in order; buffers are kept.
+#[derive(Debug, Default)]
+pub struct Order {
+    starts: Vec<u32>,
+}
+
+impl Order {
+    /// Fills `out` with the contacts by kind, `a`, `b`: counted by kind and `a`, then each run by `b`. Runs are short, so this is linear.
+    pub fn sort(&mut self, touches: &[Touch], mesh: &Mesh, out: &mut Vec<Contact>) {
+        out.clear();
+        let n_vertices = mesh.n_vertices();
+        let key = |t: &Touch| if t.kind == 0 { t.a as usize } else { n_vertices + t.a as usize };
+        let n_keys = n_vertices + mesh.edges().len();
+        if touches.len() < n_keys / 16 {
+            out.extend(touches.iter().map(contact));
+            out.sort_unstable_by_key(|c| (c.kind, c.a, c.b));
+            return;
+        }
+        self.starts.clear();
+        self.starts.resize(n_keys + 1, 0);
+        touches.iter().for_each(|t| self.starts[key(t) + 1] += 1);
+        for i in 0..n_keys {
+            self.starts[i + 1] += self.starts[i];
+        }
+        let none = Contact { kind: Kind::VertexFace, state: State::Hit, a: 0, b: 0, toi: 0.0 };
+        out.resize(touches.len(), none);
+        for t in touches {
+            let to = &mut self.starts[key(t)];
+            out[*to as usize] = contact(t);
+            *to += 1;
+        }
+        // Every start has moved to the end of its run.
+        let mut from = 0;
+        for &end in &self.starts[..n_keys] {
+            let end = end as usize;
+            if end > from + 1 {
+                out[from..end].sort_unstable_by_key(|c| c.b);
+            }
+            from = end;
         }
     }
-    *contacts = sorted;
+}
+
+fn contact(touch: &Touch) -> Contact {
+    Contact {
+        kind: if touch.kind == 0 { Kind::VertexFace } else { Kind::EdgeEdge },
+        state: if touch.state == 0 { State::Hit } else { State::Undecided },
+        a: touch.a,
+        b: touch.b,
+        toi: join(touch.toi),
+    }
 }

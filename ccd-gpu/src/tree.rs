@@ -47,7 +47,8 @@ impl Tree {
         let levels = Levels::new(count).ok_or(too_large)?;
         let n_tiles = n.div_ceil(sort::TILE as u64) as u32;
         let words = |what, n: u64| device.buffer(what, 4 * n, U::STORAGE | U::COPY_SRC | U::COPY_DST);
-        let nodes = device.buffer("nodes of the tree", levels.total() as u64 * size_of::<Aabb>() as u64, U::STORAGE | U::COPY_DST | U::COPY_SRC)?;
+        let nodes =
+            device.buffer("nodes of the tree", levels.total() as u64 * size_of::<Aabb>() as u64, U::STORAGE | U::COPY_DST | U::COPY_SRC)?;
         // Nodes that only fill up a block stay as they are now.
         let empty = vec![Aabb::EMPTY; 1 << 16];
         let all = nodes.size() / size_of::<Aabb>() as u64;
@@ -59,7 +60,9 @@ impl Tree {
         let pairs = |kind: u32| -> Result<Vec<List>, Error> {
             // A node overlaps some tens of others on real scenes; what does not fit makes the list grow.
             (1..levels.start(kind))
-                .map(|level| List::new(device, "pairs of nodes", 2, levels.nodes(level, if kind == 0 { 2 } else { 1 }).saturating_mul(40).max(4096)))
+                .map(|level| {
+                    List::new(device, "pairs of nodes", 2, levels.nodes(level, if kind == 0 { 2 } else { 1 }).saturating_mul(40).max(4096))
+                })
                 .collect()
         };
         Ok(Self {
@@ -82,7 +85,14 @@ impl Tree {
     /// Parameters that say where things are; the caller sets the rest.
     pub fn params(&self) -> Params {
         let [v, e, f] = self.count;
-        Params { count: self.count, start: [0, v, v + e, v + e + f], slots: self.levels.slots, step: 1, limit: DISPATCH_LIMIT, ..Params::default() }
+        Params {
+            count: self.count,
+            start: [0, v, v + e, v + e + f],
+            slots: self.levels.slots,
+            step: 1,
+            limit: DISPATCH_LIMIT,
+            ..Params::default()
+        }
     }
 
     /// Lists whose headers must be zero before [`Tree::descend`].

@@ -1,7 +1,8 @@
 //! `ccd boxes`: the broad phase alone.
 
-use super::{Backend, Failure, Outcome, in_file, output};
-use ccd::{Aabb, BroadPhase, Method};
+use super::backend::{AnyBroadPhase, BackendOptions};
+use super::{Failure, Outcome, in_file, output};
+use ccd::{Aabb, Method, gpu};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -15,13 +16,12 @@ pub struct Boxes {
     /// A second set of boxes
     #[arg(value_name = "B.bin")]
     b: Option<PathBuf>,
-    /// What runs the work
-    #[arg(long, value_enum, default_value_t = Backend::Auto)]
-    backend: Backend,
-    /// How pairs are found; all ways find the same
+    #[command(flatten)]
+    backend: BackendOptions,
+    /// How the CPU finds pairs; all ways find the same
     #[arg(long, value_enum, default_value_t = Way::Blocks)]
     method: Way,
-    /// Number of threads; 0 means one per processor
+    /// Number of threads on the CPU; 0 means one per processor
     #[arg(long, value_name = "N", default_value_t = 0)]
     threads: usize,
     /// Runs; the median time is reported
@@ -45,7 +45,8 @@ struct Json {
     boxes: [usize; 2],
     pairs: usize,
     backend: &'static str,
-    threads: usize,
+    adapter: Option<String>,
+    threads: Option<usize>,
     runs: u32,
     times_ms: Times,
 }
@@ -60,7 +61,6 @@ struct Times {
 
 impl Boxes {
     pub fn run(&self) -> Outcome {
-        self.backend.require()?;
         let start = Instant::now();
         let a = read(&self.a)?;
         let b = self.b.as_deref().map(read).transpose()?;
@@ -69,24 +69,26 @@ impl Boxes {
             Way::Blocks => Method::Blocks,
             Way::Tree => Method::Tree,
         };
-        let mut broad = BroadPhase::new(self.threads, method)?;
+        let choice = self.backend.choose(a.len() + b.as_ref().map_or(0, Vec::len))?;
+        let mut broad = AnyBroadPhase::new(&choice, self.threads, method)?;
         let mut times = Vec::new();
         let mut n_pairs = 0;
         for _ in 0..self.runs {
             let start = Instant::now();
-            let pairs = match &b {
-                None => broad.self_pairs(&a).map_err(|e| in_file(&self.a, e))?,
-                Some(b) => broad.pairs(&a, b)?,
-            };
-            n_pairs = pairs.len();
+            n_pairs = broad.count(&a, b.as_deref()).map_err(|e| match (e, &b) {
+                (e @ gpu::Error::Input(_), None) => in_file(&self.a, e),
+                (e, _) => e.into(),
+            })?;
             times.push(start.elapsed().as_secs_f64() * 1e3);
         }
         let first = times[0];
         times.sort_unstable_by(f64::total_cmp);
         let times = Times { load, first, median: times[times.len() / 2], min: times[0] };
         let boxes = [a.len(), b.as_ref().map_or(0, Vec::len)];
+        let place = broad.place();
         if self.json {
-            output::json(&Json { boxes, pairs: n_pairs, backend: "cpu", threads: broad.threads(), runs: self.runs, times_ms: times })?;
+            let (backend, adapter, threads) = (place.backend(), place.adapter, place.threads);
+            output::json(&Json { boxes, pairs: n_pairs, backend, adapter, threads, runs: self.runs, times_ms: times })?;
         } else {
             match boxes {
                 [n, 0] if b.is_none() => output::line("boxes", n),
@@ -95,10 +97,9 @@ impl Boxes {
             output::line("pairs", n_pairs);
             let ms = output::milliseconds;
             let text = format!(
-                "median {} of {} runs on {} threads (first {}, least {}); loading {}",
+                "median {} of {} runs on {place} (first {}, least {}); loading {}",
                 ms(times.median),
                 self.runs,
-                broad.threads(),
                 ms(times.first),
                 ms(times.min),
                 ms(load)

@@ -1,9 +1,10 @@
 //! `ccd check`: contacts between two frames.
 
+use super::backend::AnySession;
 use super::output::{self, ContactFile, Counts, MeshSize, TimesMs};
 use super::{Failure, Outcome, Precision, StepOptions, in_file, picture};
 use ccd::io::{Frame, read_frame};
-use ccd::{Mesh, Session};
+use ccd::{Mesh, gpu};
 use clap::Args;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -29,21 +30,21 @@ struct Json {
     undecided: u64,
     toi: Option<f64>,
     backend: &'static str,
+    adapter: Option<String>,
     precision: &'static str,
-    threads: usize,
+    threads: Option<usize>,
     times_ms: TimesMs,
 }
 
 impl Check {
     pub fn run(&self) -> Outcome {
-        let options = self.options.library_options()?;
         let start = Instant::now();
         let (t0, t1) = (read_frame(&self.t0)?, read_frame(&self.t1)?);
         let mesh = mesh_of(&self.t0, &t0)?;
         same_topology((&self.t0, &t0), (&self.t1, &t1))?;
         let load = start.elapsed().as_secs_f64() * 1e3;
 
-        let mut session = Session::new(mesh, options)?;
+        let mut session = self.options.session(mesh)?;
         step(&mut session, self.options.precision, (&self.t0, &t0), (&self.t1, &t1))?;
         let (mesh, report) = (session.mesh(), session.report());
         if let Some(path) = &self.options.contacts {
@@ -54,15 +55,17 @@ impl Check {
         }
         let contacts = report.n_contacts();
         if self.options.json {
+            let place = session.place();
             output::json(&Json {
                 mesh: mesh.into(),
                 candidates: report.candidates.into(),
                 contacts: contacts.into(),
                 undecided: report.undecided,
                 toi: report.toi,
-                backend: "cpu",
+                backend: place.backend(),
+                adapter: place.adapter,
                 precision: self.options.precision.name(),
-                threads: session.threads(),
+                threads: place.threads,
                 times_ms: TimesMs::new(load, report),
             })?;
         } else {
@@ -73,7 +76,7 @@ impl Check {
     }
 }
 
-fn print(session: &Session, load: f64) {
+fn print(session: &AnySession, load: f64) {
     let (mesh, report) = (session.mesh(), session.report());
     let contacts = report.n_contacts();
     output::line("mesh", MeshSize::from(mesh));
@@ -86,31 +89,23 @@ fn print(session: &Session, load: f64) {
         Some(toi) => output::line("earliest", format_args!("t = {toi:?}")),
         None => output::line("earliest", "none: the whole step is free"),
     }
-    let (t, ms) = (report.times, output::milliseconds);
-    output::line(
-        "time",
-        format_args!(
-            "{} on {} threads (boxes {}, build {}, traverse {}, narrow {}); loading {}",
-            ms(t.total),
-            session.threads(),
-            ms(t.boxes),
-            ms(t.build),
-            ms(t.traverse),
-            ms(t.narrow),
-            ms(load)
-        ),
-    );
+    let (t, ms, place) = (report.times, output::milliseconds, session.place());
+    let parts = match place.adapter {
+        Some(_) => format!("upload {}", ms(t.boxes)),
+        None => format!("boxes {}, build {}, traverse {}, narrow {}", ms(t.boxes), ms(t.build), ms(t.traverse), ms(t.narrow)),
+    };
+    output::line("time", format_args!("{} on {place} ({parts}); loading {}", ms(t.total), ms(load)));
 }
 
 /// One step between two frames; an error in coordinates names the file.
-pub fn step(session: &mut Session, precision: Precision, t0: (&Path, &Frame), t1: (&Path, &Frame)) -> Result<(), Failure> {
+pub fn step(session: &mut AnySession, precision: Precision, t0: (&Path, &Frame), t1: (&Path, &Frame)) -> Result<(), Failure> {
     let result = match precision {
         Precision::F64 => session.step(&t0.1.positions, &t1.1.positions).map(|_| ()),
         Precision::F32 => session.step(&t0.1.positions_f32(), &t1.1.positions_f32()).map(|_| ()),
     };
     result.map_err(|e| match e {
-        ccd::Error::Coordinate { time: 0, .. } => in_file(t0.0, e),
-        ccd::Error::Coordinate { .. } => in_file(t1.0, e),
+        gpu::Error::Input(ccd::Error::Coordinate { time: 0, .. }) => in_file(t0.0, e),
+        gpu::Error::Input(ccd::Error::Coordinate { .. }) => in_file(t1.0, e),
         _ => e.into(),
     })
 }

@@ -4,7 +4,9 @@
 //! back: vertices of such contacts move only to a part of their time of impact, and this is repeated until the step is certified free. A step in which
 //! every vertex stands still is free because the one before was, so this ends.
 
-use ccd::{Bodies, Contact, Error, Kind, Mesh, Options, Session};
+use super::Failure;
+use super::backend::{AnySession, BackendOptions, Place};
+use ccd::{Bodies, Contact, Kind, Mesh, Options};
 use ccd_core::closest::closest;
 use ccd_core::motion::{Motion, Patch};
 use ccd_core::vec3::{add, dot, lerp, scale, sub};
@@ -39,8 +41,8 @@ pub struct Cloth {
     pub x: Vec<[f64; 3]>,
     v: Vec<[f64; 3]>,
     springs: Vec<(usize, usize, f64)>,
-    push: Session,
-    hold: Session,
+    push: AnySession,
+    hold: AnySession,
     /// Contacts of the last step's free motion.
     pub contacts: Vec<Contact>,
     /// Milliseconds in the library and number of its calls, since the last reset.
@@ -52,7 +54,7 @@ pub struct Cloth {
 pub const N_CLOTH: usize = N * N;
 
 impl Cloth {
-    pub fn new() -> Result<Self, Error> {
+    pub fn new(backend: &BackendOptions) -> Result<Self, Failure> {
         let mut x = Vec::new();
         let mut faces: Vec<[u32; 3]> = Vec::new();
         for i in 0..N * N {
@@ -73,11 +75,18 @@ impl Cloth {
         let mesh = Mesh::new(x.len(), &faces)?;
         let body: Vec<u32> = (0..x.len()).map(|v| (v >= N_CLOTH) as u32).collect();
         let bodies = Bodies::new(&body, &[false, true], true);
-        let session = |min_distance| Session::new(mesh.clone(), Options { min_distance, threads: 0, bodies: Some(bodies.clone()) });
+        let choice = backend.choose(mesh.edges().len())?;
+        let session =
+            |min_distance| AnySession::new(&choice, mesh.clone(), Options { min_distance, threads: 0, bodies: Some(bodies.clone()) });
         let (push, hold) = (session(PUSH_DISTANCE)?, session(0.0)?);
         let springs = springs(&faces[..n_faces_cloth], &x);
         let v = vec![[0.0; 3]; N_CLOTH];
         Ok(Self { mesh, x, v, springs, push, hold, contacts: Vec::new(), ccd_ms: 0.0, n_calls: 0 })
+    }
+
+    /// Where its collisions are found.
+    pub fn place(&self) -> Place {
+        self.hold.place()
     }
 
     /// Corners 0 and `N - 1` are pinned.
@@ -86,7 +95,7 @@ impl Cloth {
     }
 
     /// One step of the simulation.
-    pub fn step(&mut self) -> Result<(), super::Failure> {
+    pub fn step(&mut self) -> Result<(), Failure> {
         let x0 = self.x.clone();
         let mut x1 = x0.clone();
         for i in (0..N_CLOTH).filter(|&i| !Self::pinned(i)) {
@@ -138,7 +147,7 @@ impl Cloth {
     }
 
     /// Shortens the motion of vertices until the step is certified free.
-    fn hold_back(&mut self, x0: &[[f64; 3]], x1: &mut [[f64; 3]]) -> Result<(), super::Failure> {
+    fn hold_back(&mut self, x0: &[[f64; 3]], x1: &mut [[f64; 3]]) -> Result<(), Failure> {
         for round in 0..MAX_ROUNDS {
             let report = self.hold.step(x0, &*x1)?;
             self.ccd_ms += report.times.total;
@@ -154,12 +163,12 @@ impl Cloth {
                 }
             }
         }
-        Err(super::Failure(format!("the demo could not resolve its contacts in {MAX_ROUNDS} rounds")))
+        Err(Failure(format!("the demo could not resolve its contacts in {MAX_ROUNDS} rounds")))
     }
 }
 
 /// Two triangles per cell of an `n x n` grid whose vertices begin at `first`.
-fn grid(faces: &mut Vec<[u32; 3]>, n: usize, first: u32) {
+pub fn grid(faces: &mut Vec<[u32; 3]>, n: usize, first: u32) {
     let n = n as u32;
     for i in 0..(n - 1) * (n - 1) {
         let a = first + i / (n - 1) * n + i % (n - 1);

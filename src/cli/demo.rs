@@ -1,5 +1,6 @@
 //! `ccd demo`: the experiment of Tian and Wan, run, checked and drawn.
 
+use super::backend::BackendOptions;
 use super::cloth::{Cloth, N_CLOTH};
 use super::{Failure, Outcome, in_file, output, picture, plot};
 use ccd::Mesh;
@@ -14,6 +15,8 @@ pub struct Demo {
     /// Folder for the picture of the last frame and the plots; made if it is not there
     #[arg(long, value_name = "DIR", default_value = "ccd-demo")]
     out: PathBuf,
+    #[command(flatten)]
+    backend: BackendOptions,
 }
 
 /// Steps of the simulation a frame.
@@ -22,7 +25,7 @@ const STEPS: usize = 8;
 impl Demo {
     pub fn run(&self) -> Outcome {
         std::fs::create_dir_all(&self.out).map_err(|e| in_file(&self.out, e))?;
-        let mut cloth = Cloth::new()?;
+        let mut cloth = Cloth::new(&self.backend)?;
         output::line("scene", output::MeshSize::from(&cloth.mesh));
         let bar = output::progress(self.frames as usize, "frames");
         let (mut times, mut contacts) = (Vec::new(), Vec::new());
@@ -48,7 +51,12 @@ impl Demo {
         let total: f64 = times.iter().sum();
         output::line(
             "collisions",
-            format_args!("{} for {n_calls} steps, {} a step", output::milliseconds(total), output::milliseconds(total / n_calls as f64)),
+            format_args!(
+                "{} for {n_calls} steps, {} a step on {}",
+                output::milliseconds(total),
+                output::milliseconds(total / n_calls as f64),
+                cloth.place()
+            ),
         );
         output::line("contacts", format_args!("{} in the last step", cloth.contacts.len()));
         let n = penetrations(&cloth.mesh, &cloth.x);

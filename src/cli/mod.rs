@@ -1,9 +1,12 @@
 //! Arguments, dispatch, exit codes.
 
+mod backend;
+mod bench;
 mod boxes;
 mod check;
 mod cloth;
 mod demo;
+mod info;
 mod output;
 mod picture;
 mod plot;
@@ -47,17 +50,11 @@ enum Command {
     Boxes(boxes::Boxes),
     /// A cloth falls on a sphere; needs no file (the experiment of Tian and Wan)
     Demo(demo::Demo),
-}
-
-/// What runs the work.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Backend {
-    /// Threads of this machine
-    Cpu,
-    /// Not part of this version: ends with an error
-    Gpu,
-    /// The best that is there: in this version the CPU
-    Auto,
+    /// The GPU that would be used, how, and which others there are
+    Info(info::InfoCommand),
+    /// Times of built-in scenes; needs no file
+    #[command(after_help = "EXAMPLES:\n  ccd bench --backend cpu\n  ccd bench --backend gpu --large\n  ccd bench --size 0.5 --size 2")]
+    Bench(bench::Bench),
 }
 
 /// The coordinates that a step starts from.
@@ -81,16 +78,15 @@ impl Precision {
 /// Options of every command that steps a mesh.
 #[derive(Args)]
 struct StepOptions {
-    /// What runs the work
-    #[arg(long, value_enum, default_value_t = Backend::Auto)]
-    backend: Backend,
+    #[command(flatten)]
+    backend: backend::BackendOptions,
     /// Contact means a distance of at most D, in the unit of the coordinates
     #[arg(long, value_name = "D", default_value_t = 0.0, allow_negative_numbers = true)]
     min_distance: f64,
     /// Coordinates of the step
     #[arg(long, value_enum, default_value_t = Precision::F64)]
     precision: Precision,
-    /// Number of threads; 0 means one per processor
+    /// Number of threads on the CPU; 0 means one per processor
     #[arg(long, value_name = "N", default_value_t = 0)]
     threads: usize,
     /// Print one JSON object instead of text
@@ -108,19 +104,10 @@ struct StepOptions {
 }
 
 impl StepOptions {
-    fn library_options(&self) -> Result<ccd::Options, Failure> {
-        self.backend.require()?;
-        Ok(ccd::Options { min_distance: self.min_distance, threads: self.threads, bodies: None })
-    }
-}
-
-impl Backend {
-    /// An error where the backend is not there.
-    fn require(self) -> Result<(), Failure> {
-        match self {
-            Backend::Gpu => Err(Failure("--backend gpu: this version has no GPU backend; use cpu or auto".into())),
-            Backend::Cpu | Backend::Auto => Ok(()),
-        }
+    /// A session for a mesh where the options want it.
+    fn session(&self, mesh: ccd::Mesh) -> Result<backend::AnySession, Failure> {
+        let options = ccd::Options { min_distance: self.min_distance, threads: self.threads, bodies: None };
+        backend::AnySession::new(&self.backend.choose(mesh.edges().len())?, mesh, options)
     }
 }
 
@@ -137,6 +124,12 @@ impl From<ccd::io::ReadError> for Failure {
 
 impl From<ccd::Error> for Failure {
     fn from(e: ccd::Error) -> Self {
+        Failure(e.to_string())
+    }
+}
+
+impl From<ccd::gpu::Error> for Failure {
+    fn from(e: ccd::gpu::Error) -> Self {
         Failure(e.to_string())
     }
 }
@@ -158,6 +151,8 @@ pub fn main() -> ExitCode {
         Command::Queries(c) => (c.run(), false),
         Command::Boxes(c) => (c.run(), false),
         Command::Demo(c) => (c.run(), false),
+        Command::Info(c) => (c.run(), false),
+        Command::Bench(c) => (c.run(), false),
     };
     match outcome {
         Ok(true) if fail_on_contact => ExitCode::from(1),

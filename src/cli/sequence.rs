@@ -1,9 +1,9 @@
 //! `ccd sequence`: a session over many frames.
 
+use super::backend::AnySession;
 use super::check::{mesh_of, same_topology, step};
 use super::output::{self, ContactFile, Counts, MeshSize, TimesMs};
 use super::{Failure, Outcome, StepOptions, plot};
-use ccd::Session;
 use ccd::io::{Frame, read_frame};
 use clap::Args;
 use serde::Serialize;
@@ -34,8 +34,9 @@ struct Step {
 struct Json {
     mesh: MeshSize,
     backend: &'static str,
+    adapter: Option<String>,
     precision: &'static str,
-    threads: usize,
+    threads: Option<usize>,
     steps: Vec<Step>,
     summary: Summary,
 }
@@ -53,10 +54,9 @@ struct Summary {
 
 impl Sequence {
     pub fn run(&self) -> Outcome {
-        let options = self.options.library_options()?;
         let load_start = Instant::now();
         let mut before: Frame = read_frame(&self.frames[0])?;
-        let mut session = Session::new(mesh_of(&self.frames[0], &before)?, options)?;
+        let mut session = self.options.session(mesh_of(&self.frames[0], &before)?)?;
         let mut load = load_start.elapsed().as_secs_f64() * 1e3;
         let mut file = match &self.options.contacts {
             Some(path) => Some(ContactFile::create(path, true)?),
@@ -99,7 +99,7 @@ impl Sequence {
         self.finish(&session, steps)
     }
 
-    fn finish(&self, session: &Session, steps: Vec<Step>) -> Outcome {
+    fn finish(&self, session: &AnySession, steps: Vec<Step>) -> Outcome {
         let summary = summarise(&steps);
         if let Some(path) = &self.options.picture {
             let times: Vec<f64> = steps.iter().map(step_ms).collect();
@@ -107,9 +107,11 @@ impl Sequence {
             plot::write(path, "frame", [("step, ms", &times), ("contacts", &contacts)])?;
         }
         let any = summary.contacts > 0;
+        let place = session.place();
         if self.options.json {
-            let (mesh, threads) = (session.mesh().into(), session.threads());
-            output::json(&Json { mesh, backend: "cpu", precision: self.options.precision.name(), threads, steps, summary })?;
+            let (backend, precision) = (place.backend(), self.options.precision.name());
+            let (mesh, adapter, threads) = (session.mesh().into(), place.adapter, place.threads);
+            output::json(&Json { mesh, backend, adapter, precision, threads, steps, summary })?;
         } else {
             let text = format!(
                 "{} steps, {} of them free; {} contacts, {} undecided",
@@ -118,9 +120,8 @@ impl Sequence {
             output::line("summary", text);
             let ms = output::milliseconds;
             let text = format!(
-                "median {} a step on {} threads, {} in all; trees built in {} steps",
+                "median {} a step on {place}, {} in all; trees built in {} steps",
                 ms(summary.median_ms),
-                session.threads(),
                 ms(summary.total_ms),
                 summary.rebuilt
             );

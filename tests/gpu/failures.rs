@@ -4,7 +4,7 @@ use ccd::gpu::{BroadPhase, Device, DeviceOptions, Error, Session};
 use ccd::{Options, Pair};
 use ccd_testkit::generate::{crumpled_sheet, uniform_boxes};
 
-pub const TESTS: &[(&str, fn(&Device))] = &[
+pub const TESTS: crate::Tests = &[
     ("lists_grow", check_growth),
     ("bad_input", check_input),
     ("too_large", check_too_large),
@@ -106,7 +106,8 @@ fn check_recorded(device: &Device) {
             (found.contacts.clone(), found.undecided.map(Clone::clone))
         };
         let usage = ccd::gpu::wgpu::BufferUsages::MAP_READ | ccd::gpu::wgpu::BufferUsages::COPY_DST;
-        let read = device.wgpu().create_buffer(&ccd::gpu::wgpu::BufferDescriptor { label: None, size: 24, usage, mapped_at_creation: false });
+        let read =
+            device.wgpu().create_buffer(&ccd::gpu::wgpu::BufferDescriptor { label: None, size: 24, usage, mapped_at_creation: false });
         for (i, list) in [&contacts, &undecided[0], &undecided[1]].into_iter().enumerate() {
             encoder.copy_buffer_to_buffer(list.buffer(), 0, &read, 8 * i as u64, 4);
         }

@@ -5,14 +5,38 @@ use ccd_core::kernel::{Access, Id, TABLE, probe};
 use ccd_core::layout::{Leaf, MAX_LEVELS, Pair, Params, Touch};
 use ccd_testkit::generate::Random;
 
-pub const TESTS: &[(&str, fn(&Device))] =
-    &[("scalars_f32", check_scalars), ("scalars_f64", check_wide), ("layouts", check_layouts)];
+pub const TESTS: crate::Tests = &[("scalars_f32", check_scalars), ("scalars_f64", check_wide), ("layouts", check_layouts)];
 
 /// Numbers at which arithmetic changes its behaviour, as bits, and the thresholds of kernels.
 const POISON: [u32; 28] = [
-    0, 0x8000_0000, 1, 0x8000_0001, 0x007f_ffff, 0x0080_0000, 0x8080_0000, 0x3f80_0000, 0xbf80_0000, 0x3f7f_ffff, 0x3f80_0001, 0x7f7f_ffff, 0xff7f_ffff,
-    0x7f80_0000, 0xff80_0000, 0x7fc0_0000, 0x3400_0000, 0x3380_0000, 0x2b80_0000, 0x3506_37bd, 0x7e5a_2d5a, 0x7e61_b1e6, 0x4b00_0000, 0x4b80_0000,
-    0x4f00_0000, 0x4f80_0000, 0x358637bd, 0x5f80_0000,
+    0,
+    0x8000_0000,
+    1,
+    0x8000_0001,
+    0x007f_ffff,
+    0x0080_0000,
+    0x8080_0000,
+    0x3f80_0000,
+    0xbf80_0000,
+    0x3f7f_ffff,
+    0x3f80_0001,
+    0x7f7f_ffff,
+    0xff7f_ffff,
+    0x7f80_0000,
+    0xff80_0000,
+    0x7fc0_0000,
+    0x3400_0000,
+    0x3380_0000,
+    0x2b80_0000,
+    0x3506_37bd,
+    0x7e5a_2d5a,
+    0x7e61_b1e6,
+    0x4b00_0000,
+    0x4b80_0000,
+    0x4f00_0000,
+    0x4f80_0000,
+    0x358637bd,
+    0x5f80_0000,
 ];
 
 fn inputs() -> Vec<[u32; 2]> {
@@ -53,7 +77,11 @@ fn difference(name: &str, input: [u32; 2], want: u32, got: u32, exact: bool) -> 
             _ => 1.0,
         };
         let overflow = !want.is_finite() && (!got.is_finite() || got.abs() > 1e38) || !got.is_finite() && want.abs() > 1e38;
-        overflow || tiny(want) || (got as f64 - want as f64).abs() <= units * f32::EPSILON as f64 / 2.0 * want.abs() as f64
+        // A product that rounds up to the smallest normal number may be flushed before it is rounded.
+        let small = want.abs() <= f32::MIN_POSITIVE;
+        // Devices divide by numbers beyond 2^126 as they like; kernels scale before they divide.
+        let beyond = name == "a / b" && b.abs() > 2f32.powi(126);
+        overflow || small || beyond || (got as f64 - want as f64).abs() <= units * f32::EPSILON as f64 / 2.0 * want.abs() as f64
     };
     (!fine).then(|| format!("{name} of {a:e} ({:#x}) and {b:e} ({:#x}): {want:#x} on the CPU, {got:#x} on the device", input[0], input[1]))
 }
@@ -88,8 +116,13 @@ fn check_wide(device: &Device) {
         return;
     }
     let mut random = Random::new(12);
-    let mut number = || f64::from_bits(1.0f64.to_bits() & !0xf_ffff | random.bits() as u64) * 2f64.powi(random.below(200) as i32 - 100) * (random.unit() - 0.5);
-    let inputs: Vec<[f64; 2]> = (0..20_000).map(|_| [number(), number()]).chain([[0.0, 1.0], [1.0, 3.0], [-0.0, 0.0], [1e308, 1e-308]]).collect();
+    let mut number = || {
+        f64::from_bits(1.0f64.to_bits() & !0xf_ffff | random.bits() as u64)
+            * 2f64.powi(random.below(200) as i32 - 100)
+            * (random.unit() - 0.5)
+    };
+    let inputs: Vec<[f64; 2]> =
+        (0..20_000).map(|_| [number(), number()]).chain([[0.0, 1.0], [1.0, 3.0], [-0.0, 0.0], [1e308, 1e-308]]).collect();
     let mut buffers = [bytemuck::cast_slice(&inputs).to_vec(), vec![0; inputs.len() * 96]];
     harness::run(device, Id::ProbeWide, &Params::default(), &mut buffers, inputs.len().div_ceil(64) as u32, 65_535).unwrap();
     let got: Vec<[[u32; 2]; 12]> = bytemuck::pod_collect_to_vec(&buffers[1]);
@@ -168,7 +201,12 @@ pub fn check_manifest() {
         let kernel = kernels.iter().find(|k| k["name"] == row.name).unwrap_or_else(|| panic!("{} is not in the manifest", row.name));
         let access: Vec<&str> = row.bindings.iter().map(|a| if *a == Access::Write { "write" } else { "read" }).collect();
         assert_eq!(kernel["bindings"], serde_json::json!(access), "{}", row.name);
-        assert_eq!((&kernel["workgroup"], &kernel["wide"]), (&serde_json::json!(row.workgroup), &serde_json::json!(row.wide)), "{}", row.name);
+        assert_eq!(
+            (&kernel["workgroup"], &kernel["wide"]),
+            (&serde_json::json!(row.workgroup), &serde_json::json!(row.wide)),
+            "{}",
+            row.name
+        );
         assert_eq!(kernel["entry"], row.name);
         assert!(kernel["shared_bytes"].as_u64().unwrap() <= 16_384 && row.workgroup <= 256 && row.bindings.len() <= 8, "{}", row.name);
     }

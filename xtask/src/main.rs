@@ -1,6 +1,8 @@
 //! `cargo xtask`: what the project does to itself.
 
 mod ci;
+#[cfg(feature = "gpu-report")]
+mod gpu;
 #[cfg(feature = "report")]
 mod report;
 mod shaders;
@@ -29,6 +31,12 @@ enum Task {
         /// Runs of each measurement; medians are reported
         #[arg(long, default_value_t = 5)]
         runs: usize,
+        /// Measure the GPU instead and write benches/GPU.md (needs the data)
+        #[arg(long)]
+        gpu: bool,
+        /// Where the GPU's report goes
+        #[arg(long, requires = "gpu", default_value = "benches/GPU.md")]
+        out: std::path::PathBuf,
     },
 }
 
@@ -38,7 +46,8 @@ fn main() -> ExitCode {
         Task::Ci => ci::run(root),
         Task::Tidy => tidy::run(root),
         Task::Shaders { check } => shaders_task(root, check),
-        Task::Report { runs } => report_task(root, runs),
+        Task::Report { runs, gpu: true, out } => gpu_task(root, runs, &root.join(out)),
+        Task::Report { runs, .. } => report_task(root, runs),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -59,6 +68,19 @@ fn report_task(root: &Path, runs: usize) -> Result<(), String> {
 fn report_task(root: &Path, runs: usize) -> Result<(), String> {
     let runs = runs.to_string();
     ci::command(root, &["cargo", "run", "--release", "-p", "xtask", "--features", "report", "--", "report", "--runs", &runs])
+}
+
+#[cfg(feature = "gpu-report")]
+fn gpu_task(_root: &Path, runs: usize, out: &Path) -> Result<(), String> {
+    gpu::run(runs, out)
+}
+
+/// Without what it measures: builds itself again with it.
+#[cfg(not(feature = "gpu-report"))]
+fn gpu_task(root: &Path, runs: usize, out: &Path) -> Result<(), String> {
+    let (runs, out) = (runs.to_string(), out.to_string_lossy());
+    let args = ["report", "--gpu", "--runs", &runs, "--out", &out];
+    ci::command(root, &[&["cargo", "run", "--release", "-p", "xtask", "--features", "gpu-report", "--"], &args[..]].concat())
 }
 
 #[cfg(feature = "shaders")]

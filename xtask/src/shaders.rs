@@ -176,7 +176,11 @@ mod build {
             None => 0,
         };
         let found = row["barriers"].as_u64().unwrap_or(0);
-        if found == written { Ok(()) } else { Err(format!("{name} has {found} barriers, its source {written}: a compiler copied or dropped one")) }
+        if found == written {
+            Ok(())
+        } else {
+            Err(format!("{name} has {found} barriers, its source {written}: a compiler copied or dropped one"))
+        }
     }
 
     /// Workgroup size, bindings, bytes of workgroup memory, and whether `f64` is needed.
@@ -223,8 +227,11 @@ mod build {
 
     fn compare(root: &Path, products: &BTreeMap<String, Vec<u8>>) -> Result<(), String> {
         let folder = root.join(PRODUCTS);
-        let mut different: Vec<_> =
-            products.iter().filter(|(name, bytes)| std::fs::read(folder.join(name)).ok().as_ref() != Some(*bytes)).map(|(n, _)| n.clone()).collect();
+        let mut different: Vec<_> = products
+            .iter()
+            .filter(|(name, bytes)| std::fs::read(folder.join(name)).ok().as_ref() != Some(*bytes))
+            .map(|(n, _)| n.clone())
+            .collect();
         for entry in std::fs::read_dir(&folder).map_err(|e| format!("{PRODUCTS}: {e}"))?.flatten() {
             let name = entry.file_name().to_string_lossy().into_owned();
             if !products.contains_key(&name) {

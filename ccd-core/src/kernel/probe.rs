@@ -69,9 +69,30 @@ pub fn records(path: &Path, leaf: &Leaf, touch: &Touch, pair: &Pair, out: &mut [
 
 /// Names of what [`scalars`] computes, in order.
 pub const SCALARS: [&str; 24] = [
-    "a + b", "a - b", "a * b", "a / b", "-a", "abs", "min", "max", "a < b", "a <= b", "a == b", "sqrt_up", "next_up", "next_down",
-    "is_finite_number", "f32 to u32", "u32 to f32", "order_key", "from_order_key", "leading_zeros", "trailing_zeros", "count_ones",
-    "wrapping_mul", "shifts",
+    "a + b",
+    "a - b",
+    "a * b",
+    "a / b",
+    "-a",
+    "abs",
+    "min",
+    "max",
+    "a < b",
+    "a <= b",
+    "a == b",
+    "sqrt_up",
+    "next_up",
+    "next_down",
+    "is_finite_number",
+    "f32 to u32",
+    "u32 to f32",
+    "order_key",
+    "from_order_key",
+    "leading_zeros",
+    "trailing_zeros",
+    "count_ones",
+    "wrapping_mul",
+    "shifts",
 ];
 
 /// Every operation in `f32` and `u32` that kernels use, of two words as numbers or as integers.

@@ -1,0 +1,155 @@
+//! An engine that has its own wgpu device: its kernel moves a mesh on the device, and in the same submission `ccd` finds the contacts of that motion.
+//! Nothing crosses to the host in between. docs/engine.md explains it step by step; run it with `cargo run --release --example engine`.
+
+use ccd::gpu::wgpu::{self, util::DeviceExt};
+use ccd::gpu::{Device, DeviceOptions, Session};
+use ccd::{Contact, Kind, Mesh, Options, State};
+use ccd_core::layout::{LIST_HEADER, Path, Touch, join};
+
+/// What the engine's own kernel does: every vertex of the triangle falls, and is written at both ends of the step as `ccd` reads it.
+const MOVE: &str = "
+struct Path { t0: vec4f, t1: vec4f }
+@group(0) @binding(0) var<storage, read> rest: array<vec4f>;
+@group(0) @binding(1) var<storage, read_write> paths: array<Path>;
+
+@compute @workgroup_size(64)
+fn move_vertices(@builtin(global_invocation_id) id: vec3u) {
+    let v = id.x;
+    if v < arrayLength(&rest) {
+        let p = vec4f(rest[v].xyz, 0.0);
+        // The last component says by how much the vertex falls in the step.
+        paths[v] = Path(p, p - vec4f(0.0, rest[v].w, 0.0, 0.0));
+    }
+}";
+
+/// x, y, z and fall of a vertex: a square that stands still, and a triangle that falls through it with one corner first.
+const REST: [[f32; 4]; 7] = [
+    [0.0, 0.0, 0.0, 0.0],
+    [1.0, 0.0, 0.0, 0.0],
+    [0.0, 0.0, 1.0, 0.0],
+    [1.0, 0.0, 1.0, 0.0],
+    [0.3, 0.5, 0.3, 1.0],
+    [0.2, 2.0, 0.3, 1.0],
+    [0.4, 2.0, 0.3, 1.0],
+];
+const FACES: [[u32; 3]; 3] = [[0, 1, 2], [2, 1, 3], [4, 5, 6]];
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    // The engine's device, with what ccd can use of it.
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+    let adapter = pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()))?;
+    let features = Device::features() & adapter.features();
+    let passthrough = features.contains(wgpu::Features::PASSTHROUGH_SHADERS);
+    let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
+        label: Some("engine"),
+        required_features: features,
+        required_limits: adapter.limits(),
+        experimental_features: if passthrough {
+            // SAFETY: the one experimental feature that is asked for is the passthrough of shaders, and only ccd passes shaders through.
+            unsafe { wgpu::ExperimentalFeatures::enabled() }
+        } else {
+            wgpu::ExperimentalFeatures::disabled()
+        },
+        ..Default::default()
+    }))?;
+
+    // A session of ccd on that device. Handles of wgpu are shared by cloning.
+    let ccd_device = Device::from_wgpu(device.clone(), queue.clone(), adapter.get_info(), &DeviceOptions::default())?;
+    println!("{}\n", ccd_device.info());
+    let mesh = Mesh::new(REST.len(), &FACES)?;
+    let mut session = Session::new(&ccd_device, mesh.clone(), Options::default())?;
+
+    // The engine's kernel writes into the session's buffer of paths.
+    let rest = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+        label: Some("rest"),
+        contents: bytemuck::cast_slice(&REST),
+        usage: wgpu::BufferUsages::STORAGE,
+    });
+    let module =
+        device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some("move"), source: wgpu::ShaderSource::Wgsl(MOVE.into()) });
+    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label: Some("move"),
+        layout: None,
+        module: &module,
+        entry_point: Some("move_vertices"),
+        compilation_options: Default::default(),
+        cache: None,
+    });
+    let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("move"),
+        layout: &pipeline.get_bind_group_layout(0),
+        entries: &[
+            wgpu::BindGroupEntry { binding: 0, resource: rest.as_entire_binding() },
+            wgpu::BindGroupEntry { binding: 1, resource: session.paths().as_entire_binding() },
+        ],
+    });
+
+    // One encoder: move, detect, copy to where the host can look.
+    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("frame") });
+    {
+        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+        pass.set_pipeline(&pipeline);
+        pass.set_bind_group(0, &bind_group, &[]);
+        pass.dispatch_workgroups((REST.len() as u32).div_ceil(64), 1, 1);
+    }
+    let paths = session.paths().clone();
+    let found = session.record(&mut encoder)?;
+    // Undecided pairs stay open in f32; they are contacts for an engine, too. A real one would go on with all lists on the device.
+    let lists =
+        [found.contacts, found.undecided[0], found.undecided[1]].map(|list| (list.buffer().clone(), list.room(), list.bytes(list.room())));
+    let copies: Vec<wgpu::Buffer> = lists.iter().map(|(buffer, _, bytes)| copy_out(&device, &mut encoder, buffer, *bytes)).collect();
+    let path_bytes = (REST.len() * size_of::<Path>()) as u64;
+    let paths = copy_out(&device, &mut encoder, &paths, path_bytes);
+    queue.submit([encoder.finish()]);
+
+    // On the host: how many, then which.
+    let words = copies.iter().map(|copy| read(&device, copy)).collect::<Result<Vec<Vec<u32>>, _>>()?;
+    for (list, (_, room, _)) in words.iter().zip(&lists) {
+        assert!(list[0] <= *room, "a list was too short: `Session::step` would make room");
+    }
+    let n = words[0][0] as usize;
+    let entries = &words[0][LIST_HEADER..LIST_HEADER + n * size_of::<Touch>() / 4];
+    let mut contacts: Vec<Contact> = bytemuck::cast_slice(entries).iter().map(contact).collect();
+    contacts.sort_by_key(|c| (c.kind, c.a, c.b));
+    for c in &contacts {
+        println!("{:?} {} {} at {:.6}, {:?}", c.kind, c.a, c.b, c.toi, c.state);
+    }
+    println!("{} contacts, {} pairs left undecided", n, words[1][0] + words[2][0]);
+
+    // The same step on the CPU, from the positions that the engine's kernel wrote.
+    let paths: Vec<Path> = bytemuck::cast_slice(&read(&device, &paths)?).to_vec();
+    let at = |end: fn(&Path) -> [f32; 4]| -> Vec<[f32; 3]> { paths.iter().map(end).map(|[x, y, z, _]| [x, y, z]).collect() };
+    let want = ccd::step(&mesh, &at(|p| p.t0), &at(|p| p.t1), &Options::default())?;
+    assert!(!want.contacts.is_empty(), "the scene has contacts");
+    assert_eq!(words[1][0] + words[2][0], 0, "f32 decides every pair of this scene");
+    assert_eq!(contacts, want.contacts);
+    println!("the CPU finds the same");
+    Ok(())
+}
+
+/// Records a copy of the front of a buffer into one that the host can read.
+fn copy_out(device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, from: &wgpu::Buffer, bytes: u64) -> wgpu::Buffer {
+    let usage = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ;
+    let copy = device.create_buffer(&wgpu::BufferDescriptor { label: Some("results"), size: bytes, usage, mapped_at_creation: false });
+    encoder.copy_buffer_to_buffer(from, 0, &copy, 0, bytes);
+    copy
+}
+
+/// Waits for the device; the words of a buffer.
+fn read(device: &wgpu::Device, buffer: &wgpu::Buffer) -> Result<Vec<u32>, Box<dyn std::error::Error>> {
+    buffer.map_async(wgpu::MapMode::Read, .., |_| {});
+    device.poll(wgpu::PollType::wait_indefinitely())?;
+    let words = bytemuck::cast_slice(&buffer.get_mapped_range(..)?).to_vec();
+    Ok(words)
+}
+
+/// A contact as the device writes it, in the words of the CPU.
+fn contact(touch: &Touch) -> Contact {
+    Contact {
+        kind: if touch.kind == 0 { Kind::VertexFace } else { Kind::EdgeEdge },
+        state: if touch.state == 0 { State::Hit } else { State::Undecided },
+        a: touch.a,
+        b: touch.b,
+        toi: join(touch.toi),
+    }
+}

@@ -1,0 +1,302 @@
+//! `ccd bench`: times of two built-in scenes on any machine. A time counts only with the right answer, so every run's answer is checked.
+
+use super::backend::{AnyBroadPhase, AnySession, BackendOptions, Choice};
+use super::{Failure, Outcome, output};
+use ccd::{Aabb, BroadPhase, Mesh, Method, Options, PerKind, TOI_TOLERANCE, gpu};
+use clap::Args;
+use serde::Serialize;
+use std::time::Instant;
+
+#[derive(Args)]
+pub struct Bench {
+    #[command(flatten)]
+    backend: BackendOptions,
+    /// Number of threads on the CPU; 0 means one per processor
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    threads: usize,
+    /// Boxes in millions, instead of 0.1 and 1; may be given several times
+    #[arg(long, value_name = "N", value_parser = millions)]
+    size: Vec<usize>,
+    /// Ten million boxes, too
+    #[arg(long)]
+    large: bool,
+    /// Only a small sheet and ten thousand boxes: whether all works, rather than how fast
+    #[arg(long, conflicts_with_all = ["size", "large"])]
+    small: bool,
+    /// Runs after one to warm up; the median time is reported
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    runs: u32,
+    /// Print one JSON object instead of text
+    #[arg(long)]
+    json: bool,
+}
+
+fn millions(text: &str) -> Result<usize, String> {
+    let n: f64 = text.parse().map_err(|e| format!("{e}"))?;
+    if n >= 1e-4 && n <= 100.0 { Ok((n * 1e6).round() as usize) } else { Err("must be from 0.0001 to 100".into()) }
+}
+
+/// Vertices along a side of the sheet, and what is found in it: candidates, contacts, the earliest time of impact. Contacts are those of the CPU, whose
+/// steps are tested against exact arithmetic.
+const SHEET: Sheet = Sheet {
+    n: 316,
+    candidates: PerKind { vf: 434_528, ee: 1_529_787 },
+    contacts: PerKind { vf: 8_077, ee: 33_665 },
+    toi: 1.529_644_709_424_341_3e-5,
+};
+const SMALL_SHEET: Sheet =
+    Sheet { n: 40, candidates: PerKind { vf: 6_571, ee: 22_876 }, contacts: PerKind { vf: 108, ee: 499 }, toi: 1.587_933_107_694_209_8e-3 };
+
+struct Sheet {
+    n: usize,
+    candidates: PerKind,
+    contacts: PerKind,
+    toi: f64,
+}
+
+/// Pairs of so many uniform boxes.
+const PAIRS: [(usize, usize); 4] = [(10_000, 2), (100_000, 320), (1_000_000, 25_417), (10_000_000, 255_457)];
+
+#[derive(Serialize)]
+struct Json {
+    machine: String,
+    backend: &'static str,
+    adapter: Option<String>,
+    threads: Option<usize>,
+    runs: u32,
+    rows: Vec<Row>,
+}
+
+#[derive(Serialize)]
+struct Row {
+    scene: String,
+    what: &'static str,
+    answer: String,
+    median_ms: f64,
+    min_ms: f64,
+    /// By timestamps of the device; `None` on the CPU and where there are none.
+    device_ms: Option<f64>,
+}
+
+impl Bench {
+    pub fn run(&self) -> Outcome {
+        // The choice stands: numbers of two backends must not mix.
+        let choice = self.backend.choose(usize::MAX)?.final_choice();
+        let place = AnyBroadPhase::new(&choice, self.threads, Method::Blocks)?.place();
+        let (backend, machine) = (place.backend(), machine());
+        if !self.json {
+            output::line("machine", &machine);
+            output::line("runs on", &place);
+            output::line("times", format_args!("medians of {} after one to warm up; every answer is checked", self.runs));
+            if let Some(device) = choice.device() {
+                let stamps =
+                    if device.info().timestamps { "beside them what the device itself says" } else { "the device tells none itself" };
+                output::line("", format_args!("with uploads and results read back; {stamps}"));
+            }
+            println!("\n{:<34} {:<15} {:>30} {:>9} {:>9}", "scene", "what", "answer", "time", "device");
+        }
+        let mut rows = Vec::new();
+        self.sheet(&choice, &mut rows)?;
+        for n in self.sizes() {
+            self.boxes(&choice, n, &mut rows)?;
+        }
+        if self.json {
+            output::json(&Json { machine, backend, adapter: place.adapter, threads: place.threads, runs: self.runs, rows })?;
+        }
+        output::flush();
+        Ok(false)
+    }
+
+    fn sizes(&self) -> Vec<usize> {
+        let mut sizes = match (self.small, self.size.as_slice()) {
+            (true, _) => vec![10_000],
+            (false, []) => vec![100_000, 1_000_000],
+            (false, sizes) => sizes.to_vec(),
+        };
+        sizes.extend(self.large.then_some(10_000_000));
+        sizes
+    }
+
+    fn sheet(&self, choice: &Choice, rows: &mut Vec<Row>) -> Result<(), Failure> {
+        let want = if self.small { SMALL_SHEET } else { SHEET };
+        let (mesh, x0, x1) = crumpled_sheet(want.n)?;
+        let scene = format!("crumpled sheet, {} vertices", output::thousands(mesh.n_vertices()));
+        let mut session = AnySession::new(choice, mesh, Options { threads: self.threads, ..Options::default() })?;
+        let pairs = |n: PerKind| format!("{} vf, {} ee", output::thousands(n.vf as usize), output::thousands(n.ee as usize));
+
+        let same = |what, found: PerKind, want: PerKind| match found == want {
+            true => Ok(pairs(found)),
+            false => Err(Failure(format!("{scene}: {} {what}, right are {}", pairs(found), pairs(want)))),
+        };
+        let timed = self.time(&mut session, |s| same("candidates", s.candidates(&x0, &x1)?, want.candidates))?;
+        self.put(rows, &scene, "candidates", timed);
+        let timed = self.time(&mut session, |s| same("contacts", s.step(&x0, &x1)?.n_contacts(), want.contacts))?;
+        self.put(rows, &scene, "all contacts", timed);
+        let timed = self.time(&mut session, |s| match s.earliest(&x0, &x1)? {
+            Some(toi) if toi <= want.toi && toi >= want.toi - TOI_TOLERANCE => Ok(format!("t = {toi:.6e}")),
+            toi => Err(Failure(format!("{scene}: earliest {toi:?}, right is {:?}", want.toi))),
+        })?;
+        self.put(rows, &scene, "earliest", timed);
+        Ok(())
+    }
+
+    fn boxes(&self, choice: &Choice, n: usize, rows: &mut Vec<Row>) -> Result<(), Failure> {
+        let boxes = uniform_boxes(n);
+        let want = match PAIRS.iter().find(|known| known.0 == n) {
+            Some(known) => known.1,
+            // Not known beforehand: another method says.
+            None => BroadPhase::new(self.threads, Method::Tree)?.self_pairs(&boxes)?.len(),
+        };
+        let scene = format!("uniform boxes, {}", output::thousands(n));
+        let mut broad = AnyBroadPhase::new(choice, self.threads, Method::Blocks)?;
+        let timed = self.time(&mut broad, |broad| match broad.count(&boxes, None)? {
+            found if found == want => Ok(format!("{} pairs", output::thousands(found))),
+            found => Err(Failure(format!("{scene}: {found} pairs, right are {want}"))),
+        })?;
+        self.put(rows, &scene, "pairs", timed);
+        Ok(())
+    }
+
+    /// Runs once to warm up and `runs` times by the clock, then as often by the device's timestamps, which slow it down a little.
+    fn time<S: Stages>(&self, subject: &mut S, mut work: impl FnMut(&mut S) -> Result<String, Failure>) -> Result<Timed, Failure> {
+        let answer = work(subject)?;
+        let mut times = Vec::new();
+        for _ in 0..self.runs {
+            let start = Instant::now();
+            work(subject)?;
+            times.push(start.elapsed().as_secs_f64() * 1e3);
+        }
+        subject.time_stages(true)?;
+        let mut device = Vec::new();
+        for _ in 0..self.runs {
+            work(subject)?;
+            match subject.device_ms() {
+                Some(ms) => device.push(ms),
+                None => break,
+            }
+        }
+        subject.time_stages(false)?;
+        let (median_ms, min_ms) = median(times).unwrap_or_default();
+        Ok(Timed { answer, median_ms, min_ms, device_ms: median(device).map(|m| m.0) })
+    }
+
+    fn put(&self, rows: &mut Vec<Row>, scene: &str, what: &'static str, timed: Timed) {
+        let Timed { answer, median_ms, min_ms, device_ms } = timed;
+        if !self.json {
+            let ms = output::milliseconds;
+            println!("{scene:<34} {what:<15} {answer:>30} {:>9} {:>9}", ms(median_ms), device_ms.map_or("-".into(), ms));
+        }
+        rows.push(Row { scene: scene.into(), what, answer, median_ms, min_ms, device_ms });
+    }
+}
+
+struct Timed {
+    answer: String,
+    median_ms: f64,
+    min_ms: f64,
+    device_ms: Option<f64>,
+}
+
+/// The median and the least.
+fn median(mut times: Vec<f64>) -> Option<(f64, f64)> {
+    times.sort_unstable_by(f64::total_cmp);
+    Some((*times.get(times.len() / 2)?, *times.first()?))
+}
+
+/// What can be timed on a device.
+trait Stages {
+    fn time_stages(&mut self, on: bool) -> Result<(), gpu::Error>;
+    fn device_ms(&self) -> Option<f64>;
+}
+
+impl Stages for AnySession {
+    fn time_stages(&mut self, on: bool) -> Result<(), gpu::Error> {
+        self.time_stages(on)
+    }
+    fn device_ms(&self) -> Option<f64> {
+        self.device_ms()
+    }
+}
+
+impl Stages for AnyBroadPhase {
+    fn time_stages(&mut self, on: bool) -> Result<(), gpu::Error> {
+        self.time_stages(on)
+    }
+    fn device_ms(&self) -> Option<f64> {
+        self.device_ms()
+    }
+}
+
+/// The processor, as Linux names it; elsewhere its architecture.
+fn machine() -> String {
+    let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = text.lines().find(|l| l.starts_with("model name")).and_then(|l| l.split_once(':')).map(|(_, name)| name.trim().to_string());
+    name.unwrap_or_else(|| format!("{}, {}", std::env::consts::ARCH, std::env::consts::OS))
+}
+
+/// The 32-bit PCG output hash (RXS-M-XS, O'Neill 2014).
+fn pcg(v: u32) -> u32 {
+    let state = v.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+    let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
+    (word >> 22) ^ word
+}
+
+/// A multiple of 2^-24 in `[0, 1)`.
+fn unit(i: u32) -> f32 {
+    (pcg(i) >> 8) as f32 / 16_777_216.0
+}
+
+/// Uniform boxes of the same size in the unit cube: half width 0.001 for 100,000 boxes and fewer, and `0.002 (100,000 / n)^(1/3)` above.
+fn uniform_boxes(n: usize) -> Vec<Aabb<f32>> {
+    let half = if n <= 100_000 { 0.001 } else { 0.002 * (100_000.0 / n as f64).cbrt() as f32 };
+    let make = |i: u32| {
+        let centre: [f32; 3] = std::array::from_fn(|k| unit(8 * i + k as u32));
+        Aabb { min: centre.map(|c| c - half), max: centre.map(|c| c + half) }
+    };
+    (0..n as u32).map(make).collect()
+}
+
+/// A mesh and its positions at both ends of a step.
+type Scene = (Mesh, Vec<[f32; 3]>, Vec<[f32; 3]>);
+
+/// A wavy sheet of `n x n` vertices, side 1, each moved at random by up to three quarters of a cell, and by as much again in the step. Only operations that IEEE
+/// 754 rounds in one way: the same on every machine.
+fn crumpled_sheet(n: usize) -> Result<Scene, Failure> {
+    let wave = |x: f64| {
+        let part = x - x.floor();
+        part * (1.0 - part)
+    };
+    let size = 1.5 / n as f64;
+    let at = |i: usize, end: u32| -> [f32; 3] {
+        let (u, v) = ((i % n) as f64 / n as f64, (i / n) as f64 / n as f64);
+        let rest = [u, 1.6 * wave(1.5 * u) * wave(1.2 * v), v];
+        std::array::from_fn(|k| (rest[k] + (unit(8 * i as u32 + 4 * end + k as u32) as f64 - 0.5) * size) as f32)
+    };
+    let (x0, x1) = ((0..n * n).map(|i| at(i, 0)).collect(), (0..n * n).map(|i| at(i, 1)).collect());
+    let mut faces = Vec::new();
+    super::cloth::grid(&mut faces, n, 0);
+    Ok((Mesh::new(n * n, &faces)?, x0, x1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ccd_testkit::generate;
+
+    #[test]
+    fn boxes_are_those_of_the_tests() {
+        for n in [0, 1000, 100_000, 150_000] {
+            assert!(uniform_boxes(n) == generate::uniform_boxes(n), "{n}");
+        }
+        assert!(uniform_boxes(1000) != generate::uniform_boxes(1001)[1..]);
+    }
+
+    #[test]
+    fn the_small_scenes_answers_are_those_of_brute_force() {
+        let pairs = ccd_testkit::brute::self_pairs(&uniform_boxes(PAIRS[0].0));
+        assert_eq!(pairs.len(), PAIRS[0].1);
+        let (mesh, x0, x1) = crumpled_sheet(SMALL_SHEET.n).expect("a valid sheet");
+        let [vf, ee] = ccd_testkit::brute::candidates(&mesh, &x0, &x1);
+        assert_eq!(PerKind { vf: vf.len() as u64, ee: ee.len() as u64 }, SMALL_SHEET.candidates);
+    }
+}

@@ -1,0 +1,89 @@
+//! `ccd info`: the GPU that would be used, how, and which others there are.
+
+use super::backend::AdapterOptions;
+use super::{Failure, Outcome, output};
+use ccd::gpu::{Info, Path, wgpu};
+use clap::Args;
+use serde::Serialize;
+use std::future::Future;
+use std::task::{Context, Poll, Waker};
+
+#[derive(Args)]
+pub struct InfoCommand {
+    #[command(flatten)]
+    adapter: AdapterOptions,
+    /// Print one JSON object instead of text
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Serialize)]
+struct Json {
+    adapter: Adapter,
+    shaders: &'static str,
+    shaders_why: &'static str,
+    f64: bool,
+    timestamps: bool,
+    max_binding_bytes: u64,
+    max_buffer_bytes: u64,
+    adapters: Vec<Adapter>,
+}
+
+#[derive(Serialize)]
+struct Adapter {
+    name: String,
+    kind: String,
+    backend: String,
+    driver: String,
+}
+
+impl From<&wgpu::AdapterInfo> for Adapter {
+    fn from(a: &wgpu::AdapterInfo) -> Self {
+        let driver = format!("{} {}", a.driver, a.driver_info).trim().to_string();
+        Self { name: a.name.clone(), kind: format!("{:?}", a.device_type), backend: a.backend.to_string(), driver }
+    }
+}
+
+impl InfoCommand {
+    pub fn run(&self) -> Outcome {
+        let device = self.adapter.open().map_err(|e| Failure(format!("{e}; every command works on the CPU without one")))?;
+        let (info, adapters) = (device.info(), adapters());
+        if self.json {
+            output::json(&json(info, adapters))?;
+        } else {
+            println!("{info}");
+            for (i, a) in adapters.iter().enumerate() {
+                output::line(if i == 0 { "there are" } else { "" }, format_args!("{} ({}, {})", a.name, a.kind, a.backend));
+            }
+        }
+        output::flush();
+        Ok(false)
+    }
+}
+
+fn json(info: &Info, adapters: Vec<Adapter>) -> Json {
+    Json {
+        adapter: (&info.adapter).into(),
+        shaders: match info.path {
+            Path::Passthrough => "passthrough",
+            Path::Wgsl => "wgsl",
+        },
+        shaders_why: info.why,
+        f64: info.wide,
+        timestamps: info.timestamps,
+        max_binding_bytes: info.limits.max_storage_buffer_binding_size,
+        max_buffer_bytes: info.limits.max_buffer_size,
+        adapters,
+    }
+}
+
+/// All adapters of this machine, once for every GPU API that reaches them.
+fn adapters() -> Vec<Adapter> {
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+    let all = std::pin::pin!(instance.enumerate_adapters(wgpu::Backends::all()));
+    // Outside of a browser, the list is there at once.
+    match all.poll(&mut Context::from_waker(Waker::noop())) {
+        Poll::Ready(all) => all.iter().map(|a| (&a.get_info()).into()).collect(),
+        Poll::Pending => Vec::new(),
+    }
+}
