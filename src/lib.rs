@@ -36,12 +36,13 @@
 //! | one pair of features | [`vertex_face`], [`edge_edge`] |
 //! | the candidate pairs of a step | [`Session::candidates`] |
 //! | boxes in, overlapping pairs out | [`BroadPhase`] |
+//! | the same on a GPU | `gpu` (feature `gpu`): `gpu::Device`, `gpu::Session`, `gpu::BroadPhase` |
 //! | read meshes and query files | `io` (feature `io`) |
 //!
 //! Coordinates are `f32` or `f64`, in any unit, finite and at most 1e100. What a caller may rely on is listed in the README; how it is done, in ARCHITECTURE.md.
 //!
 //! # Features
-//! `cli` (default) builds the command; a library wants `default-features = false`. `io` adds the readers.
+//! `cli` (default) builds the command; a library wants `default-features = false`. `gpu` adds the GPU backend, `io` the readers.
 
 #[cfg(feature = "io")]
 pub mod io;
@@ -50,8 +51,8 @@ pub mod io;
 #[cfg(feature = "gpu")]
 pub use ccd_gpu as gpu;
 
-/// The README's example is compiled and run with the documentation tests.
-#[cfg(doctest)]
+/// The README's examples are compiled and run with the documentation tests.
+#[cfg(all(doctest, feature = "gpu"))]
 #[doc = include_str!("../README.md")]
 struct Readme;
 
