@@ -6,7 +6,7 @@ use crate::list::{HEADER_BYTES, List};
 use crate::readback::Readback;
 use crate::recorder::Bench;
 use crate::session::submit;
-use crate::tree::Tree;
+use crate::tree::{Tree, check_countable};
 use ccd_core::Aabb;
 use ccd_core::kernel::Id;
 use ccd_core::layout::{Pair, Params};
@@ -128,6 +128,7 @@ impl BroadPhase {
             let read = readback.read(device, &parts)?;
             self.stages = bench.times(&stages)?;
             let wanted: Vec<u32> = read.iter().map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
+            wanted[..wanted.len() - 1].iter().try_for_each(|&n| check_countable(n))?;
             let mut grown = false;
             for (list, &wanted) in tree.pairs.iter_mut().flatten().chain([&mut *pairs]).zip(&wanted) {
                 grown |= list.grow(device, wanted)?;

@@ -59,7 +59,14 @@ impl Buffers {
             Ok(buffer)
         };
         let bodies: Vec<u32> = match &options.bodies {
-            Some(b) => (0..count[0]).map(|v| b.body(v) << 1 | b.fixed(b.body(v)) as u32).collect(),
+            Some(b) => {
+                // Numbered anew, because one bit of a word says whether a body is fixed.
+                let mut names: Vec<u32> = (0..count[0]).map(|v| b.body(v)).collect();
+                names.sort_unstable();
+                names.dedup();
+                let number = |name: u32| names.partition_point(|&n| n < name) as u32;
+                (0..count[0]).map(|v| number(b.body(v)) << 1 | b.fixed(b.body(v)) as u32).collect()
+            }
             None => Vec::new(),
         };
         let list = |what, words, room: u32| List::new(device, what, words, room.max(1024));

@@ -7,6 +7,7 @@ use crate::list::{HEADER_BYTES, List};
 use crate::readback::Readback;
 use crate::recorder::{Bench, Recorder};
 use crate::tail;
+use crate::tree::check_countable;
 use ccd_core::Real;
 use ccd_core::error::check_min_distance;
 use ccd_core::kernel::decide;
@@ -272,6 +273,7 @@ impl Session {
             })?
             .unwrap_or_default();
         self.stages = bench.times(&stages)?;
+        wanted[CONTACTS + 1..].iter().try_for_each(|&n| check_countable(n))?;
         let mut grown = false;
         for (list, &wanted) in buffers.lists_mut().zip(&wanted) {
             grown |= list.grow(device, wanted)?;
