@@ -219,7 +219,7 @@ fn check_bodies(device: &Device) {
     let step = generate::triangle_soup(300, 0.2, 5);
     let body: Vec<u32> = (0..step.mesh.n_vertices() as u32).map(|v| v / 3 % 7).collect();
     // Names that differ in their highest bit alone.
-    let far: Vec<u32> = body.iter().map(|b| b / 2 | (b % 2) << 31).collect();
+    let far: Vec<u32> = body.iter().map(|b| (b / 2) | ((b % 2) << 31)).collect();
     check_step(device, &step, Options { bodies: Some(Bodies::new(&far, &[], false)), ..Options::default() });
     for self_contact in [false, true] {
         let bodies = Some(Bodies::new(&body, &[true, false, true], self_contact));
