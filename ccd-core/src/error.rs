@@ -84,6 +84,8 @@ pub enum Error {
 }
 
 impl Error {
+    /// Most vertices, edges, faces or boxes: ids are 32 bits, and a tree over `n` boxes numbers `2 n - 1` nodes.
+    pub const MAX_ELEMENTS: u64 = (1 << 31) - 1;
     /// Greatest absolute coordinate that is accepted: cubes of differences must stay finite in `f64`.
     pub const MAX_COORDINATE: f64 = 1e100;
 }
@@ -133,6 +135,25 @@ pub fn check_coordinates<R: crate::Real>(time: u8, x: &[[R; 3]]) -> Result<(), E
             let fine = value <= Error::MAX_COORDINATE && value >= -Error::MAX_COORDINATE;
             if !fine {
                 return Err(Error::Coordinate { time, vertex, axis: axis as u8, value });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Checks that boxes have bounds in order, each at most `greatest` in size, and that their ids are 31 bits.
+pub fn check_boxes<R: crate::Real>(boxes: &[crate::Aabb<R>], greatest: f64) -> Result<(), Error> {
+    let (count, limit) = (boxes.len() as u64, Error::MAX_ELEMENTS);
+    if count > limit {
+        return Err(Error::TooMany { element: "boxes", count, limit });
+    }
+    for (at, b) in boxes.iter().enumerate() {
+        for axis in 0..3 {
+            let (min, max) = (b.min[axis].to_f64(), b.max[axis].to_f64());
+            // Written so that NaN fails.
+            let fine = min <= max && min >= -greatest && max <= greatest;
+            if !fine {
+                return Err(Error::Box { at, axis: axis as u8, min, max });
             }
         }
     }

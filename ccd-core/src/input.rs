@@ -49,6 +49,16 @@ impl Scan {
         (0..3).fold(0.0, |m, k| Num::max(m, Num::max(Num::abs(self.bounds.min[k]), Num::abs(self.bounds.max[k])))).min(f64::MAX)
     }
 
+    /// Whether boxes in `f32` of positions of type `T` are rounded: by rounding the input, or by growing exact boxes.
+    pub fn rounds_boxes<T: Real>(&self, min_distance: f64) -> bool {
+        T::UNIT.to_f64() < f32::UNIT as f64 && !(self.exact && min_distance == 0.0)
+    }
+
+    /// By how much rounded boxes may overlap without overlapping in truth, see [`slack_at`].
+    pub fn slack(&self, min_distance: f64) -> f32 {
+        slack_at((self.greatest() + min_distance).round_up())
+    }
+
     /// How positions become `f32`: as they are if they are exact and `keep`, else relative to the middle of their bounds.
     pub fn table(&self, keep: bool) -> Table {
         if self.exact && keep || self.bounds.min[0] > self.bounds.max[0] {

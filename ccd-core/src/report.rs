@@ -1,6 +1,9 @@
 //! What a step is asked and what it returns: options, contacts, counts, times.
 
-use crate::topology::Bodies;
+use crate::error::{Error, check_min_distance};
+use crate::layout::Pair;
+use crate::query::Verdict;
+use crate::topology::{Bodies, Mesh};
 use alloc::vec::Vec;
 
 /// What a step looks for and how.
@@ -12,6 +15,14 @@ pub struct Options {
     pub threads: usize,
     /// Which pairs of bodies are looked at; `None`: all pairs of features that share no vertex.
     pub bodies: Option<Bodies>,
+}
+
+impl Options {
+    /// Checks the options for steps of `mesh`.
+    pub fn check(&self, mesh: &Mesh) -> Result<(), Error> {
+        check_min_distance(self.min_distance)?;
+        self.bodies.as_ref().map_or(Ok(()), |bodies| bodies.check(mesh))
+    }
 }
 
 /// Which features touch.
@@ -45,6 +56,19 @@ pub struct Contact {
     pub b: u32,
     /// Time of impact in `[0, 1]`; never later than the first contact of the two features.
     pub toi: f64,
+}
+
+impl Contact {
+    /// The contact that a verdict on a pair means; `None` for a miss.
+    #[inline]
+    pub fn of(kind: Kind, pair: Pair, verdict: Verdict<f64>) -> Option<Self> {
+        let (state, toi) = match verdict {
+            Verdict::Miss => return None,
+            Verdict::Hit { toi } => (State::Hit, toi),
+            Verdict::Undecided { toi } => (State::Undecided, toi),
+        };
+        Some(Self { kind, state, a: pair.a, b: pair.b, toi })
+    }
 }
 
 /// A number for each kind of pair.

@@ -17,9 +17,6 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// Most vertices, edges or faces: ids are 32 bits, and a tree over `n` boxes numbers `2 n - 1` nodes.
-    pub const MAX_ELEMENTS: u64 = (1 << 31) - 1;
-
     /// A mesh of `n_vertices` vertices and these faces; edges are derived.
     pub fn new(n_vertices: usize, faces: &[[u32; 3]]) -> Result<Self, Error> {
         Self::with_edges(n_vertices, faces, &[])
@@ -65,6 +62,17 @@ impl Mesh {
     /// Undirected edges `[a, b]`, `a < b`, sorted by `b`, then by `a`.
     pub fn edges(&self) -> &[[u32; 2]] {
         &self.edges
+    }
+
+    /// Checks that there is a position for every vertex at both ends of a step.
+    pub fn check_positions<T>(&self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<(), Error> {
+        let expected = self.n_vertices;
+        for (time, found) in [(0, x0.len()), (1, x1.len())] {
+            if expected != found {
+                return Err(Error::VertexCount { time, expected, found });
+            }
+        }
+        Ok(())
     }
 
     /// Faces and given edges that name a vertex twice.
@@ -131,7 +139,7 @@ impl Bodies {
 }
 
 fn limit(element: &'static str, count: usize) -> Result<(), Error> {
-    let (count, limit) = (count as u64, Mesh::MAX_ELEMENTS);
+    let (count, limit) = (count as u64, Error::MAX_ELEMENTS);
     if count > limit { Err(Error::TooMany { element, count, limit }) } else { Ok(()) }
 }
 

@@ -6,8 +6,8 @@ use crate::simd::Simd;
 use crate::threads::Threads;
 use crate::traverse::{Rows, Traversal};
 use crate::tree::Tree;
+use ccd_core::error::check_boxes;
 use ccd_core::layout::Pair;
-use ccd_core::topology::Mesh;
 use ccd_core::{Aabb, Error, Num, Real};
 
 /// How pairs are found; all methods give the same set.
@@ -65,7 +65,7 @@ impl BroadPhase {
 
     /// Pairs within one set, each once, lesser index first.
     pub fn self_pairs<T: Real + Send + Sync>(&mut self, boxes: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
-        check_boxes(boxes)?;
+        check_boxes(boxes, f64::INFINITY)?;
         let Self { threads, method, a, traversal, tree, workers, runs, .. } = self;
         threads.enter(|| {
             let exact = a.take(threads, boxes);
@@ -92,8 +92,8 @@ impl BroadPhase {
 
     /// Pairs of a box of `a` with a box of `b`.
     pub fn pairs<T: Real + Send + Sync>(&mut self, a: &[Aabb<T>], b: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
-        check_boxes(a)?;
-        check_boxes(b)?;
+        check_boxes(a, f64::INFINITY)?;
+        check_boxes(b, f64::INFINITY)?;
         let Self { threads, method, a: side_a, b: side_b, traversal, tree, workers, runs } = self;
         threads.enter(|| {
             let exact = side_a.take(threads, a) & side_b.take(threads, b);
@@ -278,21 +278,4 @@ fn slack(a: &[Aabb<f32>], b: &[Aabb<f32>]) -> f32 {
     let greatest =
         |boxes: &[Aabb<f32>]| boxes.iter().fold(0f32, |m, b| m.max(ccd_core::vec3::max_abs(b.min)).max(ccd_core::vec3::max_abs(b.max)));
     ccd_core::input::slack_at(greatest(a).max(greatest(b)))
-}
-
-fn check_boxes<T: Real>(boxes: &[Aabb<T>]) -> Result<(), Error> {
-    let (count, limit) = (boxes.len() as u64, Mesh::MAX_ELEMENTS);
-    if count > limit {
-        return Err(Error::TooMany { element: "boxes", count, limit });
-    }
-    for (at, b) in boxes.iter().enumerate() {
-        for axis in 0..3 {
-            // Written so that NaN fails.
-            if !(b.min[axis] <= b.max[axis]) {
-                let (min, max) = (b.min[axis].to_f64(), b.max[axis].to_f64());
-                return Err(Error::Box { at, axis: axis as u8, min, max });
-            }
-        }
-    }
-    Ok(())
 }

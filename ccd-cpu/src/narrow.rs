@@ -5,13 +5,13 @@
 use crate::lanes::{Lanes, WIDTH};
 use crate::rows::{Scene, Take};
 use crate::simd::{Simd, Work};
+use ccd_core::Real;
 use ccd_core::bernstein::Coplanarity;
 use ccd_core::kernel::narrow;
 use ccd_core::layout::Pair;
 use ccd_core::motion::{Motion, Patch};
-use ccd_core::report::{Contact, Kind, State};
+use ccd_core::report::{Contact, Kind};
 use ccd_core::separate::beside;
-use ccd_core::{Real, Verdict};
 use std::time::{Duration, Instant};
 
 /// Pairs that a queue holds before it is worked off: fits the first-level cache with the positions it touches.
@@ -64,14 +64,10 @@ impl Worker {
             Kind::VertexFace => narrow::vertex_face(ids, scene.x0, scene.x1, scene.min_distance, 0.0),
             Kind::EdgeEdge => narrow::edge_edge(ids, scene.x0, scene.x1, scene.min_distance, 0.0),
         };
-        let (state, toi) = match verdict {
-            Verdict::Miss => return,
-            Verdict::Hit { toi } => (State::Hit, toi),
-            Verdict::Undecided { toi } => (State::Undecided, toi),
-        };
-        self.toi = Some(self.toi.map_or(toi, |t| t.min(toi)));
+        let Some(contact) = Contact::of(kind, pair, verdict) else { return };
+        self.toi = Some(self.toi.map_or(contact.toi, |t| t.min(contact.toi)));
         if scene.keep_contacts {
-            self.contacts.push(Contact { kind, state, a: pair.a, b: pair.b, toi });
+            self.contacts.push(contact);
         }
     }
 }

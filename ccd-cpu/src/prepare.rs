@@ -70,7 +70,7 @@ impl Prepared {
     /// What workers read of a step whose boxes and trees are there.
     pub fn scene<'a, T: Real>(&'a self, mesh: &'a Mesh, options: &'a Options, x: &Positions<'a, T>, keep_contacts: bool) -> Scene<'a, T> {
         // A shorter time has boxes of its own, which nobody compares with those of the input.
-        let rounded = T::UNIT.to_f64() < f32::UNIT as f64 && !(self.scan.exact && options.min_distance == 0.0) && x.whole();
+        let rounded = self.scan.rounds_boxes::<T>(options.min_distance) && x.whole();
         Scene {
             mesh,
             bodies: options.bodies.as_ref(),
@@ -79,7 +79,7 @@ impl Prepared {
             table: &self.table,
             table_error: self.table_error,
             min_distance: options.min_distance,
-            slack: rounded.then(|| ccd_core::input::slack_at(Real::round_up(self.scan.greatest() + options.min_distance))),
+            slack: rounded.then(|| self.scan.slack(options.min_distance)),
             margin: ccd_core::input::margin(options.min_distance),
             keep_contacts,
         }

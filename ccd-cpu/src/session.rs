@@ -8,7 +8,6 @@ use crate::rows::{EdgeRows, FaceRows, Scene, Take};
 use crate::simd::Simd;
 use crate::threads::Threads;
 use crate::traverse::Traversal;
-use ccd_core::error::check_min_distance;
 use ccd_core::report::{Contact, Kind, Options, Report, State};
 use ccd_core::topology::Mesh;
 use ccd_core::{Error, Real};
@@ -36,10 +35,7 @@ pub struct Session {
 impl Session {
     /// A session for `mesh`.
     pub fn new(mesh: Mesh, options: Options) -> Result<Self, Error> {
-        check_min_distance(options.min_distance)?;
-        if let Some(bodies) = &options.bodies {
-            bodies.check(&mesh)?;
-        }
+        options.check(&mesh)?;
         let threads = Threads::new(options.threads)?;
         Ok(Self {
             mesh,
@@ -94,7 +90,7 @@ impl Session {
     ///
     /// A step does not need this: it never lists them.
     pub fn candidates<T: Real + Send + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Candidates<'_>, Error> {
-        self.check_lengths(x0.len(), x1.len())?;
+        self.mesh.check_positions(x0, x1)?;
         let Self { mesh, options, threads, prepared, traversal, listers, runs, .. } = self;
         let (threads, mesh, options) = (&*threads, &*mesh, &*options);
         threads.enter(|| {
@@ -116,18 +112,8 @@ impl Session {
         Ok(Candidates { vf, ee })
     }
 
-    fn check_lengths(&self, n0: usize, n1: usize) -> Result<(), Error> {
-        let expected = self.mesh.n_vertices();
-        for (time, found) in [(0, n0), (1, n1)] {
-            if expected != found {
-                return Err(Error::VertexCount { time, expected, found });
-            }
-        }
-        Ok(())
-    }
-
     fn run<T: Real + Send + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]], earliest: bool) -> Result<(), Error> {
-        self.check_lengths(x0.len(), x1.len())?;
+        self.mesh.check_positions(x0, x1)?;
         let Self { mesh, options, threads, prepared, traversal, workers, report, .. } = self;
         let (threads, mesh, options) = (&*threads, &*mesh, &*options);
         threads.enter(|| {

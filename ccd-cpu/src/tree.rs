@@ -31,9 +31,6 @@ impl Words for Shared<'_> {
     fn store(&self, i: usize, value: u32) {
         self.0[i].store(value, Ordering::Relaxed);
     }
-    fn max(&self, i: usize, value: u32) {
-        self.0[i].fetch_max(value, Ordering::Relaxed);
-    }
     fn add_acquire_release(&self, i: usize, value: u32) -> u32 {
         self.0[i].fetch_add(value, Ordering::AcqRel)
     }

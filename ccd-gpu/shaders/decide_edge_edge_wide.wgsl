@@ -131,7 +131,12 @@ var<storage> input: type_16;
 @group(0) @binding(5) 
 var<storage, read_write> contacts: type_77;
 
-fn function_() {
+fn function_(param: f64) -> array<u32, 2> {
+    let _e95 = bitcast<u64>(param);
+    return array<u32, 2>(u32(_e95), u32((_e95 / 4294967296lu)));
+}
+
+fn function_1() {
     var local: array<array<f64, 3>, 4>;
     var local_1: array<array<f64, 3>, 4>;
     var local_2: array<array<f64, 3>, 4>;
@@ -153,380 +158,378 @@ fn function_() {
     var local_18: array<array<f32, 3>, 4>;
     var local_19: array<array<f32, 3>, 4>;
     var local_20: type_61;
-    var phi_230_: u32;
-    var phi_246_: u32;
-    var phi_267_: u32;
-    var phi_268_: u32;
-    var phi_271_: type_28;
-    var phi_272_: type_28;
-    var phi_295_: type_28;
-    var phi_638_: type_28;
-    var phi_639_: type_28;
-    var phi_662_: type_28;
-    var phi_518_: type_28;
-    var phi_519_: type_28;
-    var phi_542_: type_28;
-    var phi_552_: type_28;
-    var phi_553_: type_28;
-    var phi_576_: type_28;
-    var phi_1119_: f64;
-    var phi_1126_: f64;
-    var phi_1131_: f64;
-    var phi_1138_: f64;
-    var phi_1143_: f64;
-    var phi_1156_: f64;
-    var phi_1163_: f64;
-    var phi_1168_: f64;
-    var phi_1175_: f64;
-    var phi_1180_: f64;
-    var phi_1185_: f64;
-    var phi_1202_: f64;
-    var phi_1209_: f64;
-    var phi_1214_: f64;
-    var phi_1221_: f64;
-    var phi_1226_: f64;
-    var phi_1240_: f64;
-    var phi_1247_: f64;
-    var phi_1252_: f64;
-    var phi_1259_: f64;
-    var phi_1264_: f64;
-    var phi_1269_: f64;
-    var phi_1286_: f64;
-    var phi_1293_: f64;
-    var phi_1298_: f64;
-    var phi_1305_: f64;
-    var phi_1310_: f64;
-    var phi_1324_: f64;
-    var phi_1331_: f64;
-    var phi_1336_: f64;
-    var phi_1343_: f64;
-    var phi_1348_: f64;
-    var phi_1353_: f64;
-    var phi_1390_: f64;
-    var phi_1396_: f64;
-    var phi_1403_: f64;
-    var phi_1410_: f64;
-    var phi_1416_: f64;
-    var phi_1423_: f64;
-    var phi_1429_: f64;
-    var phi_1435_: f64;
-    var phi_1441_: f64;
-    var phi_1448_: f64;
-    var phi_1455_: f64;
-    var phi_1483_: f64;
-    var phi_1488_: f64;
-    var phi_1493_: f64;
-    var phi_1498_: f64;
-    var phi_1503_: f64;
-    var phi_1508_: f64;
-    var phi_1519_: f64;
-    var phi_4076_: f64;
-    var phi_4082_: f64;
-    var phi_4087_: f64;
-    var phi_4093_: f64;
-    var phi_4099_: f64;
-    var phi_4104_: f64;
-    var phi_4109_: f64;
-    var phi_4119_: bool;
-    var phi_4126_: f64;
-    var phi_4134_: f64;
-    var phi_4177_: type_26;
-    var phi_4180_: f64;
-    var phi_4201_: bool;
-    var phi_4207_: type_27;
-    var phi_4178_: type_26;
-    var phi_4221_: type_27;
-    var phi_4181_: f64;
+    var phi_232_: u32;
+    var phi_248_: u32;
+    var phi_269_: u32;
+    var phi_270_: u32;
+    var phi_273_: type_28;
+    var phi_274_: type_28;
+    var phi_297_: type_28;
+    var phi_640_: type_28;
+    var phi_641_: type_28;
+    var phi_664_: type_28;
+    var phi_520_: type_28;
+    var phi_521_: type_28;
+    var phi_544_: type_28;
+    var phi_554_: type_28;
+    var phi_555_: type_28;
+    var phi_578_: type_28;
+    var phi_1121_: f64;
+    var phi_1128_: f64;
+    var phi_1133_: f64;
+    var phi_1140_: f64;
+    var phi_1145_: f64;
+    var phi_1158_: f64;
+    var phi_1165_: f64;
+    var phi_1170_: f64;
+    var phi_1177_: f64;
+    var phi_1182_: f64;
+    var phi_1187_: f64;
+    var phi_1204_: f64;
+    var phi_1211_: f64;
+    var phi_1216_: f64;
+    var phi_1223_: f64;
+    var phi_1228_: f64;
+    var phi_1242_: f64;
+    var phi_1249_: f64;
+    var phi_1254_: f64;
+    var phi_1261_: f64;
+    var phi_1266_: f64;
+    var phi_1271_: f64;
+    var phi_1288_: f64;
+    var phi_1295_: f64;
+    var phi_1300_: f64;
+    var phi_1307_: f64;
+    var phi_1312_: f64;
+    var phi_1326_: f64;
+    var phi_1333_: f64;
+    var phi_1338_: f64;
+    var phi_1345_: f64;
+    var phi_1350_: f64;
+    var phi_1355_: f64;
+    var phi_1392_: f64;
+    var phi_1398_: f64;
+    var phi_1405_: f64;
+    var phi_1412_: f64;
+    var phi_1418_: f64;
+    var phi_1425_: f64;
+    var phi_1431_: f64;
+    var phi_1437_: f64;
+    var phi_1443_: f64;
+    var phi_1450_: f64;
+    var phi_1457_: f64;
+    var phi_1485_: f64;
+    var phi_1490_: f64;
+    var phi_1495_: f64;
+    var phi_1500_: f64;
+    var phi_1505_: f64;
+    var phi_1510_: f64;
+    var phi_1521_: f64;
+    var phi_4078_: f64;
+    var phi_4084_: f64;
+    var phi_4089_: f64;
+    var phi_4095_: f64;
+    var phi_4101_: f64;
+    var phi_4106_: f64;
+    var phi_4111_: f64;
+    var phi_4121_: bool;
+    var phi_4128_: f64;
+    var phi_4136_: f64;
+    var phi_4179_: type_26;
+    var phi_4182_: f64;
+    var phi_4203_: bool;
+    var phi_4209_: type_27;
+    var phi_4180_: type_26;
+    var phi_4223_: type_27;
+    var phi_4183_: f64;
     var local_21: f64;
-    var phi_4170_: f64;
-    var phi_4234_: f64;
-    var phi_4240_: f64;
-    var phi_4265_: type_28;
-    var phi_4268_: u32;
-    var phi_4266_: type_28;
-    var phi_4291_: type_28;
-    var phi_4335_: u32;
-    var phi_4336_: u32;
-    var phi_4269_: u32;
+    var phi_4172_: f64;
+    var phi_4236_: f64;
+    var phi_4242_: f64;
+    var phi_4267_: type_28;
+    var phi_4270_: u32;
+    var phi_4268_: type_28;
+    var phi_4293_: type_28;
     var phi_4337_: u32;
-    var phi_4357_: type_28;
-    var phi_4358_: type_28;
-    var phi_4381_: type_28;
-    var phi_4435_: f64;
-    var phi_4442_: f64;
-    var phi_4454_: bool;
-    var phi_4455_: bool;
+    var phi_4338_: u32;
+    var phi_4271_: u32;
+    var phi_4339_: u32;
+    var phi_4359_: type_28;
+    var phi_4360_: type_28;
+    var phi_4383_: type_28;
+    var phi_4437_: f64;
+    var phi_4444_: f64;
     var phi_4456_: bool;
     var phi_4457_: bool;
-    var phi_4461_: bool;
-    var phi_4473_: type_73;
-    var phi_4474_: type_73;
-    var phi_4475_: bool;
+    var phi_4458_: bool;
+    var phi_4459_: bool;
+    var phi_4463_: bool;
+    var phi_4475_: type_73;
     var phi_4476_: type_73;
     var phi_4477_: bool;
-    var phi_4490_: f64;
-    var phi_4503_: type_28;
-    var phi_4506_: f64;
+    var phi_4478_: type_73;
+    var phi_4479_: bool;
+    var phi_4492_: f64;
+    var phi_4505_: type_28;
     var phi_4508_: f64;
     var phi_4510_: f64;
-    var phi_4504_: type_28;
-    var phi_4533_: type_28;
-    var phi_4560_: f64;
-    var phi_4561_: f64;
-    var phi_4589_: f64;
-    var phi_4605_: f64;
-    var phi_4612_: bool;
-    var phi_4613_: bool;
+    var phi_4512_: f64;
+    var phi_4506_: type_28;
+    var phi_4535_: type_28;
+    var phi_4562_: f64;
+    var phi_4563_: f64;
+    var phi_4591_: f64;
+    var phi_4607_: f64;
     var phi_4614_: bool;
-    var phi_4620_: f64;
-    var phi_4621_: f64;
-    var phi_4622_: bool;
-    var phi_4507_: f64;
-    var phi_4509_: f64;
-    var phi_4511_: f64;
+    var phi_4615_: bool;
+    var phi_4616_: bool;
+    var phi_4622_: f64;
     var phi_4623_: f64;
     var phi_4624_: bool;
-    var phi_4625_: bool;
+    var phi_4509_: f64;
+    var phi_4511_: f64;
+    var phi_4513_: f64;
+    var phi_4625_: f64;
+    var phi_4626_: bool;
+    var phi_4627_: bool;
     var local_22: bool;
-    var phi_4629_: f64;
-    var phi_4630_: f64;
-    var phi_4638_: type_28;
-    var phi_4641_: f64;
-    var phi_4639_: type_28;
-    var phi_4664_: type_28;
-    var phi_4707_: f64;
-    var phi_4717_: f64;
-    var phi_4727_: bool;
+    var phi_4631_: f64;
+    var phi_4632_: f64;
+    var phi_4640_: type_28;
+    var phi_4643_: f64;
+    var phi_4641_: type_28;
+    var phi_4666_: type_28;
+    var phi_4709_: f64;
+    var phi_4719_: f64;
     var phi_4729_: bool;
-    var phi_4734_: f64;
-    var phi_4735_: bool;
+    var phi_4731_: bool;
     var phi_4736_: f64;
     var phi_4737_: bool;
-    var phi_4738_: bool;
+    var phi_4738_: f64;
     var phi_4739_: bool;
-    var phi_4740_: f64;
-    var phi_4642_: f64;
+    var phi_4740_: bool;
     var phi_4741_: bool;
-    var phi_4742_: bool;
+    var phi_4742_: f64;
+    var phi_4644_: f64;
     var phi_4743_: bool;
     var phi_4744_: bool;
+    var phi_4745_: bool;
+    var phi_4746_: bool;
     var local_23: bool;
-    var phi_4748_: bool;
-    var phi_4749_: bool;
-    var phi_4753_: bool;
-    var phi_4757_: f64;
-    var phi_4758_: f64;
-    var phi_4760_: type_73;
-    var phi_4791_: f64;
-    var phi_4798_: f64;
-    var phi_4803_: f64;
-    var phi_4810_: f64;
-    var phi_4815_: f64;
-    var phi_4828_: f64;
-    var phi_4835_: f64;
-    var phi_4840_: f64;
-    var phi_4847_: f64;
-    var phi_4852_: f64;
-    var phi_4857_: f64;
-    var phi_4916_: f64;
-    var phi_4922_: f64;
-    var phi_4927_: f64;
-    var phi_4933_: f64;
-    var phi_4938_: f64;
-    var phi_4952_: f64;
-    var phi_4958_: f64;
-    var phi_4963_: f64;
-    var phi_4969_: f64;
-    var phi_4974_: f64;
-    var phi_5000_: f64;
-    var phi_5007_: f64;
-    var phi_5012_: f64;
-    var phi_5019_: f64;
-    var phi_5024_: f64;
-    var phi_5037_: f64;
-    var phi_5044_: f64;
-    var phi_5049_: f64;
-    var phi_5056_: f64;
-    var phi_5061_: f64;
-    var phi_5066_: f64;
-    var phi_5125_: f64;
-    var phi_5131_: f64;
-    var phi_5136_: f64;
-    var phi_5142_: f64;
-    var phi_5147_: f64;
-    var phi_5161_: f64;
-    var phi_5167_: f64;
-    var phi_5172_: f64;
-    var phi_5178_: f64;
-    var phi_5183_: f64;
-    var phi_5209_: f64;
-    var phi_5216_: f64;
-    var phi_5221_: f64;
-    var phi_5228_: f64;
-    var phi_5233_: f64;
-    var phi_5246_: f64;
-    var phi_5253_: f64;
-    var phi_5258_: f64;
-    var phi_5265_: f64;
-    var phi_5270_: f64;
-    var phi_5275_: f64;
-    var phi_5334_: f64;
-    var phi_5340_: f64;
-    var phi_5345_: f64;
-    var phi_5351_: f64;
-    var phi_5356_: f64;
-    var phi_5370_: f64;
-    var phi_5376_: f64;
-    var phi_5381_: f64;
-    var phi_5387_: f64;
-    var phi_5392_: f64;
-    var phi_5441_: f64;
-    var phi_5447_: f64;
-    var phi_5475_: f64;
-    var phi_5481_: f64;
-    var phi_5486_: u32;
-    var phi_5487_: u32;
-    var phi_5457_: f64;
-    var phi_5463_: f64;
-    var phi_5468_: u32;
-    var phi_5469_: u32;
+    var phi_4750_: bool;
+    var phi_4751_: bool;
+    var phi_4755_: bool;
+    var phi_4759_: f64;
+    var phi_4760_: f64;
+    var phi_4762_: type_73;
+    var phi_4793_: f64;
+    var phi_4800_: f64;
+    var phi_4805_: f64;
+    var phi_4812_: f64;
+    var phi_4817_: f64;
+    var phi_4830_: f64;
+    var phi_4837_: f64;
+    var phi_4842_: f64;
+    var phi_4849_: f64;
+    var phi_4854_: f64;
+    var phi_4859_: f64;
+    var phi_4918_: f64;
+    var phi_4924_: f64;
+    var phi_4929_: f64;
+    var phi_4935_: f64;
+    var phi_4940_: f64;
+    var phi_4954_: f64;
+    var phi_4960_: f64;
+    var phi_4965_: f64;
+    var phi_4971_: f64;
+    var phi_4976_: f64;
+    var phi_5002_: f64;
+    var phi_5009_: f64;
+    var phi_5014_: f64;
+    var phi_5021_: f64;
+    var phi_5026_: f64;
+    var phi_5039_: f64;
+    var phi_5046_: f64;
+    var phi_5051_: f64;
+    var phi_5058_: f64;
+    var phi_5063_: f64;
+    var phi_5068_: f64;
+    var phi_5127_: f64;
+    var phi_5133_: f64;
+    var phi_5138_: f64;
+    var phi_5144_: f64;
+    var phi_5149_: f64;
+    var phi_5163_: f64;
+    var phi_5169_: f64;
+    var phi_5174_: f64;
+    var phi_5180_: f64;
+    var phi_5185_: f64;
+    var phi_5211_: f64;
+    var phi_5218_: f64;
+    var phi_5223_: f64;
+    var phi_5230_: f64;
+    var phi_5235_: f64;
+    var phi_5248_: f64;
+    var phi_5255_: f64;
+    var phi_5260_: f64;
+    var phi_5267_: f64;
+    var phi_5272_: f64;
+    var phi_5277_: f64;
+    var phi_5336_: f64;
+    var phi_5342_: f64;
+    var phi_5347_: f64;
+    var phi_5353_: f64;
+    var phi_5358_: f64;
+    var phi_5372_: f64;
+    var phi_5378_: f64;
+    var phi_5383_: f64;
+    var phi_5389_: f64;
+    var phi_5394_: f64;
+    var phi_5443_: f64;
+    var phi_5449_: f64;
+    var phi_5477_: f64;
+    var phi_5483_: f64;
     var phi_5488_: u32;
     var phi_5489_: u32;
-    var phi_5560_: f64;
-    var phi_5572_: f64;
-    var phi_5711_: f64;
-    var phi_5717_: f64;
-    var phi_5724_: f64;
-    var phi_5768_: type_28;
-    var phi_5771_: bool;
-    var phi_5769_: type_28;
-    var phi_5794_: type_28;
-    var phi_5821_: bool;
-    var phi_5822_: bool;
-    var phi_5772_: bool;
+    var phi_5459_: f64;
+    var phi_5465_: f64;
+    var phi_5470_: u32;
+    var phi_5471_: u32;
+    var phi_5490_: u32;
+    var phi_5491_: u32;
+    var phi_5562_: f64;
+    var phi_5574_: f64;
+    var phi_5713_: f64;
+    var phi_5719_: f64;
+    var phi_5726_: f64;
+    var phi_5770_: type_28;
+    var phi_5773_: bool;
+    var phi_5771_: type_28;
+    var phi_5796_: type_28;
     var phi_5823_: bool;
     var phi_5824_: bool;
+    var phi_5774_: bool;
+    var phi_5825_: bool;
+    var phi_5826_: bool;
     var local_24: bool;
-    var phi_5828_: bool;
+    var phi_5830_: bool;
     var local_25: bool;
-    var phi_5835_: u32;
-    var phi_5836_: u32;
-    var phi_5837_: bool;
+    var phi_5837_: u32;
     var phi_5838_: u32;
-    var phi_5839_: u32;
-    var phi_5840_: bool;
-    var phi_5844_: u32;
-    var phi_5865_: bool;
-    var phi_5866_: bool;
+    var phi_5839_: bool;
+    var phi_5840_: u32;
+    var phi_5841_: u32;
+    var phi_5842_: bool;
+    var phi_5846_: u32;
     var phi_5867_: bool;
-    var phi_6064_: f64;
-    var phi_6071_: f64;
-    var phi_6076_: f64;
-    var phi_6083_: f64;
-    var phi_6088_: f64;
-    var phi_6101_: f64;
-    var phi_6108_: f64;
-    var phi_6113_: f64;
-    var phi_6120_: f64;
-    var phi_6125_: f64;
-    var phi_6130_: f64;
-    var phi_6147_: f64;
-    var phi_6154_: f64;
-    var phi_6159_: f64;
-    var phi_6166_: f64;
-    var phi_6171_: f64;
-    var phi_6185_: f64;
-    var phi_6192_: f64;
-    var phi_6197_: f64;
-    var phi_6204_: f64;
-    var phi_6209_: f64;
-    var phi_6214_: f64;
-    var phi_6231_: f64;
-    var phi_6238_: f64;
-    var phi_6243_: f64;
-    var phi_6250_: f64;
-    var phi_6255_: f64;
-    var phi_6269_: f64;
-    var phi_6276_: f64;
-    var phi_6281_: f64;
-    var phi_6288_: f64;
-    var phi_6293_: f64;
-    var phi_6298_: f64;
-    var phi_6318_: type_28;
-    var phi_6321_: f64;
-    var phi_6319_: type_28;
-    var phi_6344_: type_28;
-    var phi_6500_: bool;
-    var phi_6501_: bool;
+    var phi_5868_: bool;
+    var phi_5869_: bool;
+    var phi_6066_: f64;
+    var phi_6073_: f64;
+    var phi_6078_: f64;
+    var phi_6085_: f64;
+    var phi_6090_: f64;
+    var phi_6103_: f64;
+    var phi_6110_: f64;
+    var phi_6115_: f64;
+    var phi_6122_: f64;
+    var phi_6127_: f64;
+    var phi_6132_: f64;
+    var phi_6149_: f64;
+    var phi_6156_: f64;
+    var phi_6161_: f64;
+    var phi_6168_: f64;
+    var phi_6173_: f64;
+    var phi_6187_: f64;
+    var phi_6194_: f64;
+    var phi_6199_: f64;
+    var phi_6206_: f64;
+    var phi_6211_: f64;
+    var phi_6216_: f64;
+    var phi_6233_: f64;
+    var phi_6240_: f64;
+    var phi_6245_: f64;
+    var phi_6252_: f64;
+    var phi_6257_: f64;
+    var phi_6271_: f64;
+    var phi_6278_: f64;
+    var phi_6283_: f64;
+    var phi_6290_: f64;
+    var phi_6295_: f64;
+    var phi_6300_: f64;
+    var phi_6320_: type_28;
+    var phi_6323_: f64;
+    var phi_6321_: type_28;
+    var phi_6346_: type_28;
     var phi_6502_: bool;
     var phi_6503_: bool;
     var phi_6504_: bool;
     var phi_6505_: bool;
-    var phi_6509_: bool;
-    var phi_6549_: array<f64, 3>;
-    var phi_6550_: bool;
+    var phi_6506_: bool;
+    var phi_6507_: bool;
+    var phi_6511_: bool;
     var phi_6551_: array<f64, 3>;
     var phi_6552_: bool;
-    var phi_6585_: f64;
+    var phi_6553_: array<f64, 3>;
+    var phi_6554_: bool;
     var phi_6587_: f64;
-    var phi_6617_: f64;
+    var phi_6589_: f64;
     var phi_6619_: f64;
-    var phi_6649_: f64;
+    var phi_6621_: f64;
     var phi_6651_: f64;
-    var phi_6684_: f64;
+    var phi_6653_: f64;
     var phi_6686_: f64;
-    var phi_6841_: type_28;
-    var phi_6844_: array<f64, 3>;
-    var phi_6842_: type_28;
-    var phi_6867_: type_28;
-    var phi_6934_: array<f64, 3>;
-    var phi_6845_: array<f64, 3>;
-    var phi_6935_: array<f64, 3>;
-    var phi_6942_: f64;
-    var phi_6949_: f64;
-    var phi_6957_: f64;
-    var phi_7002_: type_26;
-    var phi_7005_: f64;
-    var phi_7026_: bool;
-    var phi_7032_: type_27;
-    var phi_7003_: type_26;
-    var phi_7046_: type_27;
-    var phi_7006_: f64;
+    var phi_6688_: f64;
+    var phi_6843_: type_28;
+    var phi_6846_: array<f64, 3>;
+    var phi_6844_: type_28;
+    var phi_6869_: type_28;
+    var phi_6936_: array<f64, 3>;
+    var phi_6847_: array<f64, 3>;
+    var phi_6937_: array<f64, 3>;
+    var phi_6944_: f64;
+    var phi_6951_: f64;
+    var phi_6959_: f64;
+    var phi_7004_: type_26;
+    var phi_7007_: f64;
+    var phi_7028_: bool;
+    var phi_7034_: type_27;
+    var phi_7005_: type_26;
+    var phi_7048_: type_27;
+    var phi_7008_: f64;
     var local_26: f64;
-    var phi_6995_: f64;
-    var phi_7059_: f64;
-    var phi_7072_: type_28;
-    var phi_7075_: f64;
-    var phi_7073_: type_28;
-    var phi_7098_: type_28;
-    var phi_7149_: f64;
-    var phi_7155_: f64;
-    var phi_7169_: bool;
-    var phi_7170_: bool;
-    var phi_7204_: f64;
-    var phi_7205_: f64;
+    var phi_6997_: f64;
+    var phi_7061_: f64;
+    var phi_7074_: type_28;
+    var phi_7077_: f64;
+    var phi_7075_: type_28;
+    var phi_7100_: type_28;
+    var phi_7151_: f64;
+    var phi_7157_: f64;
+    var phi_7171_: bool;
+    var phi_7172_: bool;
     var phi_7206_: f64;
-    var phi_7207_: bool;
-    var phi_7211_: bool;
-    var phi_7212_: f64;
+    var phi_7207_: f64;
+    var phi_7208_: f64;
+    var phi_7209_: bool;
     var phi_7213_: bool;
-    var phi_7214_: bool;
+    var phi_7214_: f64;
     var phi_7215_: bool;
-    var phi_7216_: f64;
+    var phi_7216_: bool;
     var phi_7217_: bool;
-    var phi_7218_: bool;
+    var phi_7218_: f64;
     var phi_7219_: bool;
-    var phi_7076_: f64;
     var phi_7220_: bool;
     var phi_7221_: bool;
+    var phi_7078_: f64;
     var phi_7222_: bool;
     var phi_7223_: bool;
+    var phi_7224_: bool;
+    var phi_7225_: bool;
     var local_27: bool;
     var local_28: f64;
     var local_29: f64;
     var local_30: f64;
-    var phi_7241_: bool;
-    var phi_7242_: bool;
     var phi_7243_: bool;
     var phi_7244_: bool;
     var phi_7245_: bool;
@@ -538,29 +541,29 @@ fn function_() {
     var phi_7251_: bool;
     var phi_7252_: bool;
     var phi_7253_: bool;
-    var phi_7254_: f64;
-    var phi_7255_: f64;
-    var phi_7256_: bool;
-    var phi_7257_: bool;
+    var phi_7254_: bool;
+    var phi_7255_: bool;
+    var phi_7256_: f64;
+    var phi_7257_: f64;
     var phi_7258_: bool;
     var phi_7259_: bool;
     var phi_7260_: bool;
     var phi_7261_: bool;
     var phi_7262_: bool;
-    var phi_7263_: f64;
-    var phi_7264_: f64;
-    var phi_7265_: bool;
-    var phi_7266_: bool;
+    var phi_7263_: bool;
+    var phi_7264_: bool;
+    var phi_7265_: f64;
+    var phi_7266_: f64;
     var phi_7267_: bool;
     var phi_7268_: bool;
     var phi_7269_: bool;
     var phi_7270_: bool;
     var phi_7271_: bool;
     var phi_7272_: bool;
-    var phi_7273_: f64;
-    var phi_6322_: f64;
+    var phi_7273_: bool;
     var phi_7274_: bool;
-    var phi_7275_: bool;
+    var phi_7275_: f64;
+    var phi_6324_: f64;
     var phi_7276_: bool;
     var phi_7277_: bool;
     var phi_7278_: bool;
@@ -568,205 +571,205 @@ fn function_() {
     var phi_7280_: bool;
     var phi_7281_: bool;
     var phi_7282_: bool;
+    var phi_7283_: bool;
+    var phi_7284_: bool;
     var local_31: bool;
-    var phi_7287_: type_72;
-    var phi_7288_: bool;
-    var phi_7289_: bool;
+    var phi_7289_: type_72;
     var phi_7290_: bool;
     var phi_7291_: bool;
     var phi_7292_: bool;
     var phi_7293_: bool;
     var phi_7294_: bool;
-    var phi_7298_: f64;
-    var phi_7299_: bool;
-    var phi_7300_: bool;
+    var phi_7295_: bool;
+    var phi_7296_: bool;
+    var phi_7300_: f64;
     var phi_7301_: bool;
     var phi_7302_: bool;
     var phi_7303_: bool;
     var phi_7304_: bool;
     var phi_7305_: bool;
-    var phi_7310_: type_72;
-    var phi_7311_: bool;
-    var phi_7312_: bool;
+    var phi_7306_: bool;
+    var phi_7307_: bool;
+    var phi_7312_: type_72;
     var phi_7313_: bool;
     var phi_7314_: bool;
     var phi_7315_: bool;
     var phi_7316_: bool;
+    var phi_7317_: bool;
+    var phi_7318_: bool;
     var local_32: f64;
-    var phi_7321_: type_72;
-    var phi_7322_: bool;
-    var phi_7323_: bool;
+    var phi_7323_: type_72;
     var phi_7324_: bool;
     var phi_7325_: bool;
     var phi_7326_: bool;
+    var phi_7327_: bool;
+    var phi_7328_: bool;
     var local_33: f64;
-    var phi_7331_: type_72;
-    var phi_7332_: bool;
-    var phi_7333_: bool;
+    var phi_7333_: type_72;
     var phi_7334_: bool;
     var phi_7335_: bool;
+    var phi_7336_: bool;
+    var phi_7337_: bool;
     var local_34: f64;
-    var phi_7340_: type_72;
-    var phi_7341_: bool;
-    var phi_7342_: bool;
+    var phi_7342_: type_72;
     var phi_7343_: bool;
     var phi_7344_: bool;
-    var phi_7348_: type_72;
-    var phi_7349_: bool;
-    var phi_7350_: bool;
+    var phi_7345_: bool;
+    var phi_7346_: bool;
+    var phi_7350_: type_72;
     var phi_7351_: bool;
-    var phi_7355_: bool;
-    var phi_7356_: bool;
-    var phi_7360_: bool;
-    var phi_7361_: bool;
-    var phi_7365_: bool;
-    var phi_7366_: bool;
+    var phi_7352_: bool;
+    var phi_7353_: bool;
+    var phi_7357_: bool;
+    var phi_7358_: bool;
+    var phi_7362_: bool;
+    var phi_7363_: bool;
+    var phi_7367_: bool;
+    var phi_7368_: bool;
     var local_35: f64;
-    var phi_7371_: type_72;
-    var phi_7372_: bool;
-    var phi_7376_: type_72;
-    var phi_7383_: bool;
-    var phi_7384_: f64;
+    var phi_7373_: type_72;
+    var phi_7374_: bool;
+    var phi_7378_: type_72;
     var phi_7385_: bool;
-    var phi_7386_: bool;
+    var phi_7386_: f64;
     var phi_7387_: bool;
-    var phi_7388_: f64;
+    var phi_7388_: bool;
     var phi_7389_: bool;
-    var phi_7390_: bool;
+    var phi_7390_: f64;
     var phi_7391_: bool;
-    var phi_7392_: f64;
+    var phi_7392_: bool;
     var phi_7393_: bool;
-    var phi_7394_: bool;
+    var phi_7394_: f64;
     var phi_7395_: bool;
     var phi_7396_: bool;
-    var phi_7400_: bool;
-    var phi_7401_: bool;
+    var phi_7397_: bool;
+    var phi_7398_: bool;
     var phi_7402_: bool;
-    var phi_7403_: f64;
-    var phi_7404_: type_73;
-    var phi_7405_: bool;
-    var phi_7406_: bool;
+    var phi_7403_: bool;
+    var phi_7404_: bool;
+    var phi_7405_: f64;
+    var phi_7406_: type_73;
     var phi_7407_: bool;
     var phi_7408_: bool;
+    var phi_7409_: bool;
+    var phi_7410_: bool;
     var local_36: bool;
-    var phi_7413_: type_72;
-    var phi_7414_: bool;
-    var phi_7415_: bool;
+    var phi_7415_: type_72;
+    var phi_7416_: bool;
+    var phi_7417_: bool;
     var local_37: f64;
-    var phi_7420_: type_72;
-    var phi_7421_: bool;
+    var phi_7422_: type_72;
+    var phi_7423_: bool;
     var local_38: type_73;
-    var phi_7427_: type_72;
-    var phi_7428_: bool;
-    var phi_7432_: type_72;
-    var phi_1722_: f64;
-    var phi_1729_: f64;
-    var phi_1734_: f64;
-    var phi_1741_: f64;
-    var phi_1746_: f64;
-    var phi_1759_: f64;
-    var phi_1766_: f64;
-    var phi_1771_: f64;
-    var phi_1778_: f64;
-    var phi_1783_: f64;
-    var phi_1788_: f64;
-    var phi_1805_: f64;
-    var phi_1812_: f64;
-    var phi_1817_: f64;
-    var phi_1824_: f64;
-    var phi_1829_: f64;
-    var phi_1843_: f64;
-    var phi_1850_: f64;
-    var phi_1855_: f64;
-    var phi_1862_: f64;
-    var phi_1867_: f64;
-    var phi_1872_: f64;
-    var phi_1889_: f64;
-    var phi_1896_: f64;
-    var phi_1901_: f64;
-    var phi_1908_: f64;
-    var phi_1913_: f64;
-    var phi_1927_: f64;
-    var phi_1934_: f64;
-    var phi_1939_: f64;
-    var phi_1946_: f64;
-    var phi_1951_: f64;
-    var phi_1956_: f64;
-    var phi_1976_: type_28;
-    var phi_1979_: f64;
-    var phi_1977_: type_28;
-    var phi_2002_: type_28;
-    var phi_2158_: bool;
-    var phi_2159_: bool;
+    var phi_7429_: type_72;
+    var phi_7430_: bool;
+    var phi_7434_: type_72;
+    var phi_1724_: f64;
+    var phi_1731_: f64;
+    var phi_1736_: f64;
+    var phi_1743_: f64;
+    var phi_1748_: f64;
+    var phi_1761_: f64;
+    var phi_1768_: f64;
+    var phi_1773_: f64;
+    var phi_1780_: f64;
+    var phi_1785_: f64;
+    var phi_1790_: f64;
+    var phi_1807_: f64;
+    var phi_1814_: f64;
+    var phi_1819_: f64;
+    var phi_1826_: f64;
+    var phi_1831_: f64;
+    var phi_1845_: f64;
+    var phi_1852_: f64;
+    var phi_1857_: f64;
+    var phi_1864_: f64;
+    var phi_1869_: f64;
+    var phi_1874_: f64;
+    var phi_1891_: f64;
+    var phi_1898_: f64;
+    var phi_1903_: f64;
+    var phi_1910_: f64;
+    var phi_1915_: f64;
+    var phi_1929_: f64;
+    var phi_1936_: f64;
+    var phi_1941_: f64;
+    var phi_1948_: f64;
+    var phi_1953_: f64;
+    var phi_1958_: f64;
+    var phi_1978_: type_28;
+    var phi_1981_: f64;
+    var phi_1979_: type_28;
+    var phi_2004_: type_28;
     var phi_2160_: bool;
     var phi_2161_: bool;
     var phi_2162_: bool;
     var phi_2163_: bool;
-    var phi_2167_: bool;
-    var phi_2207_: array<f64, 3>;
-    var phi_2208_: bool;
+    var phi_2164_: bool;
+    var phi_2165_: bool;
+    var phi_2169_: bool;
     var phi_2209_: array<f64, 3>;
     var phi_2210_: bool;
-    var phi_2243_: f64;
+    var phi_2211_: array<f64, 3>;
+    var phi_2212_: bool;
     var phi_2245_: f64;
-    var phi_2275_: f64;
+    var phi_2247_: f64;
     var phi_2277_: f64;
-    var phi_2307_: f64;
+    var phi_2279_: f64;
     var phi_2309_: f64;
-    var phi_2342_: f64;
+    var phi_2311_: f64;
     var phi_2344_: f64;
-    var phi_2499_: type_28;
-    var phi_2502_: array<f64, 3>;
-    var phi_2500_: type_28;
-    var phi_2525_: type_28;
-    var phi_2592_: array<f64, 3>;
-    var phi_2503_: array<f64, 3>;
-    var phi_2593_: array<f64, 3>;
-    var phi_2600_: f64;
-    var phi_2607_: f64;
-    var phi_2615_: f64;
-    var phi_2660_: type_26;
-    var phi_2663_: f64;
-    var phi_2684_: bool;
-    var phi_2690_: type_27;
-    var phi_2661_: type_26;
-    var phi_2704_: type_27;
-    var phi_2664_: f64;
+    var phi_2346_: f64;
+    var phi_2501_: type_28;
+    var phi_2504_: array<f64, 3>;
+    var phi_2502_: type_28;
+    var phi_2527_: type_28;
+    var phi_2594_: array<f64, 3>;
+    var phi_2505_: array<f64, 3>;
+    var phi_2595_: array<f64, 3>;
+    var phi_2602_: f64;
+    var phi_2609_: f64;
+    var phi_2617_: f64;
+    var phi_2662_: type_26;
+    var phi_2665_: f64;
+    var phi_2686_: bool;
+    var phi_2692_: type_27;
+    var phi_2663_: type_26;
+    var phi_2706_: type_27;
+    var phi_2666_: f64;
     var local_39: f64;
-    var phi_2653_: f64;
-    var phi_2717_: f64;
-    var phi_2730_: type_28;
-    var phi_2733_: f64;
-    var phi_2731_: type_28;
-    var phi_2756_: type_28;
-    var phi_2807_: f64;
-    var phi_2813_: f64;
-    var phi_2827_: bool;
-    var phi_2828_: bool;
-    var phi_2862_: f64;
-    var phi_2863_: f64;
+    var phi_2655_: f64;
+    var phi_2719_: f64;
+    var phi_2732_: type_28;
+    var phi_2735_: f64;
+    var phi_2733_: type_28;
+    var phi_2758_: type_28;
+    var phi_2809_: f64;
+    var phi_2815_: f64;
+    var phi_2829_: bool;
+    var phi_2830_: bool;
     var phi_2864_: f64;
-    var phi_2865_: bool;
-    var phi_2869_: bool;
-    var phi_2870_: f64;
+    var phi_2865_: f64;
+    var phi_2866_: f64;
+    var phi_2867_: bool;
     var phi_2871_: bool;
-    var phi_2872_: bool;
+    var phi_2872_: f64;
     var phi_2873_: bool;
-    var phi_2874_: f64;
+    var phi_2874_: bool;
     var phi_2875_: bool;
-    var phi_2876_: bool;
+    var phi_2876_: f64;
     var phi_2877_: bool;
-    var phi_2734_: f64;
     var phi_2878_: bool;
     var phi_2879_: bool;
+    var phi_2736_: f64;
     var phi_2880_: bool;
     var phi_2881_: bool;
+    var phi_2882_: bool;
+    var phi_2883_: bool;
     var local_40: bool;
     var local_41: f64;
     var local_42: f64;
     var local_43: f64;
-    var phi_2899_: bool;
-    var phi_2900_: bool;
     var phi_2901_: bool;
     var phi_2902_: bool;
     var phi_2903_: bool;
@@ -778,29 +781,29 @@ fn function_() {
     var phi_2909_: bool;
     var phi_2910_: bool;
     var phi_2911_: bool;
-    var phi_2912_: f64;
-    var phi_2913_: f64;
-    var phi_2914_: bool;
-    var phi_2915_: bool;
+    var phi_2912_: bool;
+    var phi_2913_: bool;
+    var phi_2914_: f64;
+    var phi_2915_: f64;
     var phi_2916_: bool;
     var phi_2917_: bool;
     var phi_2918_: bool;
     var phi_2919_: bool;
     var phi_2920_: bool;
-    var phi_2921_: f64;
-    var phi_2922_: f64;
-    var phi_2923_: bool;
-    var phi_2924_: bool;
+    var phi_2921_: bool;
+    var phi_2922_: bool;
+    var phi_2923_: f64;
+    var phi_2924_: f64;
     var phi_2925_: bool;
     var phi_2926_: bool;
     var phi_2927_: bool;
     var phi_2928_: bool;
     var phi_2929_: bool;
     var phi_2930_: bool;
-    var phi_2931_: f64;
-    var phi_1980_: f64;
+    var phi_2931_: bool;
     var phi_2932_: bool;
-    var phi_2933_: bool;
+    var phi_2933_: f64;
+    var phi_1982_: f64;
     var phi_2934_: bool;
     var phi_2935_: bool;
     var phi_2936_: bool;
@@ -808,155 +811,157 @@ fn function_() {
     var phi_2938_: bool;
     var phi_2939_: bool;
     var phi_2940_: bool;
+    var phi_2941_: bool;
+    var phi_2942_: bool;
     var local_44: bool;
-    var phi_2945_: type_72;
-    var phi_2946_: bool;
-    var phi_2947_: bool;
+    var phi_2947_: type_72;
     var phi_2948_: bool;
     var phi_2949_: bool;
     var phi_2950_: bool;
     var phi_2951_: bool;
     var phi_2952_: bool;
-    var phi_2956_: f64;
-    var phi_2957_: bool;
-    var phi_2958_: bool;
+    var phi_2953_: bool;
+    var phi_2954_: bool;
+    var phi_2958_: f64;
     var phi_2959_: bool;
     var phi_2960_: bool;
     var phi_2961_: bool;
     var phi_2962_: bool;
     var phi_2963_: bool;
-    var phi_2968_: type_72;
-    var phi_2969_: bool;
-    var phi_2970_: bool;
+    var phi_2964_: bool;
+    var phi_2965_: bool;
+    var phi_2970_: type_72;
     var phi_2971_: bool;
     var phi_2972_: bool;
     var phi_2973_: bool;
     var phi_2974_: bool;
+    var phi_2975_: bool;
+    var phi_2976_: bool;
     var local_45: f64;
-    var phi_2979_: type_72;
-    var phi_2980_: bool;
-    var phi_2981_: bool;
+    var phi_2981_: type_72;
     var phi_2982_: bool;
     var phi_2983_: bool;
     var phi_2984_: bool;
+    var phi_2985_: bool;
+    var phi_2986_: bool;
     var local_46: f64;
-    var phi_2989_: type_72;
-    var phi_2990_: bool;
-    var phi_2991_: bool;
+    var phi_2991_: type_72;
     var phi_2992_: bool;
     var phi_2993_: bool;
+    var phi_2994_: bool;
+    var phi_2995_: bool;
     var local_47: f64;
-    var phi_2998_: type_72;
-    var phi_2999_: bool;
-    var phi_3000_: bool;
+    var phi_3000_: type_72;
     var phi_3001_: bool;
     var phi_3002_: bool;
-    var phi_3006_: type_72;
-    var phi_3007_: bool;
-    var phi_3008_: bool;
+    var phi_3003_: bool;
+    var phi_3004_: bool;
+    var phi_3008_: type_72;
     var phi_3009_: bool;
-    var phi_3013_: bool;
-    var phi_3014_: bool;
-    var phi_3018_: bool;
-    var phi_3019_: bool;
-    var phi_3023_: bool;
-    var phi_3024_: bool;
+    var phi_3010_: bool;
+    var phi_3011_: bool;
+    var phi_3015_: bool;
+    var phi_3016_: bool;
+    var phi_3020_: bool;
+    var phi_3021_: bool;
+    var phi_3025_: bool;
+    var phi_3026_: bool;
     var local_48: f64;
-    var phi_3029_: type_72;
-    var phi_3030_: bool;
-    var phi_3034_: type_72;
-    var phi_3048_: type_28;
-    var phi_3049_: type_28;
-    var phi_3072_: type_28;
-    var phi_3093_: f64;
-    var phi_3243_: bool;
-    var phi_3244_: bool;
+    var phi_3031_: type_72;
+    var phi_3032_: bool;
+    var phi_3036_: type_72;
+    var phi_3050_: type_28;
+    var phi_3051_: type_28;
+    var phi_3074_: type_28;
+    var phi_3095_: f64;
     var phi_3245_: bool;
     var phi_3246_: bool;
     var phi_3247_: bool;
     var phi_3248_: bool;
-    var phi_3252_: bool;
-    var phi_3292_: array<f64, 3>;
-    var phi_3293_: bool;
+    var phi_3249_: bool;
+    var phi_3250_: bool;
+    var phi_3254_: bool;
     var phi_3294_: array<f64, 3>;
     var phi_3295_: bool;
-    var phi_3328_: f64;
+    var phi_3296_: array<f64, 3>;
+    var phi_3297_: bool;
     var phi_3330_: f64;
-    var phi_3360_: f64;
+    var phi_3332_: f64;
     var phi_3362_: f64;
-    var phi_3392_: f64;
+    var phi_3364_: f64;
     var phi_3394_: f64;
-    var phi_3427_: f64;
+    var phi_3396_: f64;
     var phi_3429_: f64;
-    var phi_3584_: type_28;
-    var phi_3587_: array<f64, 3>;
-    var phi_3585_: type_28;
-    var phi_3610_: type_28;
-    var phi_3677_: array<f64, 3>;
-    var phi_3588_: array<f64, 3>;
-    var phi_3678_: array<f64, 3>;
-    var phi_3710_: type_26;
-    var phi_3713_: f64;
-    var phi_3734_: bool;
-    var phi_3740_: type_27;
-    var phi_3711_: type_26;
-    var phi_3754_: type_27;
-    var phi_3714_: f64;
+    var phi_3431_: f64;
+    var phi_3586_: type_28;
+    var phi_3589_: array<f64, 3>;
+    var phi_3587_: type_28;
+    var phi_3612_: type_28;
+    var phi_3679_: array<f64, 3>;
+    var phi_3590_: array<f64, 3>;
+    var phi_3680_: array<f64, 3>;
+    var phi_3712_: type_26;
+    var phi_3715_: f64;
+    var phi_3736_: bool;
+    var phi_3742_: type_27;
+    var phi_3713_: type_26;
+    var phi_3756_: type_27;
+    var phi_3716_: f64;
     var local_49: f64;
-    var phi_3703_: f64;
-    var phi_3767_: f64;
-    var phi_3785_: f64;
-    var phi_3792_: f64;
-    var phi_3797_: f64;
-    var phi_3804_: f64;
-    var phi_3809_: f64;
-    var phi_3822_: f64;
-    var phi_3829_: f64;
-    var phi_3834_: f64;
-    var phi_3841_: f64;
-    var phi_3846_: f64;
-    var phi_3851_: f64;
-    var phi_3868_: f64;
-    var phi_3875_: f64;
-    var phi_3880_: f64;
-    var phi_3887_: f64;
-    var phi_3892_: f64;
-    var phi_3906_: f64;
-    var phi_3913_: f64;
-    var phi_3918_: f64;
-    var phi_3925_: f64;
-    var phi_3930_: f64;
-    var phi_3935_: f64;
-    var phi_3952_: f64;
-    var phi_3959_: f64;
-    var phi_3964_: f64;
-    var phi_3971_: f64;
-    var phi_3976_: f64;
-    var phi_3990_: f64;
-    var phi_3997_: f64;
-    var phi_4002_: f64;
-    var phi_4009_: f64;
-    var phi_4014_: f64;
-    var phi_4019_: f64;
-    var phi_4043_: bool;
-    var phi_4044_: bool;
+    var phi_3705_: f64;
+    var phi_3769_: f64;
+    var phi_3787_: f64;
+    var phi_3794_: f64;
+    var phi_3799_: f64;
+    var phi_3806_: f64;
+    var phi_3811_: f64;
+    var phi_3824_: f64;
+    var phi_3831_: f64;
+    var phi_3836_: f64;
+    var phi_3843_: f64;
+    var phi_3848_: f64;
+    var phi_3853_: f64;
+    var phi_3870_: f64;
+    var phi_3877_: f64;
+    var phi_3882_: f64;
+    var phi_3889_: f64;
+    var phi_3894_: f64;
+    var phi_3908_: f64;
+    var phi_3915_: f64;
+    var phi_3920_: f64;
+    var phi_3927_: f64;
+    var phi_3932_: f64;
+    var phi_3937_: f64;
+    var phi_3954_: f64;
+    var phi_3961_: f64;
+    var phi_3966_: f64;
+    var phi_3973_: f64;
+    var phi_3978_: f64;
+    var phi_3992_: f64;
+    var phi_3999_: f64;
+    var phi_4004_: f64;
+    var phi_4011_: f64;
+    var phi_4016_: f64;
+    var phi_4021_: f64;
     var phi_4045_: bool;
+    var phi_4046_: bool;
+    var phi_4047_: bool;
     var local_50: bool;
-    var phi_4050_: type_72;
-    var phi_4051_: bool;
-    var phi_4056_: type_72;
-    var phi_4057_: bool;
-    var phi_4059_: type_72;
-    var phi_4060_: type_72;
-    var phi_4061_: bool;
-    var phi_4065_: type_72;
-    var phi_7436_: type_72;
-    var phi_7437_: type_72;
-    var phi_7458_: type_46;
-    var phi_7481_: u32;
-    var phi_7485_: type_45;
-    var phi_7486_: bool;
-    var phi_7504_: u32;
+    var phi_4052_: type_72;
+    var phi_4053_: bool;
+    var phi_4058_: type_72;
+    var phi_4059_: bool;
+    var phi_4061_: type_72;
+    var phi_4062_: type_72;
+    var phi_4063_: bool;
+    var phi_4067_: type_72;
+    var phi_7438_: type_72;
+    var phi_7439_: type_72;
+    var phi_7452_: type_46;
+    var phi_7475_: u32;
+    var phi_7479_: type_45;
+    var phi_7480_: bool;
+    var phi_7498_: u32;
     var local_51: u32;
     var local_52: f64;
     var local_53: f64;
@@ -1005,18 +1010,18 @@ fn function_() {
     let _e134 = params.member.member_15;
     let _e136 = input.member[0u];
     if (_e134 < _e136) {
-        phi_230_ = _e134;
+        phi_232_ = _e134;
     } else {
-        phi_230_ = _e136;
+        phi_232_ = _e136;
     }
-    let _e139 = phi_230_;
+    let _e139 = phi_232_;
     let _e140 = (_e139 / 64u);
     if ((_e139 % 64u) > 0u) {
-        phi_246_ = (_e140 + 1u);
+        phi_248_ = (_e140 + 1u);
     } else {
-        phi_246_ = _e140;
+        phi_248_ = _e140;
     }
-    let _e145 = phi_246_;
+    let _e145 = phi_248_;
     if (_e145 > _e129) {
         let _e147 = (_e145 - _e129);
         if (_e132 == 0u) {
@@ -1027,28 +1032,28 @@ fn function_() {
             return;
         }
         if ((_e147 % _e132) > 0u) {
-            phi_267_ = (_e149 + 1u);
+            phi_269_ = (_e149 + 1u);
         } else {
-            phi_267_ = _e149;
+            phi_269_ = _e149;
         }
-        let _e155 = phi_267_;
-        phi_268_ = _e155;
+        let _e155 = phi_269_;
+        phi_270_ = _e155;
     } else {
-        phi_268_ = 0u;
+        phi_270_ = 0u;
     }
-    let _e157 = phi_268_;
-    phi_271_ = type_28(0u, _e157);
+    let _e157 = phi_270_;
+    phi_273_ = type_28(0u, _e157);
     loop {
-        let _e160 = phi_271_;
+        let _e160 = phi_273_;
         if (_e160.member < _e160.member_1) {
-            phi_272_ = type_28((_e160.member + 1u), _e160.member_1);
-            phi_295_ = type_28(1u, _e160.member);
+            phi_274_ = type_28((_e160.member + 1u), _e160.member_1);
+            phi_297_ = type_28(1u, _e160.member);
         } else {
-            phi_272_ = _e160;
-            phi_295_ = type_28(0u, type_28().member_1);
+            phi_274_ = _e160;
+            phi_297_ = type_28(0u, type_28().member_1);
         }
-        let _e174 = phi_272_;
-        let _e176 = phi_295_;
+        let _e174 = phi_274_;
+        let _e176 = phi_297_;
         let _e180 = (bitcast<i32>(_e176.member) != 0i);
         if _e180 {
             let _e184 = (((_e129 + (_e176.member_1 * _e132)) * 64u) + _e117);
@@ -1076,32 +1081,32 @@ fn function_() {
                     let _e270 = paths.member[_e199[1]];
                     local_18 = array<array<f32, 3>, 4>(array<f32, 3>(_e260.member[0], _e260.member[1], _e260.member[2]), array<f32, 3>(_e262.member[0], _e262.member[1], _e262.member[2]), array<f32, 3>(_e268.member[0], _e268.member[1], _e268.member[2]), array<f32, 3>(_e270.member[0], _e270.member[1], _e270.member[2]));
                     local_19 = array<array<f32, 3>, 4>(array<f32, 3>(_e260.member_1[0], _e260.member_1[1], _e260.member_1[2]), array<f32, 3>(_e262.member_1[0], _e262.member_1[1], _e262.member_1[2]), array<f32, 3>(_e268.member_1[0], _e268.member_1[1], _e268.member_1[2]), array<f32, 3>(_e270.member_1[0], _e270.member_1[1], _e270.member_1[2]));
-                    phi_518_ = type_28(0u, 4u);
+                    phi_520_ = type_28(0u, 4u);
                     loop {
-                        let _e310 = phi_518_;
+                        let _e310 = phi_520_;
                         if (_e310.member < _e310.member_1) {
-                            phi_519_ = type_28((_e310.member + 1u), _e310.member_1);
-                            phi_542_ = type_28(1u, _e310.member);
+                            phi_521_ = type_28((_e310.member + 1u), _e310.member_1);
+                            phi_544_ = type_28(1u, _e310.member);
                         } else {
-                            phi_519_ = _e310;
-                            phi_542_ = type_28(0u, type_28().member_1);
+                            phi_521_ = _e310;
+                            phi_544_ = type_28(0u, type_28().member_1);
                         }
-                        let _e324 = phi_519_;
-                        let _e326 = phi_542_;
+                        let _e324 = phi_521_;
+                        let _e326 = phi_544_;
                         let _e330 = (bitcast<i32>(_e326.member) != 0i);
                         if _e330 {
-                            phi_552_ = type_28(0u, 3u);
+                            phi_554_ = type_28(0u, 3u);
                             loop {
-                                let _e332 = phi_552_;
+                                let _e332 = phi_554_;
                                 if (_e332.member < _e332.member_1) {
-                                    phi_553_ = type_28((_e332.member + 1u), _e332.member_1);
-                                    phi_576_ = type_28(1u, _e332.member);
+                                    phi_555_ = type_28((_e332.member + 1u), _e332.member_1);
+                                    phi_578_ = type_28(1u, _e332.member);
                                 } else {
-                                    phi_553_ = _e332;
-                                    phi_576_ = type_28(0u, type_28().member_1);
+                                    phi_555_ = _e332;
+                                    phi_578_ = type_28(0u, type_28().member_1);
                                 }
-                                let _e346 = phi_553_;
-                                let _e348 = phi_576_;
+                                let _e346 = phi_555_;
+                                let _e348 = phi_578_;
                                 let _e352 = (bitcast<i32>(_e348.member) != 0i);
                                 if _e352 {
                                     if (_e326.member_1 < 4u) {
@@ -1143,30 +1148,30 @@ fn function_() {
                                 }
                                 continue;
                                 continuing {
-                                    phi_552_ = _e346;
+                                    phi_554_ = _e346;
                                     break if !(_e352);
                                 }
                             }
                         }
                         continue;
                         continuing {
-                            phi_518_ = _e324;
+                            phi_520_ = _e324;
                             break if !(_e330);
                         }
                     }
                 } else {
-                    phi_638_ = type_28(0u, 4u);
+                    phi_640_ = type_28(0u, 4u);
                     loop {
-                        let _e218 = phi_638_;
+                        let _e218 = phi_640_;
                         if (_e218.member < _e218.member_1) {
-                            phi_639_ = type_28((_e218.member + 1u), _e218.member_1);
-                            phi_662_ = type_28(1u, _e218.member);
+                            phi_641_ = type_28((_e218.member + 1u), _e218.member_1);
+                            phi_664_ = type_28(1u, _e218.member);
                         } else {
-                            phi_639_ = _e218;
-                            phi_662_ = type_28(0u, type_28().member_1);
+                            phi_641_ = _e218;
+                            phi_664_ = type_28(0u, type_28().member_1);
                         }
-                        let _e232 = phi_639_;
-                        let _e234 = phi_662_;
+                        let _e232 = phi_641_;
+                        let _e234 = phi_664_;
                         let _e238 = (bitcast<i32>(_e234.member) != 0i);
                         if _e238 {
                             if (_e234.member_1 < 4u) {
@@ -1188,7 +1193,7 @@ fn function_() {
                         }
                         continue;
                         continuing {
-                            phi_638_ = _e232;
+                            phi_640_ = _e232;
                             break if !(_e238);
                         }
                     }
@@ -1228,212 +1233,212 @@ fn function_() {
                 let _e602 = (((_e594[0] * _e483) + (_e594[1] * _e486)) + (_e594[2] * _e489));
                 let _e605 = local_20.member[0u];
                 if (_e605[0] < 0.0lf) {
-                    phi_1119_ = -(_e605[0]);
+                    phi_1121_ = -(_e605[0]);
                 } else {
-                    phi_1119_ = _e605[0];
+                    phi_1121_ = _e605[0];
                 }
-                let _e612 = phi_1119_;
+                let _e612 = phi_1121_;
                 if (_e605[1] < 0.0lf) {
-                    phi_1126_ = -(_e605[1]);
+                    phi_1128_ = -(_e605[1]);
                 } else {
-                    phi_1126_ = _e605[1];
+                    phi_1128_ = _e605[1];
                 }
-                let _e616 = phi_1126_;
+                let _e616 = phi_1128_;
                 if (_e612 > _e616) {
-                    phi_1131_ = _e612;
+                    phi_1133_ = _e612;
                 } else {
-                    phi_1131_ = _e616;
+                    phi_1133_ = _e616;
                 }
-                let _e619 = phi_1131_;
+                let _e619 = phi_1133_;
                 if (_e605[2] < 0.0lf) {
-                    phi_1138_ = -(_e605[2]);
+                    phi_1140_ = -(_e605[2]);
                 } else {
-                    phi_1138_ = _e605[2];
+                    phi_1140_ = _e605[2];
                 }
-                let _e623 = phi_1138_;
+                let _e623 = phi_1140_;
                 if (_e619 > _e623) {
-                    phi_1143_ = _e619;
+                    phi_1145_ = _e619;
                 } else {
-                    phi_1143_ = _e623;
+                    phi_1145_ = _e623;
                 }
-                let _e626 = phi_1143_;
+                let _e626 = phi_1145_;
                 let _e629 = local_20.member[1u];
                 if (_e629[0] < 0.0lf) {
-                    phi_1156_ = -(_e629[0]);
+                    phi_1158_ = -(_e629[0]);
                 } else {
-                    phi_1156_ = _e629[0];
+                    phi_1158_ = _e629[0];
                 }
-                let _e636 = phi_1156_;
+                let _e636 = phi_1158_;
                 if (_e629[1] < 0.0lf) {
-                    phi_1163_ = -(_e629[1]);
+                    phi_1165_ = -(_e629[1]);
                 } else {
-                    phi_1163_ = _e629[1];
+                    phi_1165_ = _e629[1];
                 }
-                let _e640 = phi_1163_;
+                let _e640 = phi_1165_;
                 if (_e636 > _e640) {
-                    phi_1168_ = _e636;
+                    phi_1170_ = _e636;
                 } else {
-                    phi_1168_ = _e640;
+                    phi_1170_ = _e640;
                 }
-                let _e643 = phi_1168_;
+                let _e643 = phi_1170_;
                 if (_e629[2] < 0.0lf) {
-                    phi_1175_ = -(_e629[2]);
+                    phi_1177_ = -(_e629[2]);
                 } else {
-                    phi_1175_ = _e629[2];
+                    phi_1177_ = _e629[2];
                 }
-                let _e647 = phi_1175_;
+                let _e647 = phi_1177_;
                 if (_e643 > _e647) {
-                    phi_1180_ = _e643;
+                    phi_1182_ = _e643;
                 } else {
-                    phi_1180_ = _e647;
+                    phi_1182_ = _e647;
                 }
-                let _e650 = phi_1180_;
+                let _e650 = phi_1182_;
                 if (_e626 > _e650) {
-                    phi_1185_ = _e626;
+                    phi_1187_ = _e626;
                 } else {
-                    phi_1185_ = _e650;
+                    phi_1187_ = _e650;
                 }
-                let _e653 = phi_1185_;
+                let _e653 = phi_1187_;
                 let _e655 = local_20.member_3;
                 let _e656 = (_e653 + _e655);
                 let _e659 = local_20.member_1[0u];
                 if (_e659[0] < 0.0lf) {
-                    phi_1202_ = -(_e659[0]);
+                    phi_1204_ = -(_e659[0]);
                 } else {
-                    phi_1202_ = _e659[0];
+                    phi_1204_ = _e659[0];
                 }
-                let _e666 = phi_1202_;
+                let _e666 = phi_1204_;
                 if (_e659[1] < 0.0lf) {
-                    phi_1209_ = -(_e659[1]);
+                    phi_1211_ = -(_e659[1]);
                 } else {
-                    phi_1209_ = _e659[1];
+                    phi_1211_ = _e659[1];
                 }
-                let _e670 = phi_1209_;
+                let _e670 = phi_1211_;
                 if (_e666 > _e670) {
-                    phi_1214_ = _e666;
+                    phi_1216_ = _e666;
                 } else {
-                    phi_1214_ = _e670;
+                    phi_1216_ = _e670;
                 }
-                let _e673 = phi_1214_;
+                let _e673 = phi_1216_;
                 if (_e659[2] < 0.0lf) {
-                    phi_1221_ = -(_e659[2]);
+                    phi_1223_ = -(_e659[2]);
                 } else {
-                    phi_1221_ = _e659[2];
+                    phi_1223_ = _e659[2];
                 }
-                let _e677 = phi_1221_;
+                let _e677 = phi_1223_;
                 if (_e673 > _e677) {
-                    phi_1226_ = _e673;
+                    phi_1228_ = _e673;
                 } else {
-                    phi_1226_ = _e677;
+                    phi_1228_ = _e677;
                 }
-                let _e680 = phi_1226_;
+                let _e680 = phi_1228_;
                 let _e683 = local_20.member_1[1u];
                 if (_e683[0] < 0.0lf) {
-                    phi_1240_ = -(_e683[0]);
+                    phi_1242_ = -(_e683[0]);
                 } else {
-                    phi_1240_ = _e683[0];
+                    phi_1242_ = _e683[0];
                 }
-                let _e690 = phi_1240_;
+                let _e690 = phi_1242_;
                 if (_e683[1] < 0.0lf) {
-                    phi_1247_ = -(_e683[1]);
+                    phi_1249_ = -(_e683[1]);
                 } else {
-                    phi_1247_ = _e683[1];
+                    phi_1249_ = _e683[1];
                 }
-                let _e694 = phi_1247_;
+                let _e694 = phi_1249_;
                 if (_e690 > _e694) {
-                    phi_1252_ = _e690;
+                    phi_1254_ = _e690;
                 } else {
-                    phi_1252_ = _e694;
+                    phi_1254_ = _e694;
                 }
-                let _e697 = phi_1252_;
+                let _e697 = phi_1254_;
                 if (_e683[2] < 0.0lf) {
-                    phi_1259_ = -(_e683[2]);
+                    phi_1261_ = -(_e683[2]);
                 } else {
-                    phi_1259_ = _e683[2];
+                    phi_1261_ = _e683[2];
                 }
-                let _e701 = phi_1259_;
+                let _e701 = phi_1261_;
                 if (_e697 > _e701) {
-                    phi_1264_ = _e697;
+                    phi_1266_ = _e697;
                 } else {
-                    phi_1264_ = _e701;
+                    phi_1266_ = _e701;
                 }
-                let _e704 = phi_1264_;
+                let _e704 = phi_1266_;
                 if (_e680 > _e704) {
-                    phi_1269_ = _e680;
+                    phi_1271_ = _e680;
                 } else {
-                    phi_1269_ = _e704;
+                    phi_1271_ = _e704;
                 }
-                let _e707 = phi_1269_;
+                let _e707 = phi_1271_;
                 let _e709 = local_20.member_3;
                 let _e710 = (_e707 + _e709);
                 let _e713 = local_20.member_2[0u];
                 if (_e713[0] < 0.0lf) {
-                    phi_1286_ = -(_e713[0]);
+                    phi_1288_ = -(_e713[0]);
                 } else {
-                    phi_1286_ = _e713[0];
+                    phi_1288_ = _e713[0];
                 }
-                let _e720 = phi_1286_;
+                let _e720 = phi_1288_;
                 if (_e713[1] < 0.0lf) {
-                    phi_1293_ = -(_e713[1]);
+                    phi_1295_ = -(_e713[1]);
                 } else {
-                    phi_1293_ = _e713[1];
+                    phi_1295_ = _e713[1];
                 }
-                let _e724 = phi_1293_;
+                let _e724 = phi_1295_;
                 if (_e720 > _e724) {
-                    phi_1298_ = _e720;
+                    phi_1300_ = _e720;
                 } else {
-                    phi_1298_ = _e724;
+                    phi_1300_ = _e724;
                 }
-                let _e727 = phi_1298_;
+                let _e727 = phi_1300_;
                 if (_e713[2] < 0.0lf) {
-                    phi_1305_ = -(_e713[2]);
+                    phi_1307_ = -(_e713[2]);
                 } else {
-                    phi_1305_ = _e713[2];
+                    phi_1307_ = _e713[2];
                 }
-                let _e731 = phi_1305_;
+                let _e731 = phi_1307_;
                 if (_e727 > _e731) {
-                    phi_1310_ = _e727;
+                    phi_1312_ = _e727;
                 } else {
-                    phi_1310_ = _e731;
+                    phi_1312_ = _e731;
                 }
-                let _e734 = phi_1310_;
+                let _e734 = phi_1312_;
                 let _e737 = local_20.member_2[1u];
                 if (_e737[0] < 0.0lf) {
-                    phi_1324_ = -(_e737[0]);
+                    phi_1326_ = -(_e737[0]);
                 } else {
-                    phi_1324_ = _e737[0];
+                    phi_1326_ = _e737[0];
                 }
-                let _e744 = phi_1324_;
+                let _e744 = phi_1326_;
                 if (_e737[1] < 0.0lf) {
-                    phi_1331_ = -(_e737[1]);
+                    phi_1333_ = -(_e737[1]);
                 } else {
-                    phi_1331_ = _e737[1];
+                    phi_1333_ = _e737[1];
                 }
-                let _e748 = phi_1331_;
+                let _e748 = phi_1333_;
                 if (_e744 > _e748) {
-                    phi_1336_ = _e744;
+                    phi_1338_ = _e744;
                 } else {
-                    phi_1336_ = _e748;
+                    phi_1338_ = _e748;
                 }
-                let _e751 = phi_1336_;
+                let _e751 = phi_1338_;
                 if (_e737[2] < 0.0lf) {
-                    phi_1343_ = -(_e737[2]);
+                    phi_1345_ = -(_e737[2]);
                 } else {
-                    phi_1343_ = _e737[2];
+                    phi_1345_ = _e737[2];
                 }
-                let _e755 = phi_1343_;
+                let _e755 = phi_1345_;
                 if (_e751 > _e755) {
-                    phi_1348_ = _e751;
+                    phi_1350_ = _e751;
                 } else {
-                    phi_1348_ = _e755;
+                    phi_1350_ = _e755;
                 }
-                let _e758 = phi_1348_;
+                let _e758 = phi_1350_;
                 if (_e734 > _e758) {
-                    phi_1353_ = _e734;
+                    phi_1355_ = _e734;
                 } else {
-                    phi_1353_ = _e758;
+                    phi_1355_ = _e758;
                 }
-                let _e761 = phi_1353_;
+                let _e761 = phi_1355_;
                 let _e763 = local_20.member_3;
                 let _e764 = (_e761 + _e763);
                 let _e765 = f64(1f);
@@ -1441,124 +1446,124 @@ fn function_() {
                 let _e768 = ((_e710 * _e766) * _e764);
                 let _e776 = local_20.member_3;
                 if (_e462 < 0.0lf) {
-                    phi_1390_ = -(_e462);
+                    phi_1392_ = -(_e462);
                 } else {
-                    phi_1390_ = _e462;
+                    phi_1392_ = _e462;
                 }
-                let _e796 = phi_1390_;
+                let _e796 = phi_1392_;
                 if (_e465 < 0.0lf) {
-                    phi_1396_ = -(_e465);
+                    phi_1398_ = -(_e465);
                 } else {
-                    phi_1396_ = _e465;
+                    phi_1398_ = _e465;
                 }
-                let _e800 = phi_1396_;
+                let _e800 = phi_1398_;
                 if (_e468 < 0.0lf) {
-                    phi_1403_ = -(_e468);
+                    phi_1405_ = -(_e468);
                 } else {
-                    phi_1403_ = _e468;
+                    phi_1405_ = _e468;
                 }
-                let _e805 = phi_1403_;
+                let _e805 = phi_1405_;
                 let _e806 = ((_e796 + _e800) + _e805);
                 if (_e483 < 0.0lf) {
-                    phi_1410_ = -(_e483);
+                    phi_1412_ = -(_e483);
                 } else {
-                    phi_1410_ = _e483;
+                    phi_1412_ = _e483;
                 }
-                let _e810 = phi_1410_;
+                let _e810 = phi_1412_;
                 if (_e486 < 0.0lf) {
-                    phi_1416_ = -(_e486);
+                    phi_1418_ = -(_e486);
                 } else {
-                    phi_1416_ = _e486;
+                    phi_1418_ = _e486;
                 }
-                let _e814 = phi_1416_;
+                let _e814 = phi_1418_;
                 if (_e489 < 0.0lf) {
-                    phi_1423_ = -(_e489);
+                    phi_1425_ = -(_e489);
                 } else {
-                    phi_1423_ = _e489;
+                    phi_1425_ = _e489;
                 }
-                let _e819 = phi_1423_;
+                let _e819 = phi_1425_;
                 let _e820 = ((_e810 + _e814) + _e819);
                 if (_e806 > _e820) {
-                    phi_1429_ = _e806;
+                    phi_1431_ = _e806;
                 } else {
-                    phi_1429_ = _e820;
+                    phi_1431_ = _e820;
                 }
-                let _e823 = phi_1429_;
+                let _e823 = phi_1431_;
                 if (_e532 < 0.0lf) {
-                    phi_1435_ = -(_e532);
+                    phi_1437_ = -(_e532);
                 } else {
-                    phi_1435_ = _e532;
+                    phi_1437_ = _e532;
                 }
-                let _e827 = phi_1435_;
+                let _e827 = phi_1437_;
                 if (_e533 < 0.0lf) {
-                    phi_1441_ = -(_e533);
+                    phi_1443_ = -(_e533);
                 } else {
-                    phi_1441_ = _e533;
+                    phi_1443_ = _e533;
                 }
-                let _e831 = phi_1441_;
+                let _e831 = phi_1443_;
                 if (_e534 < 0.0lf) {
-                    phi_1448_ = -(_e534);
+                    phi_1450_ = -(_e534);
                 } else {
-                    phi_1448_ = _e534;
+                    phi_1450_ = _e534;
                 }
-                let _e836 = phi_1448_;
+                let _e836 = phi_1450_;
                 let _e838 = (((_e827 + _e831) + _e836) * f64(0.5f));
                 if (_e823 > _e838) {
-                    phi_1455_ = _e823;
+                    phi_1457_ = _e823;
                 } else {
-                    phi_1455_ = _e838;
+                    phi_1457_ = _e838;
                 }
-                let _e841 = phi_1455_;
+                let _e841 = phi_1457_;
                 let _e847 = local_20.member_3;
                 let _e861 = (((((_e656 * _e766) * _e768) * (1.1102230246251565e-16lf * f64((490f / 64f)))) + ((_e776 * f64(19f)) * ((_e656 * (_e710 + _e764)) + (_e710 * _e764)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e765 + _e656) * ((_e765 + _e710) * (_e765 + _e764)))));
                 let _e862 = f64(3f);
                 let _e863 = (_e545 * _e862);
                 let _e864 = (_e602 * _e862);
                 if (_e863 < _e864) {
-                    phi_1483_ = _e863;
+                    phi_1485_ = _e863;
                 } else {
-                    phi_1483_ = _e864;
+                    phi_1485_ = _e864;
                 }
-                let _e867 = phi_1483_;
+                let _e867 = phi_1485_;
                 if (_e568 < _e591) {
-                    phi_1488_ = _e568;
+                    phi_1490_ = _e568;
                 } else {
-                    phi_1488_ = _e591;
+                    phi_1490_ = _e591;
                 }
-                let _e870 = phi_1488_;
+                let _e870 = phi_1490_;
                 if (_e867 < _e870) {
-                    phi_1493_ = _e867;
+                    phi_1495_ = _e867;
                 } else {
-                    phi_1493_ = _e870;
+                    phi_1495_ = _e870;
                 }
-                let _e873 = phi_1493_;
+                let _e873 = phi_1495_;
                 if (_e863 > _e864) {
-                    phi_1498_ = _e863;
+                    phi_1500_ = _e863;
                 } else {
-                    phi_1498_ = _e864;
+                    phi_1500_ = _e864;
                 }
-                let _e876 = phi_1498_;
+                let _e876 = phi_1500_;
                 if (_e568 > _e591) {
-                    phi_1503_ = _e568;
+                    phi_1505_ = _e568;
                 } else {
-                    phi_1503_ = _e591;
+                    phi_1505_ = _e591;
                 }
-                let _e879 = phi_1503_;
+                let _e879 = phi_1505_;
                 if (_e876 > _e879) {
-                    phi_1508_ = _e876;
+                    phi_1510_ = _e876;
                 } else {
-                    phi_1508_ = _e879;
+                    phi_1510_ = _e879;
                 }
-                let _e882 = phi_1508_;
+                let _e882 = phi_1510_;
                 let _e888 = -(_e882);
                 if (_e873 > _e888) {
-                    phi_1519_ = _e873;
+                    phi_1521_ = _e873;
                 } else {
-                    phi_1519_ = _e888;
+                    phi_1521_ = _e888;
                 }
-                let _e891 = phi_1519_;
+                let _e891 = phi_1521_;
                 if ((_e891 - (_e861 + ((_e446 * (((_e841 + (_e768 * (1.1102230246251565e-16lf * f64(4f)))) + ((_e847 * f64(6f)) * (_e710 + _e764))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e765 + _e710) * (_e765 + _e764))))) * f64((3f * 1.0001f))))) > _e447) {
-                    phi_7437_ = type_72(0u, type_72().member_1);
+                    phi_7439_ = type_72(0u, type_72().member_1);
                 } else {
                     if (_e446 > _e447) {
                         let _e3308 = f64(1f);
@@ -1578,231 +1583,231 @@ fn function_() {
                         local_13 = array<array<f64, 3>, 4>(_e3343, array<f64, 3>(_e3359, _e3360, _e3361), array<f64, 3>((_e3343[0] - _e3355[0]), (_e3343[1] - _e3355[1]), (_e3343[2] - _e3355[2])), array<f64, 3>((_e3359 - _e3355[0]), (_e3360 - _e3355[1]), (_e3361 - _e3355[2])));
                         let _e3374 = local_20.member[0u];
                         if (_e3374[0] < 0.0lf) {
-                            phi_1722_ = -(_e3374[0]);
+                            phi_1724_ = -(_e3374[0]);
                         } else {
-                            phi_1722_ = _e3374[0];
+                            phi_1724_ = _e3374[0];
                         }
-                        let _e3381 = phi_1722_;
+                        let _e3381 = phi_1724_;
                         if (_e3374[1] < 0.0lf) {
-                            phi_1729_ = -(_e3374[1]);
+                            phi_1731_ = -(_e3374[1]);
                         } else {
-                            phi_1729_ = _e3374[1];
+                            phi_1731_ = _e3374[1];
                         }
-                        let _e3385 = phi_1729_;
+                        let _e3385 = phi_1731_;
                         if (_e3381 > _e3385) {
-                            phi_1734_ = _e3381;
+                            phi_1736_ = _e3381;
                         } else {
-                            phi_1734_ = _e3385;
+                            phi_1736_ = _e3385;
                         }
-                        let _e3388 = phi_1734_;
+                        let _e3388 = phi_1736_;
                         if (_e3374[2] < 0.0lf) {
-                            phi_1741_ = -(_e3374[2]);
+                            phi_1743_ = -(_e3374[2]);
                         } else {
-                            phi_1741_ = _e3374[2];
+                            phi_1743_ = _e3374[2];
                         }
-                        let _e3392 = phi_1741_;
+                        let _e3392 = phi_1743_;
                         if (_e3388 > _e3392) {
-                            phi_1746_ = _e3388;
+                            phi_1748_ = _e3388;
                         } else {
-                            phi_1746_ = _e3392;
+                            phi_1748_ = _e3392;
                         }
-                        let _e3395 = phi_1746_;
+                        let _e3395 = phi_1748_;
                         let _e3398 = local_20.member[1u];
                         if (_e3398[0] < 0.0lf) {
-                            phi_1759_ = -(_e3398[0]);
+                            phi_1761_ = -(_e3398[0]);
                         } else {
-                            phi_1759_ = _e3398[0];
+                            phi_1761_ = _e3398[0];
                         }
-                        let _e3405 = phi_1759_;
+                        let _e3405 = phi_1761_;
                         if (_e3398[1] < 0.0lf) {
-                            phi_1766_ = -(_e3398[1]);
+                            phi_1768_ = -(_e3398[1]);
                         } else {
-                            phi_1766_ = _e3398[1];
+                            phi_1768_ = _e3398[1];
                         }
-                        let _e3409 = phi_1766_;
+                        let _e3409 = phi_1768_;
                         if (_e3405 > _e3409) {
-                            phi_1771_ = _e3405;
+                            phi_1773_ = _e3405;
                         } else {
-                            phi_1771_ = _e3409;
+                            phi_1773_ = _e3409;
                         }
-                        let _e3412 = phi_1771_;
+                        let _e3412 = phi_1773_;
                         if (_e3398[2] < 0.0lf) {
-                            phi_1778_ = -(_e3398[2]);
+                            phi_1780_ = -(_e3398[2]);
                         } else {
-                            phi_1778_ = _e3398[2];
+                            phi_1780_ = _e3398[2];
                         }
-                        let _e3416 = phi_1778_;
+                        let _e3416 = phi_1780_;
                         if (_e3412 > _e3416) {
-                            phi_1783_ = _e3412;
+                            phi_1785_ = _e3412;
                         } else {
-                            phi_1783_ = _e3416;
+                            phi_1785_ = _e3416;
                         }
-                        let _e3419 = phi_1783_;
+                        let _e3419 = phi_1785_;
                         if (_e3395 > _e3419) {
-                            phi_1788_ = _e3395;
+                            phi_1790_ = _e3395;
                         } else {
-                            phi_1788_ = _e3419;
+                            phi_1790_ = _e3419;
                         }
-                        let _e3422 = phi_1788_;
+                        let _e3422 = phi_1790_;
                         let _e3424 = local_20.member_3;
                         let _e3428 = local_20.member_1[0u];
                         if (_e3428[0] < 0.0lf) {
-                            phi_1805_ = -(_e3428[0]);
+                            phi_1807_ = -(_e3428[0]);
                         } else {
-                            phi_1805_ = _e3428[0];
+                            phi_1807_ = _e3428[0];
                         }
-                        let _e3435 = phi_1805_;
+                        let _e3435 = phi_1807_;
                         if (_e3428[1] < 0.0lf) {
-                            phi_1812_ = -(_e3428[1]);
+                            phi_1814_ = -(_e3428[1]);
                         } else {
-                            phi_1812_ = _e3428[1];
+                            phi_1814_ = _e3428[1];
                         }
-                        let _e3439 = phi_1812_;
+                        let _e3439 = phi_1814_;
                         if (_e3435 > _e3439) {
-                            phi_1817_ = _e3435;
+                            phi_1819_ = _e3435;
                         } else {
-                            phi_1817_ = _e3439;
+                            phi_1819_ = _e3439;
                         }
-                        let _e3442 = phi_1817_;
+                        let _e3442 = phi_1819_;
                         if (_e3428[2] < 0.0lf) {
-                            phi_1824_ = -(_e3428[2]);
+                            phi_1826_ = -(_e3428[2]);
                         } else {
-                            phi_1824_ = _e3428[2];
+                            phi_1826_ = _e3428[2];
                         }
-                        let _e3446 = phi_1824_;
+                        let _e3446 = phi_1826_;
                         if (_e3442 > _e3446) {
-                            phi_1829_ = _e3442;
+                            phi_1831_ = _e3442;
                         } else {
-                            phi_1829_ = _e3446;
+                            phi_1831_ = _e3446;
                         }
-                        let _e3449 = phi_1829_;
+                        let _e3449 = phi_1831_;
                         let _e3452 = local_20.member_1[1u];
                         if (_e3452[0] < 0.0lf) {
-                            phi_1843_ = -(_e3452[0]);
+                            phi_1845_ = -(_e3452[0]);
                         } else {
-                            phi_1843_ = _e3452[0];
+                            phi_1845_ = _e3452[0];
                         }
-                        let _e3459 = phi_1843_;
+                        let _e3459 = phi_1845_;
                         if (_e3452[1] < 0.0lf) {
-                            phi_1850_ = -(_e3452[1]);
+                            phi_1852_ = -(_e3452[1]);
                         } else {
-                            phi_1850_ = _e3452[1];
+                            phi_1852_ = _e3452[1];
                         }
-                        let _e3463 = phi_1850_;
+                        let _e3463 = phi_1852_;
                         if (_e3459 > _e3463) {
-                            phi_1855_ = _e3459;
+                            phi_1857_ = _e3459;
                         } else {
-                            phi_1855_ = _e3463;
+                            phi_1857_ = _e3463;
                         }
-                        let _e3466 = phi_1855_;
+                        let _e3466 = phi_1857_;
                         if (_e3452[2] < 0.0lf) {
-                            phi_1862_ = -(_e3452[2]);
+                            phi_1864_ = -(_e3452[2]);
                         } else {
-                            phi_1862_ = _e3452[2];
+                            phi_1864_ = _e3452[2];
                         }
-                        let _e3470 = phi_1862_;
+                        let _e3470 = phi_1864_;
                         if (_e3466 > _e3470) {
-                            phi_1867_ = _e3466;
+                            phi_1869_ = _e3466;
                         } else {
-                            phi_1867_ = _e3470;
+                            phi_1869_ = _e3470;
                         }
-                        let _e3473 = phi_1867_;
+                        let _e3473 = phi_1869_;
                         if (_e3449 > _e3473) {
-                            phi_1872_ = _e3449;
+                            phi_1874_ = _e3449;
                         } else {
-                            phi_1872_ = _e3473;
+                            phi_1874_ = _e3473;
                         }
-                        let _e3476 = phi_1872_;
+                        let _e3476 = phi_1874_;
                         let _e3478 = local_20.member_3;
                         let _e3482 = local_20.member_2[0u];
                         if (_e3482[0] < 0.0lf) {
-                            phi_1889_ = -(_e3482[0]);
+                            phi_1891_ = -(_e3482[0]);
                         } else {
-                            phi_1889_ = _e3482[0];
+                            phi_1891_ = _e3482[0];
                         }
-                        let _e3489 = phi_1889_;
+                        let _e3489 = phi_1891_;
                         if (_e3482[1] < 0.0lf) {
-                            phi_1896_ = -(_e3482[1]);
+                            phi_1898_ = -(_e3482[1]);
                         } else {
-                            phi_1896_ = _e3482[1];
+                            phi_1898_ = _e3482[1];
                         }
-                        let _e3493 = phi_1896_;
+                        let _e3493 = phi_1898_;
                         if (_e3489 > _e3493) {
-                            phi_1901_ = _e3489;
+                            phi_1903_ = _e3489;
                         } else {
-                            phi_1901_ = _e3493;
+                            phi_1903_ = _e3493;
                         }
-                        let _e3496 = phi_1901_;
+                        let _e3496 = phi_1903_;
                         if (_e3482[2] < 0.0lf) {
-                            phi_1908_ = -(_e3482[2]);
+                            phi_1910_ = -(_e3482[2]);
                         } else {
-                            phi_1908_ = _e3482[2];
+                            phi_1910_ = _e3482[2];
                         }
-                        let _e3500 = phi_1908_;
+                        let _e3500 = phi_1910_;
                         if (_e3496 > _e3500) {
-                            phi_1913_ = _e3496;
+                            phi_1915_ = _e3496;
                         } else {
-                            phi_1913_ = _e3500;
+                            phi_1915_ = _e3500;
                         }
-                        let _e3503 = phi_1913_;
+                        let _e3503 = phi_1915_;
                         let _e3506 = local_20.member_2[1u];
                         if (_e3506[0] < 0.0lf) {
-                            phi_1927_ = -(_e3506[0]);
+                            phi_1929_ = -(_e3506[0]);
                         } else {
-                            phi_1927_ = _e3506[0];
+                            phi_1929_ = _e3506[0];
                         }
-                        let _e3513 = phi_1927_;
+                        let _e3513 = phi_1929_;
                         if (_e3506[1] < 0.0lf) {
-                            phi_1934_ = -(_e3506[1]);
+                            phi_1936_ = -(_e3506[1]);
                         } else {
-                            phi_1934_ = _e3506[1];
+                            phi_1936_ = _e3506[1];
                         }
-                        let _e3517 = phi_1934_;
+                        let _e3517 = phi_1936_;
                         if (_e3513 > _e3517) {
-                            phi_1939_ = _e3513;
+                            phi_1941_ = _e3513;
                         } else {
-                            phi_1939_ = _e3517;
+                            phi_1941_ = _e3517;
                         }
-                        let _e3520 = phi_1939_;
+                        let _e3520 = phi_1941_;
                         if (_e3506[2] < 0.0lf) {
-                            phi_1946_ = -(_e3506[2]);
+                            phi_1948_ = -(_e3506[2]);
                         } else {
-                            phi_1946_ = _e3506[2];
+                            phi_1948_ = _e3506[2];
                         }
-                        let _e3524 = phi_1946_;
+                        let _e3524 = phi_1948_;
                         if (_e3520 > _e3524) {
-                            phi_1951_ = _e3520;
+                            phi_1953_ = _e3520;
                         } else {
-                            phi_1951_ = _e3524;
+                            phi_1953_ = _e3524;
                         }
-                        let _e3527 = phi_1951_;
+                        let _e3527 = phi_1953_;
                         if (_e3503 > _e3527) {
-                            phi_1956_ = _e3503;
+                            phi_1958_ = _e3503;
                         } else {
-                            phi_1956_ = _e3527;
+                            phi_1958_ = _e3527;
                         }
-                        let _e3530 = phi_1956_;
+                        let _e3530 = phi_1958_;
                         let _e3532 = local_20.member_3;
                         let _e3540 = local_20.member_3;
-                        phi_1976_ = type_28(0u, 48u);
-                        phi_1979_ = f64(0f);
+                        phi_1978_ = type_28(0u, 48u);
+                        phi_1981_ = f64(0f);
                         loop {
-                            let _e3549 = phi_1976_;
-                            let _e3551 = phi_1979_;
+                            let _e3549 = phi_1978_;
+                            let _e3551 = phi_1981_;
                             local_87 = _e3551;
                             local_45 = _e3551;
                             local_46 = _e3551;
                             local_47 = _e3551;
                             local_48 = _e3551;
                             if (_e3549.member < _e3549.member_1) {
-                                phi_1977_ = type_28((_e3549.member + 1u), _e3549.member_1);
-                                phi_2002_ = type_28(1u, _e3549.member);
+                                phi_1979_ = type_28((_e3549.member + 1u), _e3549.member_1);
+                                phi_2004_ = type_28(1u, _e3549.member);
                             } else {
-                                phi_1977_ = _e3549;
-                                phi_2002_ = type_28(0u, type_28().member_1);
+                                phi_1979_ = _e3549;
+                                phi_2004_ = type_28(0u, type_28().member_1);
                             }
-                            let _e3565 = phi_1977_;
-                            let _e3567 = phi_2002_;
+                            let _e3565 = phi_1979_;
+                            let _e3567 = phi_2004_;
                             if (bitcast<i32>(_e3567.member) != 0i) {
                                 let _e3573 = local_20.member[0u];
                                 let _e3579 = local_20.member[1u];
@@ -1832,54 +1837,54 @@ fn function_() {
                                 if (_e3667 >= _e3662) {
                                     if (_e3671 >= _e3662) {
                                         if (_e3667 <= _e3663) {
-                                            phi_2158_ = (_e3671 <= _e3663);
-                                            phi_2159_ = false;
+                                            phi_2160_ = (_e3671 <= _e3663);
+                                            phi_2161_ = false;
                                         } else {
-                                            phi_2158_ = bool();
-                                            phi_2159_ = true;
+                                            phi_2160_ = bool();
+                                            phi_2161_ = true;
                                         }
-                                        let _e3677 = phi_2158_;
-                                        let _e3679 = phi_2159_;
-                                        phi_2160_ = _e3677;
-                                        phi_2161_ = _e3679;
+                                        let _e3677 = phi_2160_;
+                                        let _e3679 = phi_2161_;
+                                        phi_2162_ = _e3677;
+                                        phi_2163_ = _e3679;
                                     } else {
-                                        phi_2160_ = bool();
-                                        phi_2161_ = true;
+                                        phi_2162_ = bool();
+                                        phi_2163_ = true;
                                     }
-                                    let _e3681 = phi_2160_;
-                                    let _e3683 = phi_2161_;
-                                    phi_2162_ = _e3681;
-                                    phi_2163_ = _e3683;
+                                    let _e3681 = phi_2162_;
+                                    let _e3683 = phi_2163_;
+                                    phi_2164_ = _e3681;
+                                    phi_2165_ = _e3683;
                                 } else {
-                                    phi_2162_ = bool();
-                                    phi_2163_ = true;
+                                    phi_2164_ = bool();
+                                    phi_2165_ = true;
                                 }
-                                let _e3685 = phi_2162_;
-                                let _e3687 = phi_2163_;
+                                let _e3685 = phi_2164_;
+                                let _e3687 = phi_2165_;
                                 if _e3687 {
-                                    phi_2167_ = false;
+                                    phi_2169_ = false;
                                 } else {
-                                    phi_2167_ = _e3685;
+                                    phi_2169_ = _e3685;
                                 }
-                                let _e3689 = phi_2167_;
+                                let _e3689 = phi_2169_;
                                 if (_e3661 > _e3662) {
                                     if _e3689 {
-                                        phi_2207_ = array<f64, 3>((_e3589 - ((_e3610 * _e3667) + (_e3631 * _e3671))), (_e3590 - ((_e3611 * _e3667) + (_e3632 * _e3671))), (_e3591 - ((_e3612 * _e3667) + (_e3633 * _e3671))));
-                                        phi_2208_ = false;
+                                        phi_2209_ = array<f64, 3>((_e3589 - ((_e3610 * _e3667) + (_e3631 * _e3671))), (_e3590 - ((_e3611 * _e3667) + (_e3632 * _e3671))), (_e3591 - ((_e3612 * _e3667) + (_e3633 * _e3671))));
+                                        phi_2210_ = false;
                                     } else {
-                                        phi_2207_ = array<f64, 3>();
-                                        phi_2208_ = true;
+                                        phi_2209_ = array<f64, 3>();
+                                        phi_2210_ = true;
                                     }
-                                    let _e3705 = phi_2207_;
-                                    let _e3707 = phi_2208_;
-                                    phi_2209_ = _e3705;
-                                    phi_2210_ = _e3707;
+                                    let _e3705 = phi_2209_;
+                                    let _e3707 = phi_2210_;
+                                    phi_2211_ = _e3705;
+                                    phi_2212_ = _e3707;
                                 } else {
-                                    phi_2209_ = array<f64, 3>();
-                                    phi_2210_ = true;
+                                    phi_2211_ = array<f64, 3>();
+                                    phi_2212_ = true;
                                 }
-                                let _e3709 = phi_2209_;
-                                let _e3711 = phi_2210_;
+                                let _e3709 = phi_2211_;
+                                let _e3711 = phi_2212_;
                                 if _e3711 {
                                     let _e3712 = (_e3589 - _e3610);
                                     let _e3713 = (_e3590 - _e3611);
@@ -1887,78 +1892,78 @@ fn function_() {
                                     let _e3725 = ((((_e3589 * _e3610) + (_e3590 * _e3611)) + (_e3591 * _e3612)) / (((_e3610 * _e3610) + (_e3611 * _e3611)) + (_e3612 * _e3612)));
                                     if (_e3725 > f64(0f)) {
                                         if (_e3725 < f64(1f)) {
-                                            phi_2243_ = _e3725;
+                                            phi_2245_ = _e3725;
                                         } else {
-                                            phi_2243_ = f64(1f);
+                                            phi_2245_ = f64(1f);
                                         }
-                                        let _e3733 = phi_2243_;
-                                        phi_2245_ = _e3733;
+                                        let _e3733 = phi_2245_;
+                                        phi_2247_ = _e3733;
                                     } else {
-                                        phi_2245_ = f64(0f);
+                                        phi_2247_ = f64(0f);
                                     }
-                                    let _e3735 = phi_2245_;
+                                    let _e3735 = phi_2247_;
                                     let _e3752 = ((((_e3589 * _e3631) + (_e3590 * _e3632)) + (_e3591 * _e3633)) / (((_e3631 * _e3631) + (_e3632 * _e3632)) + (_e3633 * _e3633)));
                                     if (_e3752 > f64(0f)) {
                                         if (_e3752 < f64(1f)) {
-                                            phi_2275_ = _e3752;
+                                            phi_2277_ = _e3752;
                                         } else {
-                                            phi_2275_ = f64(1f);
+                                            phi_2277_ = f64(1f);
                                         }
-                                        let _e3760 = phi_2275_;
-                                        phi_2277_ = _e3760;
+                                        let _e3760 = phi_2277_;
+                                        phi_2279_ = _e3760;
                                     } else {
-                                        phi_2277_ = f64(0f);
+                                        phi_2279_ = f64(0f);
                                     }
-                                    let _e3762 = phi_2277_;
+                                    let _e3762 = phi_2279_;
                                     let _e3779 = ((((_e3712 * _e3631) + (_e3713 * _e3632)) + (_e3714 * _e3633)) / (((_e3631 * _e3631) + (_e3632 * _e3632)) + (_e3633 * _e3633)));
                                     if (_e3779 > f64(0f)) {
                                         if (_e3779 < f64(1f)) {
-                                            phi_2307_ = _e3779;
+                                            phi_2309_ = _e3779;
                                         } else {
-                                            phi_2307_ = f64(1f);
+                                            phi_2309_ = f64(1f);
                                         }
-                                        let _e3787 = phi_2307_;
-                                        phi_2309_ = _e3787;
+                                        let _e3787 = phi_2309_;
+                                        phi_2311_ = _e3787;
                                     } else {
-                                        phi_2309_ = f64(0f);
+                                        phi_2311_ = f64(0f);
                                     }
-                                    let _e3789 = phi_2309_;
+                                    let _e3789 = phi_2311_;
                                     let _e3796 = (_e3589 - _e3631);
                                     let _e3797 = (_e3590 - _e3632);
                                     let _e3798 = (_e3591 - _e3633);
                                     let _e3809 = ((((_e3796 * _e3610) + (_e3797 * _e3611)) + (_e3798 * _e3612)) / (((_e3610 * _e3610) + (_e3611 * _e3611)) + (_e3612 * _e3612)));
                                     if (_e3809 > f64(0f)) {
                                         if (_e3809 < f64(1f)) {
-                                            phi_2342_ = _e3809;
+                                            phi_2344_ = _e3809;
                                         } else {
-                                            phi_2342_ = f64(1f);
+                                            phi_2344_ = f64(1f);
                                         }
-                                        let _e3817 = phi_2342_;
-                                        phi_2344_ = _e3817;
+                                        let _e3817 = phi_2344_;
+                                        phi_2346_ = _e3817;
                                     } else {
-                                        phi_2344_ = f64(0f);
+                                        phi_2346_ = f64(0f);
                                     }
-                                    let _e3819 = phi_2344_;
+                                    let _e3819 = phi_2346_;
                                     local_11[0u] = array<f64, 3>((_e3589 - (_e3610 * _e3735)), (_e3590 - (_e3611 * _e3735)), (_e3591 - (_e3612 * _e3735)));
                                     local_11[1u] = array<f64, 3>((_e3589 - (_e3631 * _e3762)), (_e3590 - (_e3632 * _e3762)), (_e3591 - (_e3633 * _e3762)));
                                     local_11[2u] = array<f64, 3>((_e3712 - (_e3631 * _e3789)), (_e3713 - (_e3632 * _e3789)), (_e3714 - (_e3633 * _e3789)));
                                     local_11[3u] = array<f64, 3>((_e3796 - (_e3610 * _e3819)), (_e3797 - (_e3611 * _e3819)), (_e3798 - (_e3612 * _e3819)));
                                     let _e3835 = local_11[0u];
-                                    phi_2499_ = type_28(1u, 4u);
-                                    phi_2502_ = array<f64, 3>(_e3835[0], _e3835[1], _e3835[2]);
+                                    phi_2501_ = type_28(1u, 4u);
+                                    phi_2504_ = array<f64, 3>(_e3835[0], _e3835[1], _e3835[2]);
                                     loop {
-                                        let _e3841 = phi_2499_;
-                                        let _e3843 = phi_2502_;
+                                        let _e3841 = phi_2501_;
+                                        let _e3843 = phi_2504_;
                                         local_74 = _e3843;
                                         if (_e3841.member < _e3841.member_1) {
-                                            phi_2500_ = type_28((_e3841.member + 1u), _e3841.member_1);
-                                            phi_2525_ = type_28(1u, _e3841.member);
+                                            phi_2502_ = type_28((_e3841.member + 1u), _e3841.member_1);
+                                            phi_2527_ = type_28(1u, _e3841.member);
                                         } else {
-                                            phi_2500_ = _e3841;
-                                            phi_2525_ = type_28(0u, type_28().member_1);
+                                            phi_2502_ = _e3841;
+                                            phi_2527_ = type_28(0u, type_28().member_1);
                                         }
-                                        let _e3857 = phi_2500_;
-                                        let _e3859 = phi_2525_;
+                                        let _e3857 = phi_2502_;
+                                        let _e3859 = phi_2527_;
                                         let _e3863 = (bitcast<i32>(_e3859.member) != 0i);
                                         if _e3863 {
                                             if (_e3859.member_1 < 4u) {
@@ -1977,47 +1982,47 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e3895 = local_11[_e3859.member_1];
-                                                phi_2592_ = array<f64, 3>(_e3895[0], _e3895[1], _e3895[2]);
+                                                phi_2594_ = array<f64, 3>(_e3895[0], _e3895[1], _e3895[2]);
                                             } else {
-                                                phi_2592_ = _e3843;
+                                                phi_2594_ = _e3843;
                                             }
-                                            let _e3901 = phi_2592_;
-                                            phi_2503_ = _e3901;
+                                            let _e3901 = phi_2594_;
+                                            phi_2505_ = _e3901;
                                         } else {
-                                            phi_2503_ = array<f64, 3>();
+                                            phi_2505_ = array<f64, 3>();
                                         }
-                                        let _e3903 = phi_2503_;
+                                        let _e3903 = phi_2505_;
                                         continue;
                                         continuing {
-                                            phi_2499_ = _e3857;
-                                            phi_2502_ = _e3903;
+                                            phi_2501_ = _e3857;
+                                            phi_2504_ = _e3903;
                                             break if !(_e3863);
                                         }
                                     }
-                                    let _e5725 = local_74;
-                                    phi_2593_ = _e5725;
+                                    let _e5717 = local_74;
+                                    phi_2595_ = _e5717;
                                 } else {
-                                    phi_2593_ = _e3709;
+                                    phi_2595_ = _e3709;
                                 }
-                                let _e3906 = phi_2593_;
+                                let _e3906 = phi_2595_;
                                 if (_e3906[0] < 0.0lf) {
-                                    phi_2600_ = -(_e3906[0]);
+                                    phi_2602_ = -(_e3906[0]);
                                 } else {
-                                    phi_2600_ = _e3906[0];
+                                    phi_2602_ = _e3906[0];
                                 }
-                                let _e3911 = phi_2600_;
+                                let _e3911 = phi_2602_;
                                 if (_e3906[1] < 0.0lf) {
-                                    phi_2607_ = -(_e3906[1]);
+                                    phi_2609_ = -(_e3906[1]);
                                 } else {
-                                    phi_2607_ = _e3906[1];
+                                    phi_2609_ = _e3906[1];
                                 }
-                                let _e3916 = phi_2607_;
+                                let _e3916 = phi_2609_;
                                 if (_e3906[2] < 0.0lf) {
-                                    phi_2615_ = -(_e3906[2]);
+                                    phi_2617_ = -(_e3906[2]);
                                 } else {
-                                    phi_2615_ = _e3906[2];
+                                    phi_2617_ = _e3906[2];
                                 }
-                                let _e3922 = phi_2615_;
+                                let _e3922 = phi_2617_;
                                 let _e3923 = ((_e3911 + _e3916) + _e3922);
                                 if (_e3923 > f64(0f)) {
                                     if ((bitcast<u64>(_e3923) & 9218868437227405312lu) != 9218868437227405312lu) {
@@ -2028,82 +2033,82 @@ fn function_() {
                                         let _e3940 = (((_e3931 * _e3931) + (_e3933 * _e3933)) + (_e3935 * _e3935));
                                         if (_e3940 <= 2.2250738585072014e-308lf) {
                                             if (_e3940 > 0.0lf) {
-                                                phi_2653_ = (1.464336215552873e-154lf * 2.0lf);
+                                                phi_2655_ = (1.464336215552873e-154lf * 2.0lf);
                                             } else {
-                                                phi_2653_ = 0.0lf;
+                                                phi_2655_ = 0.0lf;
                                             }
-                                            let _e3998 = phi_2653_;
-                                            phi_2717_ = _e3998;
+                                            let _e3998 = phi_2655_;
+                                            phi_2719_ = _e3998;
                                         } else {
-                                            phi_2660_ = type_26(0i, 5i);
-                                            phi_2663_ = bitcast<f64>(((bitcast<u64>(_e3940) / 2lu) + 2303426169912950784lu));
+                                            phi_2662_ = type_26(0i, 5i);
+                                            phi_2665_ = bitcast<f64>(((bitcast<u64>(_e3940) / 2lu) + 2303426169912950784lu));
                                             loop {
-                                                let _e3947 = phi_2660_;
-                                                let _e3949 = phi_2663_;
+                                                let _e3947 = phi_2662_;
+                                                let _e3949 = phi_2665_;
                                                 local_39 = _e3949;
                                                 if (_e3947.member < _e3947.member_1) {
                                                     let _e3957 = (_e3947.member + 1i);
                                                     if ((false == (_e3957 > _e3947.member)) != false) {
-                                                        phi_2684_ = true;
+                                                        phi_2686_ = true;
                                                     } else {
-                                                        phi_2684_ = false;
+                                                        phi_2686_ = false;
                                                     }
-                                                    let _e3962 = phi_2684_;
+                                                    let _e3962 = phi_2686_;
                                                     if _e3962 {
-                                                        phi_2690_ = type_27(0u, type_27().member_1);
+                                                        phi_2692_ = type_27(0u, type_27().member_1);
                                                     } else {
-                                                        phi_2690_ = type_27(1u, _e3957);
+                                                        phi_2692_ = type_27(1u, _e3957);
                                                     }
-                                                    let _e3968 = phi_2690_;
+                                                    let _e3968 = phi_2692_;
                                                     if (bitcast<i32>(_e3968.member) != 0i) {
                                                     } else {
                                                         return;
                                                     }
-                                                    phi_2661_ = type_26(_e3968.member_1, _e3947.member_1);
-                                                    phi_2704_ = type_27(1u, _e3947.member);
+                                                    phi_2663_ = type_26(_e3968.member_1, _e3947.member_1);
+                                                    phi_2706_ = type_27(1u, _e3947.member);
                                                 } else {
-                                                    phi_2661_ = _e3947;
-                                                    phi_2704_ = type_27(0u, type_27().member_1);
+                                                    phi_2663_ = _e3947;
+                                                    phi_2706_ = type_27(0u, type_27().member_1);
                                                 }
-                                                let _e3978 = phi_2661_;
-                                                let _e3980 = phi_2704_;
+                                                let _e3978 = phi_2663_;
+                                                let _e3980 = phi_2706_;
                                                 let _e3983 = (bitcast<i32>(_e3980.member) != 0i);
                                                 if _e3983 {
-                                                    phi_2664_ = (0.5lf * (_e3949 + (_e3940 / _e3949)));
+                                                    phi_2666_ = (0.5lf * (_e3949 + (_e3940 / _e3949)));
                                                 } else {
-                                                    phi_2664_ = f64();
+                                                    phi_2666_ = f64();
                                                 }
-                                                let _e3988 = phi_2664_;
+                                                let _e3988 = phi_2666_;
                                                 continue;
                                                 continuing {
-                                                    phi_2660_ = _e3978;
-                                                    phi_2663_ = _e3988;
+                                                    phi_2662_ = _e3978;
+                                                    phi_2665_ = _e3988;
                                                     break if !(_e3983);
                                                 }
                                             }
                                             let _e3993 = local_39;
-                                            phi_2717_ = (_e3993 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                            phi_2719_ = (_e3993 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                         }
-                                        let _e4000 = phi_2717_;
-                                        phi_2730_ = type_28(0u, 4u);
-                                        phi_2733_ = f64(2f);
+                                        let _e4000 = phi_2719_;
+                                        phi_2732_ = type_28(0u, 4u);
+                                        phi_2735_ = f64(2f);
                                         loop {
-                                            let _e4012 = phi_2730_;
-                                            let _e4014 = phi_2733_;
+                                            let _e4012 = phi_2732_;
+                                            let _e4014 = phi_2735_;
                                             local_41 = _e4014;
                                             local_42 = _e4014;
                                             local_43 = _e4014;
                                             local_77 = _e4014;
                                             local_78 = _e4014;
                                             if (_e4012.member < _e4012.member_1) {
-                                                phi_2731_ = type_28((_e4012.member + 1u), _e4012.member_1);
-                                                phi_2756_ = type_28(1u, _e4012.member);
+                                                phi_2733_ = type_28((_e4012.member + 1u), _e4012.member_1);
+                                                phi_2758_ = type_28(1u, _e4012.member);
                                             } else {
-                                                phi_2731_ = _e4012;
-                                                phi_2756_ = type_28(0u, type_28().member_1);
+                                                phi_2733_ = _e4012;
+                                                phi_2758_ = type_28(0u, type_28().member_1);
                                             }
-                                            let _e4028 = phi_2731_;
-                                            let _e4030 = phi_2756_;
+                                            let _e4028 = phi_2733_;
+                                            let _e4030 = phi_2758_;
                                             if (bitcast<i32>(_e4030.member) != 0i) {
                                                 if (_e4030.member_1 < 4u) {
                                                 } else {
@@ -2118,30 +2123,30 @@ fn function_() {
                                                 let _e4048 = local_13[_e4030.member_1];
                                                 let _e4056 = (((_e3931 * _e4048[0]) + (_e3933 * _e4048[1])) + (_e3935 * _e4048[2]));
                                                 if (_e4045 < 0.0lf) {
-                                                    phi_2807_ = -(_e4045);
+                                                    phi_2809_ = -(_e4045);
                                                 } else {
-                                                    phi_2807_ = _e4045;
+                                                    phi_2809_ = _e4045;
                                                 }
-                                                let _e4060 = phi_2807_;
+                                                let _e4060 = phi_2809_;
                                                 if (_e4056 < 0.0lf) {
-                                                    phi_2813_ = -(_e4056);
+                                                    phi_2815_ = -(_e4056);
                                                 } else {
-                                                    phi_2813_ = _e4056;
+                                                    phi_2815_ = _e4056;
                                                 }
-                                                let _e4064 = phi_2813_;
+                                                let _e4064 = phi_2815_;
                                                 let _e4069 = (((((((((_e3422 + _e3424) + (_e3476 + _e3478)) + (_e3530 + _e3532)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3540 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e446 * _e4000) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e4060 + _e4064) * (1.1102230246251565e-16lf * f64(8f))));
                                                 if (_e4045 > _e4069) {
                                                     if (_e4056 > _e4069) {
-                                                        phi_2827_ = false;
+                                                        phi_2829_ = false;
                                                     } else {
-                                                        phi_2827_ = true;
+                                                        phi_2829_ = true;
                                                     }
-                                                    let _e4073 = phi_2827_;
-                                                    phi_2828_ = _e4073;
+                                                    let _e4073 = phi_2829_;
+                                                    phi_2830_ = _e4073;
                                                 } else {
-                                                    phi_2828_ = true;
+                                                    phi_2830_ = true;
                                                 }
-                                                let _e4075 = phi_2828_;
+                                                let _e4075 = phi_2830_;
                                                 if _e4075 {
                                                     if ((_e4045 + ((_e4056 - _e4045) * _e3551)) > _e4069) {
                                                         if (_e4056 < _e4045) {
@@ -2149,82 +2154,82 @@ fn function_() {
                                                             if _e4084 {
                                                                 let _e4092 = (((_e4045 - _e4069) / (_e4045 - _e4056)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
                                                                 if (_e4014 < _e4092) {
-                                                                    phi_2862_ = _e4014;
+                                                                    phi_2864_ = _e4014;
                                                                 } else {
-                                                                    phi_2862_ = _e4092;
+                                                                    phi_2864_ = _e4092;
                                                                 }
-                                                                let _e4095 = phi_2862_;
-                                                                phi_2863_ = _e4095;
+                                                                let _e4095 = phi_2864_;
+                                                                phi_2865_ = _e4095;
                                                             } else {
-                                                                phi_2863_ = f64();
+                                                                phi_2865_ = f64();
                                                             }
-                                                            let _e4097 = phi_2863_;
-                                                            phi_2864_ = _e4097;
-                                                            phi_2865_ = _e4084;
+                                                            let _e4097 = phi_2865_;
+                                                            phi_2866_ = _e4097;
+                                                            phi_2867_ = _e4084;
                                                         } else {
-                                                            phi_2864_ = _e4014;
-                                                            phi_2865_ = true;
+                                                            phi_2866_ = _e4014;
+                                                            phi_2867_ = true;
                                                         }
-                                                        let _e4099 = phi_2864_;
-                                                        let _e4101 = phi_2865_;
+                                                        let _e4099 = phi_2866_;
+                                                        let _e4101 = phi_2867_;
                                                         if _e4101 {
-                                                            phi_2869_ = false;
+                                                            phi_2871_ = false;
                                                         } else {
-                                                            phi_2869_ = true;
+                                                            phi_2871_ = true;
                                                         }
-                                                        let _e4103 = phi_2869_;
-                                                        phi_2870_ = _e4099;
-                                                        phi_2871_ = _e4101;
-                                                        phi_2872_ = _e4103;
-                                                        phi_2873_ = false;
+                                                        let _e4103 = phi_2871_;
+                                                        phi_2872_ = _e4099;
+                                                        phi_2873_ = _e4101;
+                                                        phi_2874_ = _e4103;
+                                                        phi_2875_ = false;
                                                     } else {
-                                                        phi_2870_ = f64();
-                                                        phi_2871_ = false;
-                                                        phi_2872_ = false;
-                                                        phi_2873_ = true;
+                                                        phi_2872_ = f64();
+                                                        phi_2873_ = false;
+                                                        phi_2874_ = false;
+                                                        phi_2875_ = true;
                                                     }
-                                                    let _e4105 = phi_2870_;
-                                                    let _e4107 = phi_2871_;
-                                                    let _e4109 = phi_2872_;
-                                                    let _e4111 = phi_2873_;
-                                                    phi_2874_ = _e4105;
-                                                    phi_2875_ = _e4107;
-                                                    phi_2876_ = _e4109;
-                                                    phi_2877_ = _e4111;
+                                                    let _e4105 = phi_2872_;
+                                                    let _e4107 = phi_2873_;
+                                                    let _e4109 = phi_2874_;
+                                                    let _e4111 = phi_2875_;
+                                                    phi_2876_ = _e4105;
+                                                    phi_2877_ = _e4107;
+                                                    phi_2878_ = _e4109;
+                                                    phi_2879_ = _e4111;
                                                 } else {
-                                                    phi_2874_ = _e4014;
-                                                    phi_2875_ = true;
-                                                    phi_2876_ = false;
-                                                    phi_2877_ = false;
+                                                    phi_2876_ = _e4014;
+                                                    phi_2877_ = true;
+                                                    phi_2878_ = false;
+                                                    phi_2879_ = false;
                                                 }
-                                                let _e4113 = phi_2874_;
-                                                let _e4115 = phi_2875_;
-                                                let _e4117 = phi_2876_;
-                                                let _e4119 = phi_2877_;
-                                                phi_2734_ = _e4113;
-                                                phi_2878_ = _e4115;
-                                                phi_2879_ = false;
-                                                phi_2880_ = _e4117;
-                                                phi_2881_ = _e4119;
-                                            } else {
-                                                phi_2734_ = f64();
-                                                phi_2878_ = false;
-                                                phi_2879_ = true;
-                                                phi_2880_ = false;
+                                                let _e4113 = phi_2876_;
+                                                let _e4115 = phi_2877_;
+                                                let _e4117 = phi_2878_;
+                                                let _e4119 = phi_2879_;
+                                                phi_2736_ = _e4113;
+                                                phi_2880_ = _e4115;
                                                 phi_2881_ = false;
+                                                phi_2882_ = _e4117;
+                                                phi_2883_ = _e4119;
+                                            } else {
+                                                phi_2736_ = f64();
+                                                phi_2880_ = false;
+                                                phi_2881_ = true;
+                                                phi_2882_ = false;
+                                                phi_2883_ = false;
                                             }
-                                            let _e4121 = phi_2734_;
-                                            let _e4123 = phi_2878_;
-                                            let _e4125 = phi_2879_;
-                                            let _e4127 = phi_2880_;
-                                            let _e4129 = phi_2881_;
+                                            let _e4121 = phi_2736_;
+                                            let _e4123 = phi_2880_;
+                                            let _e4125 = phi_2881_;
+                                            let _e4127 = phi_2882_;
+                                            let _e4129 = phi_2883_;
                                             local_40 = _e4125;
                                             local_75 = _e4127;
                                             local_76 = _e4129;
                                             continue;
                                             continuing {
-                                                phi_2730_ = _e4028;
-                                                phi_2733_ = _e4121;
+                                                phi_2732_ = _e4028;
+                                                phi_2735_ = _e4121;
                                                 break if !(_e4123);
                                             }
                                         }
@@ -2233,158 +2238,158 @@ fn function_() {
                                             let _e4134 = local_41;
                                             let _e4135 = (_e4134 > _e3308);
                                             if _e4135 {
-                                                phi_2903_ = false;
-                                                phi_2904_ = false;
                                                 phi_2905_ = false;
+                                                phi_2906_ = false;
+                                                phi_2907_ = false;
                                             } else {
                                                 let _e4137 = local_42;
                                                 if (_e4137 > _e3551) {
                                                     let _e4140 = local_43;
                                                     let _e4143 = ((_e4140 - _e3551) < f64(0.00000000023283064f));
                                                     if _e4143 {
-                                                        phi_2899_ = false;
+                                                        phi_2901_ = false;
                                                     } else {
-                                                        phi_2899_ = true;
+                                                        phi_2901_ = true;
                                                     }
-                                                    let _e4145 = phi_2899_;
-                                                    phi_2900_ = _e4145;
-                                                    phi_2901_ = _e4143;
-                                                    phi_2902_ = false;
+                                                    let _e4145 = phi_2901_;
+                                                    phi_2902_ = _e4145;
+                                                    phi_2903_ = _e4143;
+                                                    phi_2904_ = false;
                                                 } else {
-                                                    phi_2900_ = false;
-                                                    phi_2901_ = false;
-                                                    phi_2902_ = true;
+                                                    phi_2902_ = false;
+                                                    phi_2903_ = false;
+                                                    phi_2904_ = true;
                                                 }
-                                                let _e4147 = phi_2900_;
-                                                let _e4149 = phi_2901_;
-                                                let _e4151 = phi_2902_;
-                                                phi_2903_ = _e4147;
-                                                phi_2904_ = _e4149;
-                                                phi_2905_ = _e4151;
+                                                let _e4147 = phi_2902_;
+                                                let _e4149 = phi_2903_;
+                                                let _e4151 = phi_2904_;
+                                                phi_2905_ = _e4147;
+                                                phi_2906_ = _e4149;
+                                                phi_2907_ = _e4151;
                                             }
-                                            let _e4153 = phi_2903_;
-                                            let _e4155 = phi_2904_;
-                                            let _e4157 = phi_2905_;
-                                            phi_2906_ = _e4153;
-                                            phi_2907_ = _e4135;
-                                            phi_2908_ = _e4155;
-                                            phi_2909_ = _e4157;
-                                            phi_2910_ = false;
-                                            phi_2911_ = false;
+                                            let _e4153 = phi_2905_;
+                                            let _e4155 = phi_2906_;
+                                            let _e4157 = phi_2907_;
+                                            phi_2908_ = _e4153;
+                                            phi_2909_ = _e4135;
+                                            phi_2910_ = _e4155;
+                                            phi_2911_ = _e4157;
+                                            phi_2912_ = false;
+                                            phi_2913_ = false;
                                         } else {
-                                            phi_2906_ = false;
-                                            phi_2907_ = false;
                                             phi_2908_ = false;
                                             phi_2909_ = false;
-                                            let _e5782 = local_75;
-                                            phi_2910_ = _e5782;
-                                            let _e5785 = local_76;
-                                            phi_2911_ = _e5785;
+                                            phi_2910_ = false;
+                                            phi_2911_ = false;
+                                            let _e5774 = local_75;
+                                            phi_2912_ = _e5774;
+                                            let _e5777 = local_76;
+                                            phi_2913_ = _e5777;
                                         }
-                                        let _e4159 = phi_2906_;
-                                        let _e4161 = phi_2907_;
-                                        let _e4163 = phi_2908_;
-                                        let _e4165 = phi_2909_;
-                                        let _e4167 = phi_2910_;
-                                        let _e4169 = phi_2911_;
-                                        let _e5788 = local_77;
-                                        phi_2912_ = _e5788;
-                                        let _e5791 = local_78;
-                                        phi_2913_ = _e5791;
-                                        phi_2914_ = _e4159;
-                                        phi_2915_ = _e4161;
-                                        phi_2916_ = _e4163;
-                                        phi_2917_ = _e4165;
-                                        phi_2918_ = _e4167;
-                                        phi_2919_ = _e4169;
-                                        phi_2920_ = false;
+                                        let _e4159 = phi_2908_;
+                                        let _e4161 = phi_2909_;
+                                        let _e4163 = phi_2910_;
+                                        let _e4165 = phi_2911_;
+                                        let _e4167 = phi_2912_;
+                                        let _e4169 = phi_2913_;
+                                        let _e5780 = local_77;
+                                        phi_2914_ = _e5780;
+                                        let _e5783 = local_78;
+                                        phi_2915_ = _e5783;
+                                        phi_2916_ = _e4159;
+                                        phi_2917_ = _e4161;
+                                        phi_2918_ = _e4163;
+                                        phi_2919_ = _e4165;
+                                        phi_2920_ = _e4167;
+                                        phi_2921_ = _e4169;
+                                        phi_2922_ = false;
                                     } else {
-                                        phi_2912_ = f64();
-                                        phi_2913_ = f64();
-                                        phi_2914_ = false;
-                                        phi_2915_ = false;
+                                        phi_2914_ = f64();
+                                        phi_2915_ = f64();
                                         phi_2916_ = false;
                                         phi_2917_ = false;
                                         phi_2918_ = false;
                                         phi_2919_ = false;
-                                        phi_2920_ = true;
+                                        phi_2920_ = false;
+                                        phi_2921_ = false;
+                                        phi_2922_ = true;
                                     }
-                                    let _e4171 = phi_2912_;
-                                    let _e4173 = phi_2913_;
-                                    let _e4175 = phi_2914_;
-                                    let _e4177 = phi_2915_;
-                                    let _e4179 = phi_2916_;
-                                    let _e4181 = phi_2917_;
-                                    let _e4183 = phi_2918_;
-                                    let _e4185 = phi_2919_;
-                                    let _e4187 = phi_2920_;
-                                    phi_2921_ = _e4171;
-                                    phi_2922_ = _e4173;
-                                    phi_2923_ = _e4175;
-                                    phi_2924_ = _e4177;
-                                    phi_2925_ = _e4179;
-                                    phi_2926_ = _e4181;
-                                    phi_2927_ = _e4183;
-                                    phi_2928_ = _e4185;
-                                    phi_2929_ = _e4187;
-                                    phi_2930_ = false;
+                                    let _e4171 = phi_2914_;
+                                    let _e4173 = phi_2915_;
+                                    let _e4175 = phi_2916_;
+                                    let _e4177 = phi_2917_;
+                                    let _e4179 = phi_2918_;
+                                    let _e4181 = phi_2919_;
+                                    let _e4183 = phi_2920_;
+                                    let _e4185 = phi_2921_;
+                                    let _e4187 = phi_2922_;
+                                    phi_2923_ = _e4171;
+                                    phi_2924_ = _e4173;
+                                    phi_2925_ = _e4175;
+                                    phi_2926_ = _e4177;
+                                    phi_2927_ = _e4179;
+                                    phi_2928_ = _e4181;
+                                    phi_2929_ = _e4183;
+                                    phi_2930_ = _e4185;
+                                    phi_2931_ = _e4187;
+                                    phi_2932_ = false;
                                 } else {
-                                    phi_2921_ = f64();
-                                    phi_2922_ = f64();
-                                    phi_2923_ = false;
-                                    phi_2924_ = false;
+                                    phi_2923_ = f64();
+                                    phi_2924_ = f64();
                                     phi_2925_ = false;
                                     phi_2926_ = false;
                                     phi_2927_ = false;
                                     phi_2928_ = false;
                                     phi_2929_ = false;
-                                    phi_2930_ = true;
+                                    phi_2930_ = false;
+                                    phi_2931_ = false;
+                                    phi_2932_ = true;
                                 }
-                                let _e4189 = phi_2921_;
-                                let _e4191 = phi_2922_;
-                                let _e4193 = phi_2923_;
-                                let _e4195 = phi_2924_;
-                                let _e4197 = phi_2925_;
-                                let _e4199 = phi_2926_;
-                                let _e4201 = phi_2927_;
-                                let _e4203 = phi_2928_;
-                                let _e4205 = phi_2929_;
-                                let _e4207 = phi_2930_;
-                                phi_2931_ = _e4189;
-                                phi_1980_ = _e4191;
-                                phi_2932_ = _e4193;
-                                phi_2933_ = _e4195;
-                                phi_2934_ = _e4197;
-                                phi_2935_ = false;
-                                phi_2936_ = _e4199;
-                                phi_2937_ = _e4201;
-                                phi_2938_ = _e4203;
-                                phi_2939_ = _e4205;
-                                phi_2940_ = _e4207;
-                            } else {
-                                phi_2931_ = f64();
-                                phi_1980_ = f64();
-                                phi_2932_ = false;
-                                phi_2933_ = false;
-                                phi_2934_ = false;
-                                phi_2935_ = true;
-                                phi_2936_ = false;
+                                let _e4189 = phi_2923_;
+                                let _e4191 = phi_2924_;
+                                let _e4193 = phi_2925_;
+                                let _e4195 = phi_2926_;
+                                let _e4197 = phi_2927_;
+                                let _e4199 = phi_2928_;
+                                let _e4201 = phi_2929_;
+                                let _e4203 = phi_2930_;
+                                let _e4205 = phi_2931_;
+                                let _e4207 = phi_2932_;
+                                phi_2933_ = _e4189;
+                                phi_1982_ = _e4191;
+                                phi_2934_ = _e4193;
+                                phi_2935_ = _e4195;
+                                phi_2936_ = _e4197;
                                 phi_2937_ = false;
+                                phi_2938_ = _e4199;
+                                phi_2939_ = _e4201;
+                                phi_2940_ = _e4203;
+                                phi_2941_ = _e4205;
+                                phi_2942_ = _e4207;
+                            } else {
+                                phi_2933_ = f64();
+                                phi_1982_ = f64();
+                                phi_2934_ = false;
+                                phi_2935_ = false;
+                                phi_2936_ = false;
+                                phi_2937_ = true;
                                 phi_2938_ = false;
                                 phi_2939_ = false;
                                 phi_2940_ = false;
+                                phi_2941_ = false;
+                                phi_2942_ = false;
                             }
-                            let _e4209 = phi_2931_;
-                            let _e4211 = phi_1980_;
-                            let _e4213 = phi_2932_;
-                            let _e4215 = phi_2933_;
-                            let _e4217 = phi_2934_;
-                            let _e4219 = phi_2935_;
-                            let _e4221 = phi_2936_;
-                            let _e4223 = phi_2937_;
-                            let _e4225 = phi_2938_;
-                            let _e4227 = phi_2939_;
-                            let _e4229 = phi_2940_;
+                            let _e4209 = phi_2933_;
+                            let _e4211 = phi_1982_;
+                            let _e4213 = phi_2934_;
+                            let _e4215 = phi_2935_;
+                            let _e4217 = phi_2936_;
+                            let _e4219 = phi_2937_;
+                            let _e4221 = phi_2938_;
+                            let _e4223 = phi_2939_;
+                            let _e4225 = phi_2940_;
+                            let _e4227 = phi_2941_;
+                            let _e4229 = phi_2942_;
                             local_44 = _e4215;
                             local_79 = _e4217;
                             local_80 = _e4219;
@@ -2397,234 +2402,234 @@ fn function_() {
                             local_88 = _e4215;
                             continue;
                             continuing {
-                                phi_1976_ = _e3565;
-                                phi_1979_ = _e4211;
+                                phi_1978_ = _e3565;
+                                phi_1981_ = _e4211;
                                 break if !(_e4213);
                             }
                         }
                         let _e4232 = local_44;
                         if _e4232 {
-                            phi_2945_ = type_72(0u, type_72().member_1);
-                            phi_2946_ = false;
-                            phi_2947_ = false;
+                            phi_2947_ = type_72(0u, type_72().member_1);
                             phi_2948_ = false;
                             phi_2949_ = false;
                             phi_2950_ = false;
                             phi_2951_ = false;
                             phi_2952_ = false;
+                            phi_2953_ = false;
+                            phi_2954_ = false;
                         } else {
-                            phi_2945_ = type_72();
-                            let _e5824 = local_79;
-                            phi_2946_ = _e5824;
-                            let _e5827 = local_80;
-                            phi_2947_ = _e5827;
-                            let _e5830 = local_81;
-                            phi_2948_ = _e5830;
-                            let _e5833 = local_82;
-                            phi_2949_ = _e5833;
-                            let _e5836 = local_83;
-                            phi_2950_ = _e5836;
-                            let _e5839 = local_84;
-                            phi_2951_ = _e5839;
-                            let _e5842 = local_85;
-                            phi_2952_ = _e5842;
+                            phi_2947_ = type_72();
+                            let _e5816 = local_79;
+                            phi_2948_ = _e5816;
+                            let _e5819 = local_80;
+                            phi_2949_ = _e5819;
+                            let _e5822 = local_81;
+                            phi_2950_ = _e5822;
+                            let _e5825 = local_82;
+                            phi_2951_ = _e5825;
+                            let _e5828 = local_83;
+                            phi_2952_ = _e5828;
+                            let _e5831 = local_84;
+                            phi_2953_ = _e5831;
+                            let _e5834 = local_85;
+                            phi_2954_ = _e5834;
                         }
-                        let _e4237 = phi_2945_;
-                        let _e4239 = phi_2946_;
-                        let _e4241 = phi_2947_;
-                        let _e4243 = phi_2948_;
-                        let _e4245 = phi_2949_;
-                        let _e4247 = phi_2950_;
-                        let _e4249 = phi_2951_;
-                        let _e4251 = phi_2952_;
+                        let _e4237 = phi_2947_;
+                        let _e4239 = phi_2948_;
+                        let _e4241 = phi_2949_;
+                        let _e4243 = phi_2950_;
+                        let _e4245 = phi_2951_;
+                        let _e4247 = phi_2952_;
+                        let _e4249 = phi_2953_;
+                        let _e4251 = phi_2954_;
                         if _e4239 {
-                            let _e5845 = local_86;
-                            phi_2956_ = _e5845;
-                            phi_2957_ = true;
-                            phi_2958_ = false;
-                            phi_2959_ = false;
+                            let _e5837 = local_86;
+                            phi_2958_ = _e5837;
+                            phi_2959_ = true;
                             phi_2960_ = false;
                             phi_2961_ = false;
                             phi_2962_ = false;
                             phi_2963_ = false;
+                            phi_2964_ = false;
+                            phi_2965_ = false;
                         } else {
-                            let _e5847 = local_87;
-                            phi_2956_ = _e5847;
-                            phi_2957_ = _e4241;
-                            phi_2958_ = _e4243;
-                            phi_2959_ = _e4245;
-                            phi_2960_ = _e4247;
-                            let _e5854 = local_88;
-                            phi_2961_ = _e5854;
-                            phi_2962_ = _e4249;
-                            phi_2963_ = _e4251;
+                            let _e5839 = local_87;
+                            phi_2958_ = _e5839;
+                            phi_2959_ = _e4241;
+                            phi_2960_ = _e4243;
+                            phi_2961_ = _e4245;
+                            phi_2962_ = _e4247;
+                            let _e5846 = local_88;
+                            phi_2963_ = _e5846;
+                            phi_2964_ = _e4249;
+                            phi_2965_ = _e4251;
                         }
-                        let _e4253 = phi_2956_;
-                        let _e4255 = phi_2957_;
-                        let _e4257 = phi_2958_;
-                        let _e4259 = phi_2959_;
-                        let _e4261 = phi_2960_;
-                        let _e4263 = phi_2961_;
-                        let _e4265 = phi_2962_;
-                        let _e4267 = phi_2963_;
+                        let _e4253 = phi_2958_;
+                        let _e4255 = phi_2959_;
+                        let _e4257 = phi_2960_;
+                        let _e4259 = phi_2961_;
+                        let _e4261 = phi_2962_;
+                        let _e4263 = phi_2963_;
+                        let _e4265 = phi_2964_;
+                        let _e4267 = phi_2965_;
                         if _e4255 {
-                            phi_2968_ = type_72(1u, _e4253);
-                            phi_2969_ = false;
-                            phi_2970_ = false;
+                            phi_2970_ = type_72(1u, _e4253);
                             phi_2971_ = false;
                             phi_2972_ = false;
                             phi_2973_ = false;
                             phi_2974_ = false;
+                            phi_2975_ = false;
+                            phi_2976_ = false;
                         } else {
-                            phi_2968_ = type_72();
-                            phi_2969_ = _e4257;
-                            phi_2970_ = _e4259;
-                            phi_2971_ = _e4261;
-                            phi_2972_ = _e4263;
-                            phi_2973_ = _e4265;
-                            phi_2974_ = _e4267;
+                            phi_2970_ = type_72();
+                            phi_2971_ = _e4257;
+                            phi_2972_ = _e4259;
+                            phi_2973_ = _e4261;
+                            phi_2974_ = _e4263;
+                            phi_2975_ = _e4265;
+                            phi_2976_ = _e4267;
                         }
-                        let _e4270 = phi_2968_;
-                        let _e4272 = phi_2969_;
-                        let _e4274 = phi_2970_;
-                        let _e4276 = phi_2971_;
-                        let _e4278 = phi_2972_;
-                        let _e4280 = phi_2973_;
-                        let _e4282 = phi_2974_;
+                        let _e4270 = phi_2970_;
+                        let _e4272 = phi_2971_;
+                        let _e4274 = phi_2972_;
+                        let _e4276 = phi_2973_;
+                        let _e4278 = phi_2974_;
+                        let _e4280 = phi_2975_;
+                        let _e4282 = phi_2976_;
                         if _e4272 {
                             let _e4284 = local_45;
-                            phi_2979_ = type_72(1u, _e4284);
-                            phi_2980_ = false;
-                            phi_2981_ = false;
-                            phi_2982_ = true;
+                            phi_2981_ = type_72(1u, _e4284);
+                            phi_2982_ = false;
                             phi_2983_ = false;
-                            phi_2984_ = false;
+                            phi_2984_ = true;
+                            phi_2985_ = false;
+                            phi_2986_ = false;
                         } else {
-                            phi_2979_ = _e4237;
-                            phi_2980_ = _e4274;
-                            phi_2981_ = _e4276;
-                            phi_2982_ = _e4278;
-                            phi_2983_ = _e4280;
-                            phi_2984_ = _e4282;
+                            phi_2981_ = _e4237;
+                            phi_2982_ = _e4274;
+                            phi_2983_ = _e4276;
+                            phi_2984_ = _e4278;
+                            phi_2985_ = _e4280;
+                            phi_2986_ = _e4282;
                         }
-                        let _e4287 = phi_2979_;
-                        let _e4289 = phi_2980_;
-                        let _e4291 = phi_2981_;
-                        let _e4293 = phi_2982_;
-                        let _e4295 = phi_2983_;
-                        let _e4297 = phi_2984_;
+                        let _e4287 = phi_2981_;
+                        let _e4289 = phi_2982_;
+                        let _e4291 = phi_2983_;
+                        let _e4293 = phi_2984_;
+                        let _e4295 = phi_2985_;
+                        let _e4297 = phi_2986_;
                         if _e4289 {
                             let _e4299 = local_46;
-                            phi_2989_ = type_72(1u, _e4299);
-                            phi_2990_ = false;
-                            phi_2991_ = false;
+                            phi_2991_ = type_72(1u, _e4299);
                             phi_2992_ = false;
                             phi_2993_ = false;
+                            phi_2994_ = false;
+                            phi_2995_ = false;
                         } else {
-                            phi_2989_ = type_72();
-                            phi_2990_ = _e4291;
-                            phi_2991_ = _e4293;
-                            phi_2992_ = _e4295;
-                            phi_2993_ = _e4297;
+                            phi_2991_ = type_72();
+                            phi_2992_ = _e4291;
+                            phi_2993_ = _e4293;
+                            phi_2994_ = _e4295;
+                            phi_2995_ = _e4297;
                         }
-                        let _e4302 = phi_2989_;
-                        let _e4304 = phi_2990_;
-                        let _e4306 = phi_2991_;
-                        let _e4308 = phi_2992_;
-                        let _e4310 = phi_2993_;
+                        let _e4302 = phi_2991_;
+                        let _e4304 = phi_2992_;
+                        let _e4306 = phi_2993_;
+                        let _e4308 = phi_2994_;
+                        let _e4310 = phi_2995_;
                         if _e4304 {
                             let _e4312 = local_47;
-                            phi_2998_ = type_72(1u, _e4312);
-                            phi_2999_ = true;
-                            phi_3000_ = false;
-                            phi_3001_ = false;
+                            phi_3000_ = type_72(1u, _e4312);
+                            phi_3001_ = true;
                             phi_3002_ = false;
+                            phi_3003_ = false;
+                            phi_3004_ = false;
                         } else {
-                            phi_2998_ = _e4302;
-                            phi_2999_ = _e4289;
-                            phi_3000_ = _e4306;
-                            phi_3001_ = _e4308;
-                            phi_3002_ = _e4310;
+                            phi_3000_ = _e4302;
+                            phi_3001_ = _e4289;
+                            phi_3002_ = _e4306;
+                            phi_3003_ = _e4308;
+                            phi_3004_ = _e4310;
                         }
-                        let _e4315 = phi_2998_;
-                        let _e4317 = phi_2999_;
-                        let _e4319 = phi_3000_;
-                        let _e4321 = phi_3001_;
-                        let _e4323 = phi_3002_;
+                        let _e4315 = phi_3000_;
+                        let _e4317 = phi_3001_;
+                        let _e4319 = phi_3002_;
+                        let _e4321 = phi_3003_;
+                        let _e4323 = phi_3004_;
                         if _e4317 {
-                            phi_3006_ = _e4315;
-                            phi_3007_ = true;
-                            phi_3008_ = false;
-                            phi_3009_ = false;
+                            phi_3008_ = _e4315;
+                            phi_3009_ = true;
+                            phi_3010_ = false;
+                            phi_3011_ = false;
                         } else {
-                            phi_3006_ = _e4287;
-                            phi_3007_ = _e4319;
-                            phi_3008_ = _e4321;
-                            phi_3009_ = _e4323;
+                            phi_3008_ = _e4287;
+                            phi_3009_ = _e4319;
+                            phi_3010_ = _e4321;
+                            phi_3011_ = _e4323;
                         }
-                        let _e4325 = phi_3006_;
-                        let _e4327 = phi_3007_;
-                        let _e4329 = phi_3008_;
-                        let _e4331 = phi_3009_;
+                        let _e4325 = phi_3008_;
+                        let _e4327 = phi_3009_;
+                        let _e4329 = phi_3010_;
+                        let _e4331 = phi_3011_;
                         if _e4327 {
-                            phi_3013_ = false;
-                            phi_3014_ = false;
+                            phi_3015_ = false;
+                            phi_3016_ = false;
                         } else {
-                            phi_3013_ = _e4329;
-                            phi_3014_ = _e4331;
+                            phi_3015_ = _e4329;
+                            phi_3016_ = _e4331;
                         }
-                        let _e4333 = phi_3013_;
-                        let _e4335 = phi_3014_;
+                        let _e4333 = phi_3015_;
+                        let _e4335 = phi_3016_;
                         if _e4333 {
-                            phi_3018_ = false;
-                            phi_3019_ = false;
+                            phi_3020_ = false;
+                            phi_3021_ = false;
                         } else {
-                            phi_3018_ = _e4335;
-                            phi_3019_ = _e4327;
+                            phi_3020_ = _e4335;
+                            phi_3021_ = _e4327;
                         }
-                        let _e4337 = phi_3018_;
-                        let _e4339 = phi_3019_;
+                        let _e4337 = phi_3020_;
+                        let _e4339 = phi_3021_;
                         if _e4337 {
-                            phi_3023_ = true;
-                            phi_3024_ = false;
+                            phi_3025_ = true;
+                            phi_3026_ = false;
                         } else {
-                            phi_3023_ = _e4333;
-                            phi_3024_ = _e4339;
+                            phi_3025_ = _e4333;
+                            phi_3026_ = _e4339;
                         }
-                        let _e4341 = phi_3023_;
-                        let _e4343 = phi_3024_;
+                        let _e4341 = phi_3025_;
+                        let _e4343 = phi_3026_;
                         if _e4341 {
                             let _e4345 = local_48;
-                            phi_3029_ = type_72(1u, _e4345);
-                            phi_3030_ = true;
+                            phi_3031_ = type_72(1u, _e4345);
+                            phi_3032_ = true;
                         } else {
-                            phi_3029_ = _e4325;
-                            phi_3030_ = _e4343;
+                            phi_3031_ = _e4325;
+                            phi_3032_ = _e4343;
                         }
-                        let _e4348 = phi_3029_;
-                        let _e4350 = phi_3030_;
+                        let _e4348 = phi_3031_;
+                        let _e4350 = phi_3032_;
                         if _e4350 {
-                            phi_3034_ = _e4348;
+                            phi_3036_ = _e4348;
                         } else {
-                            phi_3034_ = _e4270;
+                            phi_3036_ = _e4270;
                         }
-                        let _e4352 = phi_3034_;
+                        let _e4352 = phi_3036_;
                         if (_e4352.member != 0u) {
                             local_14[0u] = 0f;
                             local_14[1u] = (0.02f * 0.0000005f);
                             local_14[2u] = (1.8f * 0.0000005f);
-                            phi_3048_ = type_28(0u, 3u);
+                            phi_3050_ = type_28(0u, 3u);
                             loop {
-                                let _e4365 = phi_3048_;
+                                let _e4365 = phi_3050_;
                                 if (_e4365.member < _e4365.member_1) {
-                                    phi_3049_ = type_28((_e4365.member + 1u), _e4365.member_1);
-                                    phi_3072_ = type_28(1u, _e4365.member);
+                                    phi_3051_ = type_28((_e4365.member + 1u), _e4365.member_1);
+                                    phi_3074_ = type_28(1u, _e4365.member);
                                 } else {
-                                    phi_3049_ = _e4365;
-                                    phi_3072_ = type_28(0u, type_28().member_1);
+                                    phi_3051_ = _e4365;
+                                    phi_3074_ = type_28(0u, type_28().member_1);
                                 }
-                                let _e4379 = phi_3049_;
-                                let _e4381 = phi_3072_;
+                                let _e4379 = phi_3051_;
+                                let _e4381 = phi_3074_;
                                 if (bitcast<i32>(_e4381.member) != 0i) {
                                     if (_e4381.member_1 < 3u) {
                                     } else {
@@ -2633,11 +2638,11 @@ fn function_() {
                                     let _e4388 = local_14[_e4381.member_1];
                                     let _e4390 = (_e4352.member_1 + f64(_e4388));
                                     if (_e4390 < _e3308) {
-                                        phi_3093_ = _e4390;
+                                        phi_3095_ = _e4390;
                                     } else {
-                                        phi_3093_ = _e3308;
+                                        phi_3095_ = _e3308;
                                     }
-                                    let _e4393 = phi_3093_;
+                                    let _e4393 = phi_3095_;
                                     let _e4396 = local_20.member[0u];
                                     let _e4402 = local_20.member[1u];
                                     let _e4412 = (_e4396[0] + ((_e4402[0] - _e4396[0]) * _e4393));
@@ -2666,54 +2671,54 @@ fn function_() {
                                     if (_e4490 >= _e4485) {
                                         if (_e4494 >= _e4485) {
                                             if (_e4490 <= _e4486) {
-                                                phi_3243_ = (_e4494 <= _e4486);
-                                                phi_3244_ = false;
+                                                phi_3245_ = (_e4494 <= _e4486);
+                                                phi_3246_ = false;
                                             } else {
-                                                phi_3243_ = bool();
-                                                phi_3244_ = true;
+                                                phi_3245_ = bool();
+                                                phi_3246_ = true;
                                             }
-                                            let _e4500 = phi_3243_;
-                                            let _e4502 = phi_3244_;
-                                            phi_3245_ = _e4500;
-                                            phi_3246_ = _e4502;
+                                            let _e4500 = phi_3245_;
+                                            let _e4502 = phi_3246_;
+                                            phi_3247_ = _e4500;
+                                            phi_3248_ = _e4502;
                                         } else {
-                                            phi_3245_ = bool();
-                                            phi_3246_ = true;
+                                            phi_3247_ = bool();
+                                            phi_3248_ = true;
                                         }
-                                        let _e4504 = phi_3245_;
-                                        let _e4506 = phi_3246_;
-                                        phi_3247_ = _e4504;
-                                        phi_3248_ = _e4506;
+                                        let _e4504 = phi_3247_;
+                                        let _e4506 = phi_3248_;
+                                        phi_3249_ = _e4504;
+                                        phi_3250_ = _e4506;
                                     } else {
-                                        phi_3247_ = bool();
-                                        phi_3248_ = true;
+                                        phi_3249_ = bool();
+                                        phi_3250_ = true;
                                     }
-                                    let _e4508 = phi_3247_;
-                                    let _e4510 = phi_3248_;
+                                    let _e4508 = phi_3249_;
+                                    let _e4510 = phi_3250_;
                                     if _e4510 {
-                                        phi_3252_ = false;
+                                        phi_3254_ = false;
                                     } else {
-                                        phi_3252_ = _e4508;
+                                        phi_3254_ = _e4508;
                                     }
-                                    let _e4512 = phi_3252_;
+                                    let _e4512 = phi_3254_;
                                     if (_e4484 > _e4485) {
                                         if _e4512 {
-                                            phi_3292_ = array<f64, 3>((_e4412 - ((_e4433 * _e4490) + (_e4454 * _e4494))), (_e4413 - ((_e4434 * _e4490) + (_e4455 * _e4494))), (_e4414 - ((_e4435 * _e4490) + (_e4456 * _e4494))));
-                                            phi_3293_ = false;
+                                            phi_3294_ = array<f64, 3>((_e4412 - ((_e4433 * _e4490) + (_e4454 * _e4494))), (_e4413 - ((_e4434 * _e4490) + (_e4455 * _e4494))), (_e4414 - ((_e4435 * _e4490) + (_e4456 * _e4494))));
+                                            phi_3295_ = false;
                                         } else {
-                                            phi_3292_ = array<f64, 3>();
-                                            phi_3293_ = true;
+                                            phi_3294_ = array<f64, 3>();
+                                            phi_3295_ = true;
                                         }
-                                        let _e4528 = phi_3292_;
-                                        let _e4530 = phi_3293_;
-                                        phi_3294_ = _e4528;
-                                        phi_3295_ = _e4530;
+                                        let _e4528 = phi_3294_;
+                                        let _e4530 = phi_3295_;
+                                        phi_3296_ = _e4528;
+                                        phi_3297_ = _e4530;
                                     } else {
-                                        phi_3294_ = array<f64, 3>();
-                                        phi_3295_ = true;
+                                        phi_3296_ = array<f64, 3>();
+                                        phi_3297_ = true;
                                     }
-                                    let _e4532 = phi_3294_;
-                                    let _e4534 = phi_3295_;
+                                    let _e4532 = phi_3296_;
+                                    let _e4534 = phi_3297_;
                                     if _e4534 {
                                         let _e4535 = (_e4412 - _e4433);
                                         let _e4536 = (_e4413 - _e4434);
@@ -2721,78 +2726,78 @@ fn function_() {
                                         let _e4548 = ((((_e4412 * _e4433) + (_e4413 * _e4434)) + (_e4414 * _e4435)) / (((_e4433 * _e4433) + (_e4434 * _e4434)) + (_e4435 * _e4435)));
                                         if (_e4548 > f64(0f)) {
                                             if (_e4548 < f64(1f)) {
-                                                phi_3328_ = _e4548;
+                                                phi_3330_ = _e4548;
                                             } else {
-                                                phi_3328_ = f64(1f);
+                                                phi_3330_ = f64(1f);
                                             }
-                                            let _e4556 = phi_3328_;
-                                            phi_3330_ = _e4556;
+                                            let _e4556 = phi_3330_;
+                                            phi_3332_ = _e4556;
                                         } else {
-                                            phi_3330_ = f64(0f);
+                                            phi_3332_ = f64(0f);
                                         }
-                                        let _e4558 = phi_3330_;
+                                        let _e4558 = phi_3332_;
                                         let _e4575 = ((((_e4412 * _e4454) + (_e4413 * _e4455)) + (_e4414 * _e4456)) / (((_e4454 * _e4454) + (_e4455 * _e4455)) + (_e4456 * _e4456)));
                                         if (_e4575 > f64(0f)) {
                                             if (_e4575 < f64(1f)) {
-                                                phi_3360_ = _e4575;
+                                                phi_3362_ = _e4575;
                                             } else {
-                                                phi_3360_ = f64(1f);
+                                                phi_3362_ = f64(1f);
                                             }
-                                            let _e4583 = phi_3360_;
-                                            phi_3362_ = _e4583;
+                                            let _e4583 = phi_3362_;
+                                            phi_3364_ = _e4583;
                                         } else {
-                                            phi_3362_ = f64(0f);
+                                            phi_3364_ = f64(0f);
                                         }
-                                        let _e4585 = phi_3362_;
+                                        let _e4585 = phi_3364_;
                                         let _e4602 = ((((_e4535 * _e4454) + (_e4536 * _e4455)) + (_e4537 * _e4456)) / (((_e4454 * _e4454) + (_e4455 * _e4455)) + (_e4456 * _e4456)));
                                         if (_e4602 > f64(0f)) {
                                             if (_e4602 < f64(1f)) {
-                                                phi_3392_ = _e4602;
+                                                phi_3394_ = _e4602;
                                             } else {
-                                                phi_3392_ = f64(1f);
+                                                phi_3394_ = f64(1f);
                                             }
-                                            let _e4610 = phi_3392_;
-                                            phi_3394_ = _e4610;
+                                            let _e4610 = phi_3394_;
+                                            phi_3396_ = _e4610;
                                         } else {
-                                            phi_3394_ = f64(0f);
+                                            phi_3396_ = f64(0f);
                                         }
-                                        let _e4612 = phi_3394_;
+                                        let _e4612 = phi_3396_;
                                         let _e4619 = (_e4412 - _e4454);
                                         let _e4620 = (_e4413 - _e4455);
                                         let _e4621 = (_e4414 - _e4456);
                                         let _e4632 = ((((_e4619 * _e4433) + (_e4620 * _e4434)) + (_e4621 * _e4435)) / (((_e4433 * _e4433) + (_e4434 * _e4434)) + (_e4435 * _e4435)));
                                         if (_e4632 > f64(0f)) {
                                             if (_e4632 < f64(1f)) {
-                                                phi_3427_ = _e4632;
+                                                phi_3429_ = _e4632;
                                             } else {
-                                                phi_3427_ = f64(1f);
+                                                phi_3429_ = f64(1f);
                                             }
-                                            let _e4640 = phi_3427_;
-                                            phi_3429_ = _e4640;
+                                            let _e4640 = phi_3429_;
+                                            phi_3431_ = _e4640;
                                         } else {
-                                            phi_3429_ = f64(0f);
+                                            phi_3431_ = f64(0f);
                                         }
-                                        let _e4642 = phi_3429_;
+                                        let _e4642 = phi_3431_;
                                         local_10[0u] = array<f64, 3>((_e4412 - (_e4433 * _e4558)), (_e4413 - (_e4434 * _e4558)), (_e4414 - (_e4435 * _e4558)));
                                         local_10[1u] = array<f64, 3>((_e4412 - (_e4454 * _e4585)), (_e4413 - (_e4455 * _e4585)), (_e4414 - (_e4456 * _e4585)));
                                         local_10[2u] = array<f64, 3>((_e4535 - (_e4454 * _e4612)), (_e4536 - (_e4455 * _e4612)), (_e4537 - (_e4456 * _e4612)));
                                         local_10[3u] = array<f64, 3>((_e4619 - (_e4433 * _e4642)), (_e4620 - (_e4434 * _e4642)), (_e4621 - (_e4435 * _e4642)));
                                         let _e4658 = local_10[0u];
-                                        phi_3584_ = type_28(1u, 4u);
-                                        phi_3587_ = array<f64, 3>(_e4658[0], _e4658[1], _e4658[2]);
+                                        phi_3586_ = type_28(1u, 4u);
+                                        phi_3589_ = array<f64, 3>(_e4658[0], _e4658[1], _e4658[2]);
                                         loop {
-                                            let _e4664 = phi_3584_;
-                                            let _e4666 = phi_3587_;
+                                            let _e4664 = phi_3586_;
+                                            let _e4666 = phi_3589_;
                                             local_89 = _e4666;
                                             if (_e4664.member < _e4664.member_1) {
-                                                phi_3585_ = type_28((_e4664.member + 1u), _e4664.member_1);
-                                                phi_3610_ = type_28(1u, _e4664.member);
+                                                phi_3587_ = type_28((_e4664.member + 1u), _e4664.member_1);
+                                                phi_3612_ = type_28(1u, _e4664.member);
                                             } else {
-                                                phi_3585_ = _e4664;
-                                                phi_3610_ = type_28(0u, type_28().member_1);
+                                                phi_3587_ = _e4664;
+                                                phi_3612_ = type_28(0u, type_28().member_1);
                                             }
-                                            let _e4680 = phi_3585_;
-                                            let _e4682 = phi_3610_;
+                                            let _e4680 = phi_3587_;
+                                            let _e4682 = phi_3612_;
                                             let _e4686 = (bitcast<i32>(_e4682.member) != 0i);
                                             if _e4686 {
                                                 if (_e4682.member_1 < 4u) {
@@ -2811,420 +2816,420 @@ fn function_() {
                                                         return;
                                                     }
                                                     let _e4718 = local_10[_e4682.member_1];
-                                                    phi_3677_ = array<f64, 3>(_e4718[0], _e4718[1], _e4718[2]);
+                                                    phi_3679_ = array<f64, 3>(_e4718[0], _e4718[1], _e4718[2]);
                                                 } else {
-                                                    phi_3677_ = _e4666;
+                                                    phi_3679_ = _e4666;
                                                 }
-                                                let _e4724 = phi_3677_;
-                                                phi_3588_ = _e4724;
+                                                let _e4724 = phi_3679_;
+                                                phi_3590_ = _e4724;
                                             } else {
-                                                phi_3588_ = array<f64, 3>();
+                                                phi_3590_ = array<f64, 3>();
                                             }
-                                            let _e4726 = phi_3588_;
+                                            let _e4726 = phi_3590_;
                                             continue;
                                             continuing {
-                                                phi_3584_ = _e4680;
-                                                phi_3587_ = _e4726;
+                                                phi_3586_ = _e4680;
+                                                phi_3589_ = _e4726;
                                                 break if !(_e4686);
                                             }
                                         }
-                                        let _e5928 = local_89;
-                                        phi_3678_ = _e5928;
+                                        let _e5920 = local_89;
+                                        phi_3680_ = _e5920;
                                     } else {
-                                        phi_3678_ = _e4532;
+                                        phi_3680_ = _e4532;
                                     }
-                                    let _e4729 = phi_3678_;
+                                    let _e4729 = phi_3680_;
                                     let _e4740 = (((_e4729[0] * _e4729[0]) + (_e4729[1] * _e4729[1])) + (_e4729[2] * _e4729[2]));
                                     if (_e4740 <= 2.2250738585072014e-308lf) {
                                         if (_e4740 > 0.0lf) {
-                                            phi_3703_ = (1.464336215552873e-154lf * 2.0lf);
+                                            phi_3705_ = (1.464336215552873e-154lf * 2.0lf);
                                         } else {
-                                            phi_3703_ = 0.0lf;
+                                            phi_3705_ = 0.0lf;
                                         }
-                                        let _e4798 = phi_3703_;
-                                        phi_3767_ = _e4798;
+                                        let _e4798 = phi_3705_;
+                                        phi_3769_ = _e4798;
                                     } else {
-                                        phi_3710_ = type_26(0i, 5i);
-                                        phi_3713_ = bitcast<f64>(((bitcast<u64>(_e4740) / 2lu) + 2303426169912950784lu));
+                                        phi_3712_ = type_26(0i, 5i);
+                                        phi_3715_ = bitcast<f64>(((bitcast<u64>(_e4740) / 2lu) + 2303426169912950784lu));
                                         loop {
-                                            let _e4747 = phi_3710_;
-                                            let _e4749 = phi_3713_;
+                                            let _e4747 = phi_3712_;
+                                            let _e4749 = phi_3715_;
                                             local_49 = _e4749;
                                             if (_e4747.member < _e4747.member_1) {
                                                 let _e4757 = (_e4747.member + 1i);
                                                 if ((false == (_e4757 > _e4747.member)) != false) {
-                                                    phi_3734_ = true;
+                                                    phi_3736_ = true;
                                                 } else {
-                                                    phi_3734_ = false;
+                                                    phi_3736_ = false;
                                                 }
-                                                let _e4762 = phi_3734_;
+                                                let _e4762 = phi_3736_;
                                                 if _e4762 {
-                                                    phi_3740_ = type_27(0u, type_27().member_1);
+                                                    phi_3742_ = type_27(0u, type_27().member_1);
                                                 } else {
-                                                    phi_3740_ = type_27(1u, _e4757);
+                                                    phi_3742_ = type_27(1u, _e4757);
                                                 }
-                                                let _e4768 = phi_3740_;
+                                                let _e4768 = phi_3742_;
                                                 if (bitcast<i32>(_e4768.member) != 0i) {
                                                 } else {
                                                     return;
                                                 }
-                                                phi_3711_ = type_26(_e4768.member_1, _e4747.member_1);
-                                                phi_3754_ = type_27(1u, _e4747.member);
+                                                phi_3713_ = type_26(_e4768.member_1, _e4747.member_1);
+                                                phi_3756_ = type_27(1u, _e4747.member);
                                             } else {
-                                                phi_3711_ = _e4747;
-                                                phi_3754_ = type_27(0u, type_27().member_1);
+                                                phi_3713_ = _e4747;
+                                                phi_3756_ = type_27(0u, type_27().member_1);
                                             }
-                                            let _e4778 = phi_3711_;
-                                            let _e4780 = phi_3754_;
+                                            let _e4778 = phi_3713_;
+                                            let _e4780 = phi_3756_;
                                             let _e4783 = (bitcast<i32>(_e4780.member) != 0i);
                                             if _e4783 {
-                                                phi_3714_ = (0.5lf * (_e4749 + (_e4740 / _e4749)));
+                                                phi_3716_ = (0.5lf * (_e4749 + (_e4740 / _e4749)));
                                             } else {
-                                                phi_3714_ = f64();
+                                                phi_3716_ = f64();
                                             }
-                                            let _e4788 = phi_3714_;
+                                            let _e4788 = phi_3716_;
                                             continue;
                                             continuing {
-                                                phi_3710_ = _e4778;
-                                                phi_3713_ = _e4788;
+                                                phi_3712_ = _e4778;
+                                                phi_3715_ = _e4788;
                                                 break if !(_e4783);
                                             }
                                         }
                                         let _e4793 = local_49;
-                                        phi_3767_ = (_e4793 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                        phi_3769_ = (_e4793 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                     }
-                                    let _e4800 = phi_3767_;
+                                    let _e4800 = phi_3769_;
                                     let _e4808 = local_20.member[0u];
                                     if (_e4808[0] < 0.0lf) {
-                                        phi_3785_ = -(_e4808[0]);
+                                        phi_3787_ = -(_e4808[0]);
                                     } else {
-                                        phi_3785_ = _e4808[0];
+                                        phi_3787_ = _e4808[0];
                                     }
-                                    let _e4815 = phi_3785_;
+                                    let _e4815 = phi_3787_;
                                     if (_e4808[1] < 0.0lf) {
-                                        phi_3792_ = -(_e4808[1]);
+                                        phi_3794_ = -(_e4808[1]);
                                     } else {
-                                        phi_3792_ = _e4808[1];
+                                        phi_3794_ = _e4808[1];
                                     }
-                                    let _e4819 = phi_3792_;
+                                    let _e4819 = phi_3794_;
                                     if (_e4815 > _e4819) {
-                                        phi_3797_ = _e4815;
+                                        phi_3799_ = _e4815;
                                     } else {
-                                        phi_3797_ = _e4819;
+                                        phi_3799_ = _e4819;
                                     }
-                                    let _e4822 = phi_3797_;
+                                    let _e4822 = phi_3799_;
                                     if (_e4808[2] < 0.0lf) {
-                                        phi_3804_ = -(_e4808[2]);
+                                        phi_3806_ = -(_e4808[2]);
                                     } else {
-                                        phi_3804_ = _e4808[2];
+                                        phi_3806_ = _e4808[2];
                                     }
-                                    let _e4826 = phi_3804_;
+                                    let _e4826 = phi_3806_;
                                     if (_e4822 > _e4826) {
-                                        phi_3809_ = _e4822;
+                                        phi_3811_ = _e4822;
                                     } else {
-                                        phi_3809_ = _e4826;
+                                        phi_3811_ = _e4826;
                                     }
-                                    let _e4829 = phi_3809_;
+                                    let _e4829 = phi_3811_;
                                     let _e4832 = local_20.member[1u];
                                     if (_e4832[0] < 0.0lf) {
-                                        phi_3822_ = -(_e4832[0]);
+                                        phi_3824_ = -(_e4832[0]);
                                     } else {
-                                        phi_3822_ = _e4832[0];
+                                        phi_3824_ = _e4832[0];
                                     }
-                                    let _e4839 = phi_3822_;
+                                    let _e4839 = phi_3824_;
                                     if (_e4832[1] < 0.0lf) {
-                                        phi_3829_ = -(_e4832[1]);
+                                        phi_3831_ = -(_e4832[1]);
                                     } else {
-                                        phi_3829_ = _e4832[1];
+                                        phi_3831_ = _e4832[1];
                                     }
-                                    let _e4843 = phi_3829_;
+                                    let _e4843 = phi_3831_;
                                     if (_e4839 > _e4843) {
-                                        phi_3834_ = _e4839;
+                                        phi_3836_ = _e4839;
                                     } else {
-                                        phi_3834_ = _e4843;
+                                        phi_3836_ = _e4843;
                                     }
-                                    let _e4846 = phi_3834_;
+                                    let _e4846 = phi_3836_;
                                     if (_e4832[2] < 0.0lf) {
-                                        phi_3841_ = -(_e4832[2]);
+                                        phi_3843_ = -(_e4832[2]);
                                     } else {
-                                        phi_3841_ = _e4832[2];
+                                        phi_3843_ = _e4832[2];
                                     }
-                                    let _e4850 = phi_3841_;
+                                    let _e4850 = phi_3843_;
                                     if (_e4846 > _e4850) {
-                                        phi_3846_ = _e4846;
+                                        phi_3848_ = _e4846;
                                     } else {
-                                        phi_3846_ = _e4850;
+                                        phi_3848_ = _e4850;
                                     }
-                                    let _e4853 = phi_3846_;
+                                    let _e4853 = phi_3848_;
                                     if (_e4829 > _e4853) {
-                                        phi_3851_ = _e4829;
+                                        phi_3853_ = _e4829;
                                     } else {
-                                        phi_3851_ = _e4853;
+                                        phi_3853_ = _e4853;
                                     }
-                                    let _e4856 = phi_3851_;
+                                    let _e4856 = phi_3853_;
                                     let _e4858 = local_20.member_3;
                                     let _e4862 = local_20.member_1[0u];
                                     if (_e4862[0] < 0.0lf) {
-                                        phi_3868_ = -(_e4862[0]);
+                                        phi_3870_ = -(_e4862[0]);
                                     } else {
-                                        phi_3868_ = _e4862[0];
+                                        phi_3870_ = _e4862[0];
                                     }
-                                    let _e4869 = phi_3868_;
+                                    let _e4869 = phi_3870_;
                                     if (_e4862[1] < 0.0lf) {
-                                        phi_3875_ = -(_e4862[1]);
+                                        phi_3877_ = -(_e4862[1]);
                                     } else {
-                                        phi_3875_ = _e4862[1];
+                                        phi_3877_ = _e4862[1];
                                     }
-                                    let _e4873 = phi_3875_;
+                                    let _e4873 = phi_3877_;
                                     if (_e4869 > _e4873) {
-                                        phi_3880_ = _e4869;
+                                        phi_3882_ = _e4869;
                                     } else {
-                                        phi_3880_ = _e4873;
+                                        phi_3882_ = _e4873;
                                     }
-                                    let _e4876 = phi_3880_;
+                                    let _e4876 = phi_3882_;
                                     if (_e4862[2] < 0.0lf) {
-                                        phi_3887_ = -(_e4862[2]);
+                                        phi_3889_ = -(_e4862[2]);
                                     } else {
-                                        phi_3887_ = _e4862[2];
+                                        phi_3889_ = _e4862[2];
                                     }
-                                    let _e4880 = phi_3887_;
+                                    let _e4880 = phi_3889_;
                                     if (_e4876 > _e4880) {
-                                        phi_3892_ = _e4876;
+                                        phi_3894_ = _e4876;
                                     } else {
-                                        phi_3892_ = _e4880;
+                                        phi_3894_ = _e4880;
                                     }
-                                    let _e4883 = phi_3892_;
+                                    let _e4883 = phi_3894_;
                                     let _e4886 = local_20.member_1[1u];
                                     if (_e4886[0] < 0.0lf) {
-                                        phi_3906_ = -(_e4886[0]);
+                                        phi_3908_ = -(_e4886[0]);
                                     } else {
-                                        phi_3906_ = _e4886[0];
+                                        phi_3908_ = _e4886[0];
                                     }
-                                    let _e4893 = phi_3906_;
+                                    let _e4893 = phi_3908_;
                                     if (_e4886[1] < 0.0lf) {
-                                        phi_3913_ = -(_e4886[1]);
+                                        phi_3915_ = -(_e4886[1]);
                                     } else {
-                                        phi_3913_ = _e4886[1];
+                                        phi_3915_ = _e4886[1];
                                     }
-                                    let _e4897 = phi_3913_;
+                                    let _e4897 = phi_3915_;
                                     if (_e4893 > _e4897) {
-                                        phi_3918_ = _e4893;
+                                        phi_3920_ = _e4893;
                                     } else {
-                                        phi_3918_ = _e4897;
+                                        phi_3920_ = _e4897;
                                     }
-                                    let _e4900 = phi_3918_;
+                                    let _e4900 = phi_3920_;
                                     if (_e4886[2] < 0.0lf) {
-                                        phi_3925_ = -(_e4886[2]);
+                                        phi_3927_ = -(_e4886[2]);
                                     } else {
-                                        phi_3925_ = _e4886[2];
+                                        phi_3927_ = _e4886[2];
                                     }
-                                    let _e4904 = phi_3925_;
+                                    let _e4904 = phi_3927_;
                                     if (_e4900 > _e4904) {
-                                        phi_3930_ = _e4900;
+                                        phi_3932_ = _e4900;
                                     } else {
-                                        phi_3930_ = _e4904;
+                                        phi_3932_ = _e4904;
                                     }
-                                    let _e4907 = phi_3930_;
+                                    let _e4907 = phi_3932_;
                                     if (_e4883 > _e4907) {
-                                        phi_3935_ = _e4883;
+                                        phi_3937_ = _e4883;
                                     } else {
-                                        phi_3935_ = _e4907;
+                                        phi_3937_ = _e4907;
                                     }
-                                    let _e4910 = phi_3935_;
+                                    let _e4910 = phi_3937_;
                                     let _e4912 = local_20.member_3;
                                     let _e4916 = local_20.member_2[0u];
                                     if (_e4916[0] < 0.0lf) {
-                                        phi_3952_ = -(_e4916[0]);
+                                        phi_3954_ = -(_e4916[0]);
                                     } else {
-                                        phi_3952_ = _e4916[0];
+                                        phi_3954_ = _e4916[0];
                                     }
-                                    let _e4923 = phi_3952_;
+                                    let _e4923 = phi_3954_;
                                     if (_e4916[1] < 0.0lf) {
-                                        phi_3959_ = -(_e4916[1]);
+                                        phi_3961_ = -(_e4916[1]);
                                     } else {
-                                        phi_3959_ = _e4916[1];
+                                        phi_3961_ = _e4916[1];
                                     }
-                                    let _e4927 = phi_3959_;
+                                    let _e4927 = phi_3961_;
                                     if (_e4923 > _e4927) {
-                                        phi_3964_ = _e4923;
+                                        phi_3966_ = _e4923;
                                     } else {
-                                        phi_3964_ = _e4927;
+                                        phi_3966_ = _e4927;
                                     }
-                                    let _e4930 = phi_3964_;
+                                    let _e4930 = phi_3966_;
                                     if (_e4916[2] < 0.0lf) {
-                                        phi_3971_ = -(_e4916[2]);
+                                        phi_3973_ = -(_e4916[2]);
                                     } else {
-                                        phi_3971_ = _e4916[2];
+                                        phi_3973_ = _e4916[2];
                                     }
-                                    let _e4934 = phi_3971_;
+                                    let _e4934 = phi_3973_;
                                     if (_e4930 > _e4934) {
-                                        phi_3976_ = _e4930;
+                                        phi_3978_ = _e4930;
                                     } else {
-                                        phi_3976_ = _e4934;
+                                        phi_3978_ = _e4934;
                                     }
-                                    let _e4937 = phi_3976_;
+                                    let _e4937 = phi_3978_;
                                     let _e4940 = local_20.member_2[1u];
                                     if (_e4940[0] < 0.0lf) {
-                                        phi_3990_ = -(_e4940[0]);
+                                        phi_3992_ = -(_e4940[0]);
                                     } else {
-                                        phi_3990_ = _e4940[0];
+                                        phi_3992_ = _e4940[0];
                                     }
-                                    let _e4947 = phi_3990_;
+                                    let _e4947 = phi_3992_;
                                     if (_e4940[1] < 0.0lf) {
-                                        phi_3997_ = -(_e4940[1]);
+                                        phi_3999_ = -(_e4940[1]);
                                     } else {
-                                        phi_3997_ = _e4940[1];
+                                        phi_3999_ = _e4940[1];
                                     }
-                                    let _e4951 = phi_3997_;
+                                    let _e4951 = phi_3999_;
                                     if (_e4947 > _e4951) {
-                                        phi_4002_ = _e4947;
+                                        phi_4004_ = _e4947;
                                     } else {
-                                        phi_4002_ = _e4951;
+                                        phi_4004_ = _e4951;
                                     }
-                                    let _e4954 = phi_4002_;
+                                    let _e4954 = phi_4004_;
                                     if (_e4940[2] < 0.0lf) {
-                                        phi_4009_ = -(_e4940[2]);
+                                        phi_4011_ = -(_e4940[2]);
                                     } else {
-                                        phi_4009_ = _e4940[2];
+                                        phi_4011_ = _e4940[2];
                                     }
-                                    let _e4958 = phi_4009_;
+                                    let _e4958 = phi_4011_;
                                     if (_e4954 > _e4958) {
-                                        phi_4014_ = _e4954;
+                                        phi_4016_ = _e4954;
                                     } else {
-                                        phi_4014_ = _e4958;
+                                        phi_4016_ = _e4958;
                                     }
-                                    let _e4961 = phi_4014_;
+                                    let _e4961 = phi_4016_;
                                     if (_e4937 > _e4961) {
-                                        phi_4019_ = _e4937;
+                                        phi_4021_ = _e4937;
                                     } else {
-                                        phi_4019_ = _e4961;
+                                        phi_4021_ = _e4961;
                                     }
-                                    let _e4964 = phi_4019_;
+                                    let _e4964 = phi_4021_;
                                     let _e4966 = local_20.member_3;
                                     let _e4974 = local_20.member_3;
                                     let _e4984 = (((_e4800 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e4856 + _e4858) + (_e4910 + _e4912)) + (_e4964 + _e4966)) * (1.1102230246251565e-16lf * f64(16f))) + (_e4974 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e446);
                                     if _e4984 {
-                                        phi_4043_ = false;
+                                        phi_4045_ = false;
                                     } else {
-                                        phi_4043_ = true;
+                                        phi_4045_ = true;
                                     }
-                                    let _e4986 = phi_4043_;
-                                    phi_4044_ = _e4986;
-                                    phi_4045_ = _e4984;
+                                    let _e4986 = phi_4045_;
+                                    phi_4046_ = _e4986;
+                                    phi_4047_ = _e4984;
                                 } else {
-                                    phi_4044_ = false;
-                                    phi_4045_ = false;
+                                    phi_4046_ = false;
+                                    phi_4047_ = false;
                                 }
-                                let _e4988 = phi_4044_;
-                                let _e4990 = phi_4045_;
+                                let _e4988 = phi_4046_;
+                                let _e4990 = phi_4047_;
                                 local_50 = _e4990;
                                 continue;
                                 continuing {
-                                    phi_3048_ = _e4379;
+                                    phi_3050_ = _e4379;
                                     break if !(_e4988);
                                 }
                             }
                             let _e4993 = local_50;
                             if _e4993 {
-                                phi_4050_ = type_72(1u, _e4352.member_1);
-                                phi_4051_ = false;
+                                phi_4052_ = type_72(1u, _e4352.member_1);
+                                phi_4053_ = false;
                             } else {
-                                phi_4050_ = type_72();
-                                phi_4051_ = true;
+                                phi_4052_ = type_72();
+                                phi_4053_ = true;
                             }
-                            let _e4996 = phi_4050_;
-                            let _e4998 = phi_4051_;
+                            let _e4996 = phi_4052_;
+                            let _e4998 = phi_4053_;
                             if _e4998 {
-                                phi_4056_ = type_72(2u, _e4352.member_1);
-                                phi_4057_ = false;
+                                phi_4058_ = type_72(2u, _e4352.member_1);
+                                phi_4059_ = false;
                             } else {
-                                phi_4056_ = type_72();
-                                phi_4057_ = true;
+                                phi_4058_ = type_72();
+                                phi_4059_ = true;
                             }
-                            let _e5001 = phi_4056_;
-                            let _e5003 = phi_4057_;
-                            phi_4059_ = _e5001;
-                            phi_4060_ = _e4996;
-                            phi_4061_ = _e5003;
+                            let _e5001 = phi_4058_;
+                            let _e5003 = phi_4059_;
+                            phi_4061_ = _e5001;
+                            phi_4062_ = _e4996;
+                            phi_4063_ = _e5003;
                         } else {
-                            phi_4059_ = type_72();
-                            phi_4060_ = type_72(0u, type_72().member_1);
-                            phi_4061_ = true;
+                            phi_4061_ = type_72();
+                            phi_4062_ = type_72(0u, type_72().member_1);
+                            phi_4063_ = true;
                         }
-                        let _e5005 = phi_4059_;
-                        let _e5007 = phi_4060_;
-                        let _e5009 = phi_4061_;
+                        let _e5005 = phi_4061_;
+                        let _e5007 = phi_4062_;
+                        let _e5009 = phi_4063_;
                         if _e5009 {
-                            phi_4065_ = _e5007;
+                            phi_4067_ = _e5007;
                         } else {
-                            phi_4065_ = _e5005;
+                            phi_4067_ = _e5005;
                         }
-                        let _e5011 = phi_4065_;
-                        phi_7436_ = _e5011;
+                        let _e5011 = phi_4067_;
+                        phi_7438_ = _e5011;
                     } else {
                         if (_e545 < 0.0lf) {
-                            phi_4076_ = -(_e545);
+                            phi_4078_ = -(_e545);
                         } else {
-                            phi_4076_ = _e545;
+                            phi_4078_ = _e545;
                         }
-                        let _e900 = phi_4076_;
+                        let _e900 = phi_4078_;
                         if (_e568 < 0.0lf) {
-                            phi_4082_ = -(_e568);
+                            phi_4084_ = -(_e568);
                         } else {
-                            phi_4082_ = _e568;
+                            phi_4084_ = _e568;
                         }
-                        let _e904 = phi_4082_;
+                        let _e904 = phi_4084_;
                         if (_e900 > _e904) {
-                            phi_4087_ = _e900;
+                            phi_4089_ = _e900;
                         } else {
-                            phi_4087_ = _e904;
+                            phi_4089_ = _e904;
                         }
-                        let _e907 = phi_4087_;
+                        let _e907 = phi_4089_;
                         if (_e591 < 0.0lf) {
-                            phi_4093_ = -(_e591);
+                            phi_4095_ = -(_e591);
                         } else {
-                            phi_4093_ = _e591;
+                            phi_4095_ = _e591;
                         }
-                        let _e911 = phi_4093_;
+                        let _e911 = phi_4095_;
                         if (_e602 < 0.0lf) {
-                            phi_4099_ = -(_e602);
+                            phi_4101_ = -(_e602);
                         } else {
-                            phi_4099_ = _e602;
+                            phi_4101_ = _e602;
                         }
-                        let _e915 = phi_4099_;
+                        let _e915 = phi_4101_;
                         if (_e911 > _e915) {
-                            phi_4104_ = _e911;
+                            phi_4106_ = _e911;
                         } else {
-                            phi_4104_ = _e915;
+                            phi_4106_ = _e915;
                         }
-                        let _e918 = phi_4104_;
+                        let _e918 = phi_4106_;
                         if (_e907 > _e918) {
-                            phi_4109_ = _e907;
+                            phi_4111_ = _e907;
                         } else {
-                            phi_4109_ = _e918;
+                            phi_4111_ = _e918;
                         }
-                        let _e921 = phi_4109_;
+                        let _e921 = phi_4111_;
                         let _e923 = (2.2250738585072014e-308lf * f64(67108864f));
                         let _e924 = f64(1f);
                         if (_e921 >= _e923) {
-                            phi_4119_ = (_e921 <= (_e924 / _e923));
+                            phi_4121_ = (_e921 <= (_e924 / _e923));
                         } else {
-                            phi_4119_ = false;
+                            phi_4121_ = false;
                         }
-                        let _e929 = phi_4119_;
+                        let _e929 = phi_4121_;
                         if _e929 {
-                            phi_4126_ = (1.1102230246251565e-16lf * f64(256f));
+                            phi_4128_ = (1.1102230246251565e-16lf * f64(256f));
                         } else {
-                            phi_4126_ = f64(2f);
+                            phi_4128_ = f64(2f);
                         }
-                        let _e934 = phi_4126_;
+                        let _e934 = phi_4128_;
                         let _e936 = ((_e861 * f64(0.34f)) + (_e921 * _e934));
                         if _e929 {
-                            phi_4134_ = (_e924 / _e921);
+                            phi_4136_ = (_e924 / _e921);
                         } else {
-                            phi_4134_ = f64(0f);
+                            phi_4136_ = f64(0f);
                         }
-                        let _e940 = phi_4134_;
+                        let _e940 = phi_4136_;
                         let _e941 = f64(0f);
                         let _e942 = f64(1f);
                         let _e943 = f64(3f);
@@ -3239,69 +3244,69 @@ fn function_() {
                         if (_e958 > _e941) {
                             if (_e958 <= 2.2250738585072014e-308lf) {
                                 if (_e958 > 0.0lf) {
-                                    phi_4170_ = (1.464336215552873e-154lf * 2.0lf);
+                                    phi_4172_ = (1.464336215552873e-154lf * 2.0lf);
                                 } else {
-                                    phi_4170_ = 0.0lf;
+                                    phi_4172_ = 0.0lf;
                                 }
-                                let _e1017 = phi_4170_;
-                                phi_4234_ = _e1017;
+                                let _e1017 = phi_4172_;
+                                phi_4236_ = _e1017;
                             } else {
-                                phi_4177_ = type_26(0i, 5i);
-                                phi_4180_ = bitcast<f64>(((bitcast<u64>(_e958) / 2lu) + 2303426169912950784lu));
+                                phi_4179_ = type_26(0i, 5i);
+                                phi_4182_ = bitcast<f64>(((bitcast<u64>(_e958) / 2lu) + 2303426169912950784lu));
                                 loop {
-                                    let _e966 = phi_4177_;
-                                    let _e968 = phi_4180_;
+                                    let _e966 = phi_4179_;
+                                    let _e968 = phi_4182_;
                                     local_21 = _e968;
                                     if (_e966.member < _e966.member_1) {
                                         let _e976 = (_e966.member + 1i);
                                         if ((false == (_e976 > _e966.member)) != false) {
-                                            phi_4201_ = true;
+                                            phi_4203_ = true;
                                         } else {
-                                            phi_4201_ = false;
+                                            phi_4203_ = false;
                                         }
-                                        let _e981 = phi_4201_;
+                                        let _e981 = phi_4203_;
                                         if _e981 {
-                                            phi_4207_ = type_27(0u, type_27().member_1);
+                                            phi_4209_ = type_27(0u, type_27().member_1);
                                         } else {
-                                            phi_4207_ = type_27(1u, _e976);
+                                            phi_4209_ = type_27(1u, _e976);
                                         }
-                                        let _e987 = phi_4207_;
+                                        let _e987 = phi_4209_;
                                         if (bitcast<i32>(_e987.member) != 0i) {
                                         } else {
                                             return;
                                         }
-                                        phi_4178_ = type_26(_e987.member_1, _e966.member_1);
-                                        phi_4221_ = type_27(1u, _e966.member);
+                                        phi_4180_ = type_26(_e987.member_1, _e966.member_1);
+                                        phi_4223_ = type_27(1u, _e966.member);
                                     } else {
-                                        phi_4178_ = _e966;
-                                        phi_4221_ = type_27(0u, type_27().member_1);
+                                        phi_4180_ = _e966;
+                                        phi_4223_ = type_27(0u, type_27().member_1);
                                     }
-                                    let _e997 = phi_4178_;
-                                    let _e999 = phi_4221_;
+                                    let _e997 = phi_4180_;
+                                    let _e999 = phi_4223_;
                                     let _e1002 = (bitcast<i32>(_e999.member) != 0i);
                                     if _e1002 {
-                                        phi_4181_ = (0.5lf * (_e968 + (_e958 / _e968)));
+                                        phi_4183_ = (0.5lf * (_e968 + (_e958 / _e968)));
                                     } else {
-                                        phi_4181_ = f64();
+                                        phi_4183_ = f64();
                                     }
-                                    let _e1007 = phi_4181_;
+                                    let _e1007 = phi_4183_;
                                     continue;
                                     continuing {
-                                        phi_4177_ = _e997;
-                                        phi_4180_ = _e1007;
+                                        phi_4179_ = _e997;
+                                        phi_4182_ = _e1007;
                                         break if !(_e1002);
                                     }
                                 }
                                 let _e1012 = local_21;
-                                phi_4234_ = (_e1012 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                phi_4236_ = (_e1012 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                             }
-                            let _e1019 = phi_4234_;
+                            let _e1019 = phi_4236_;
                             if (_e950 < _e941) {
-                                phi_4240_ = -(_e1019);
+                                phi_4242_ = -(_e1019);
                             } else {
-                                phi_4240_ = _e1019;
+                                phi_4242_ = _e1019;
                             }
-                            let _e1023 = phi_4240_;
+                            let _e1023 = phi_4242_;
                             let _e1025 = -((_e950 + _e1023));
                             local_8[0u] = (_e1025 / (_e1025 + _e951));
                             local_8[1u] = (_e949 / (_e949 + _e1025));
@@ -3313,21 +3318,21 @@ fn function_() {
                                 local_8[0u] = _e1038;
                                 local_8[1u] = _e1040;
                             }
-                            phi_4265_ = type_28(0u, 2u);
-                            phi_4268_ = 1u;
+                            phi_4267_ = type_28(0u, 2u);
+                            phi_4270_ = 1u;
                             loop {
-                                let _e1044 = phi_4265_;
-                                let _e1046 = phi_4268_;
+                                let _e1044 = phi_4267_;
+                                let _e1046 = phi_4270_;
                                 local_51 = _e1046;
                                 if (_e1044.member < _e1044.member_1) {
-                                    phi_4266_ = type_28((_e1044.member + 1u), _e1044.member_1);
-                                    phi_4291_ = type_28(1u, _e1044.member);
+                                    phi_4268_ = type_28((_e1044.member + 1u), _e1044.member_1);
+                                    phi_4293_ = type_28(1u, _e1044.member);
                                 } else {
-                                    phi_4266_ = _e1044;
-                                    phi_4291_ = type_28(0u, type_28().member_1);
+                                    phi_4268_ = _e1044;
+                                    phi_4293_ = type_28(0u, type_28().member_1);
                                 }
-                                let _e1060 = phi_4266_;
-                                let _e1062 = phi_4291_;
+                                let _e1060 = phi_4268_;
+                                let _e1062 = phi_4293_;
                                 let _e1066 = (bitcast<i32>(_e1062.member) != 0i);
                                 if _e1066 {
                                     if (_e1062.member_1 < 2u) {
@@ -3352,34 +3357,34 @@ fn function_() {
                                                 return;
                                             }
                                             local_7[_e1046] = _e1077;
-                                            phi_4335_ = (_e1046 + 1u);
+                                            phi_4337_ = (_e1046 + 1u);
                                         } else {
-                                            phi_4335_ = _e1046;
+                                            phi_4337_ = _e1046;
                                         }
-                                        let _e1082 = phi_4335_;
-                                        phi_4336_ = _e1082;
+                                        let _e1082 = phi_4337_;
+                                        phi_4338_ = _e1082;
                                     } else {
-                                        phi_4336_ = _e1046;
+                                        phi_4338_ = _e1046;
                                     }
-                                    let _e1084 = phi_4336_;
-                                    phi_4269_ = _e1084;
+                                    let _e1084 = phi_4338_;
+                                    phi_4271_ = _e1084;
                                 } else {
-                                    phi_4269_ = u32();
+                                    phi_4271_ = u32();
                                 }
-                                let _e1086 = phi_4269_;
+                                let _e1086 = phi_4271_;
                                 continue;
                                 continuing {
-                                    phi_4265_ = _e1060;
-                                    phi_4268_ = _e1086;
+                                    phi_4267_ = _e1060;
+                                    phi_4270_ = _e1086;
                                     break if !(_e1066);
                                 }
                             }
-                            let _e5206 = local_51;
-                            phi_4337_ = _e5206;
+                            let _e5198 = local_51;
+                            phi_4339_ = _e5198;
                         } else {
-                            phi_4337_ = 1u;
+                            phi_4339_ = 1u;
                         }
-                        let _e1089 = phi_4337_;
+                        let _e1089 = phi_4339_;
                         if (_e1089 < 4u) {
                         } else {
                             return;
@@ -3387,18 +3392,18 @@ fn function_() {
                         local_7[_e1089] = _e942;
                         let _e1092 = local_7;
                         local_9 = _e1092;
-                        phi_4357_ = type_28(0u, _e1089);
+                        phi_4359_ = type_28(0u, _e1089);
                         loop {
-                            let _e1095 = phi_4357_;
+                            let _e1095 = phi_4359_;
                             if (_e1095.member < _e1095.member_1) {
-                                phi_4358_ = type_28((_e1095.member + 1u), _e1095.member_1);
-                                phi_4381_ = type_28(1u, _e1095.member);
+                                phi_4360_ = type_28((_e1095.member + 1u), _e1095.member_1);
+                                phi_4383_ = type_28(1u, _e1095.member);
                             } else {
-                                phi_4358_ = _e1095;
-                                phi_4381_ = type_28(0u, type_28().member_1);
+                                phi_4360_ = _e1095;
+                                phi_4383_ = type_28(0u, type_28().member_1);
                             }
-                            let _e1109 = phi_4358_;
-                            let _e1111 = phi_4381_;
+                            let _e1109 = phi_4360_;
+                            let _e1111 = phi_4383_;
                             if (bitcast<i32>(_e1111.member) != 0i) {
                                 if (_e1111.member_1 < 4u) {
                                 } else {
@@ -3416,220 +3421,220 @@ fn function_() {
                                 let _e1137 = (f64(1f) - _e1122);
                                 let _e1148 = ((((_e545 * _e1137) + (_e568 * _e1122)) * (_e1137 * _e1137)) + (((_e591 * _e1137) + (_e602 * _e1122)) * (_e1122 * _e1122)));
                                 if (_e1135 < 0.0lf) {
-                                    phi_4435_ = -(_e1135);
+                                    phi_4437_ = -(_e1135);
                                 } else {
-                                    phi_4435_ = _e1135;
+                                    phi_4437_ = _e1135;
                                 }
-                                let _e1152 = phi_4435_;
+                                let _e1152 = phi_4437_;
                                 let _e1153 = (_e1152 > _e936);
                                 if (_e1148 < 0.0lf) {
-                                    phi_4442_ = -(_e1148);
+                                    phi_4444_ = -(_e1148);
                                 } else {
-                                    phi_4442_ = _e1148;
+                                    phi_4444_ = _e1148;
                                 }
-                                let _e1157 = phi_4442_;
+                                let _e1157 = phi_4444_;
                                 let _e1158 = (_e1157 > _e936);
                                 let _e1159 = f64(0f);
                                 if _e1153 {
                                     if _e1158 {
-                                        phi_4454_ = ((_e1135 > _e1159) != (_e1148 > _e1159));
-                                        phi_4455_ = false;
+                                        phi_4456_ = ((_e1135 > _e1159) != (_e1148 > _e1159));
+                                        phi_4457_ = false;
                                     } else {
-                                        phi_4454_ = bool();
-                                        phi_4455_ = true;
+                                        phi_4456_ = bool();
+                                        phi_4457_ = true;
                                     }
-                                    let _e1164 = phi_4454_;
-                                    let _e1166 = phi_4455_;
-                                    phi_4456_ = _e1164;
-                                    phi_4457_ = _e1166;
+                                    let _e1164 = phi_4456_;
+                                    let _e1166 = phi_4457_;
+                                    phi_4458_ = _e1164;
+                                    phi_4459_ = _e1166;
                                 } else {
-                                    phi_4456_ = bool();
-                                    phi_4457_ = true;
+                                    phi_4458_ = bool();
+                                    phi_4459_ = true;
                                 }
-                                let _e1168 = phi_4456_;
-                                let _e1170 = phi_4457_;
+                                let _e1168 = phi_4458_;
+                                let _e1170 = phi_4459_;
                                 if _e1170 {
-                                    phi_4461_ = false;
+                                    phi_4463_ = false;
                                 } else {
-                                    phi_4461_ = _e1168;
+                                    phi_4463_ = _e1168;
                                 }
-                                let _e1172 = phi_4461_;
+                                let _e1172 = phi_4463_;
                                 if _e1153 {
                                     if _e1158 {
                                         if _e1172 {
-                                            phi_4473_ = type_73();
+                                            phi_4475_ = type_73();
                                         } else {
-                                            phi_4473_ = type_73(f64(1f), _e1159, _e1172);
+                                            phi_4475_ = type_73(f64(1f), _e1159, _e1172);
                                         }
-                                        let _e1176 = phi_4473_;
-                                        phi_4474_ = _e1176;
-                                        phi_4475_ = _e1172;
+                                        let _e1176 = phi_4475_;
+                                        phi_4476_ = _e1176;
+                                        phi_4477_ = _e1172;
                                     } else {
-                                        phi_4474_ = type_73();
-                                        phi_4475_ = true;
+                                        phi_4476_ = type_73();
+                                        phi_4477_ = true;
                                     }
-                                    let _e1178 = phi_4474_;
-                                    let _e1180 = phi_4475_;
-                                    phi_4476_ = _e1178;
-                                    phi_4477_ = _e1180;
+                                    let _e1178 = phi_4476_;
+                                    let _e1180 = phi_4477_;
+                                    phi_4478_ = _e1178;
+                                    phi_4479_ = _e1180;
                                 } else {
-                                    phi_4476_ = type_73();
-                                    phi_4477_ = true;
+                                    phi_4478_ = type_73();
+                                    phi_4479_ = true;
                                 }
-                                let _e1182 = phi_4476_;
-                                let _e1184 = phi_4477_;
+                                let _e1182 = phi_4478_;
+                                let _e1184 = phi_4479_;
                                 if _e1184 {
                                     if _e1153 {
                                         if (_e1135 < _e1159) {
-                                            phi_4490_ = f64(-1f);
+                                            phi_4492_ = f64(-1f);
                                         } else {
-                                            phi_4490_ = f64(1f);
+                                            phi_4492_ = f64(1f);
                                         }
-                                        let _e1189 = phi_4490_;
+                                        let _e1189 = phi_4492_;
                                         let _e1190 = f64(0.00000000000022737368f);
                                         let _e1191 = f64(0.5f);
                                         let _e1192 = f64(3f);
                                         let _e1195 = (_e591 - _e568);
-                                        phi_4503_ = type_28(0u, 64u);
-                                        phi_4506_ = _e1122;
-                                        phi_4508_ = _e1118;
-                                        phi_4510_ = (_e1191 * (_e1118 + _e1122));
+                                        phi_4505_ = type_28(0u, 64u);
+                                        phi_4508_ = _e1122;
+                                        phi_4510_ = _e1118;
+                                        phi_4512_ = (_e1191 * (_e1118 + _e1122));
                                         loop {
-                                            let _e1201 = phi_4503_;
-                                            let _e1203 = phi_4506_;
-                                            let _e1205 = phi_4508_;
-                                            let _e1207 = phi_4510_;
+                                            let _e1201 = phi_4505_;
+                                            let _e1203 = phi_4508_;
+                                            let _e1205 = phi_4510_;
+                                            let _e1207 = phi_4512_;
                                             local_53 = _e1205;
                                             if (_e1201.member < _e1201.member_1) {
-                                                phi_4504_ = type_28((_e1201.member + 1u), _e1201.member_1);
-                                                phi_4533_ = type_28(1u, _e1201.member);
+                                                phi_4506_ = type_28((_e1201.member + 1u), _e1201.member_1);
+                                                phi_4535_ = type_28(1u, _e1201.member);
                                             } else {
-                                                phi_4504_ = _e1201;
-                                                phi_4533_ = type_28(0u, type_28().member_1);
+                                                phi_4506_ = _e1201;
+                                                phi_4535_ = type_28(0u, type_28().member_1);
                                             }
-                                            let _e1221 = phi_4504_;
-                                            let _e1223 = phi_4533_;
+                                            let _e1221 = phi_4506_;
+                                            let _e1223 = phi_4535_;
                                             if (bitcast<i32>(_e1223.member) != 0i) {
                                                 let _e1228 = (f64(1f) - _e1207);
                                                 let _e1241 = ((_e1189 * ((((_e545 * _e1228) + (_e568 * _e1207)) * (_e1228 * _e1228)) + (((_e591 * _e1228) + (_e602 * _e1207)) * (_e1207 * _e1207)))) - _e936);
                                                 if (_e1241 > f64(0f)) {
-                                                    phi_4560_ = _e1203;
-                                                    phi_4561_ = _e1207;
+                                                    phi_4562_ = _e1203;
+                                                    phi_4563_ = _e1207;
                                                 } else {
-                                                    phi_4560_ = _e1207;
-                                                    phi_4561_ = _e1205;
+                                                    phi_4562_ = _e1207;
+                                                    phi_4563_ = _e1205;
                                                 }
-                                                let _e1245 = phi_4560_;
-                                                let _e1247 = phi_4561_;
+                                                let _e1245 = phi_4562_;
+                                                let _e1247 = phi_4563_;
                                                 let _e1249 = ((_e1245 - _e1247) > _e1190);
                                                 if _e1249 {
                                                     let _e1251 = (f64(1f) - _e1207);
                                                     let _e1263 = (-(_e1241) / (_e1189 * (((((_e568 - (_e1192 * _e545)) * _e1251) + (_e1195 * _e1207)) * _e1251) + (((_e1195 * _e1251) + (((_e1192 * _e602) - _e591) * _e1207)) * _e1207))));
                                                     if (_e1241 > f64(0f)) {
-                                                        phi_4589_ = (_e1191 * _e1190);
+                                                        phi_4591_ = (_e1191 * _e1190);
                                                     } else {
-                                                        phi_4589_ = -((_e1191 * _e1190));
+                                                        phi_4591_ = -((_e1191 * _e1190));
                                                     }
-                                                    let _e1270 = phi_4589_;
+                                                    let _e1270 = phi_4591_;
                                                     let _e1272 = ((_e1207 + _e1263) + _e1270);
                                                     if (_e1272 > _e1247) {
                                                         if (_e1272 < _e1245) {
                                                             if (_e1263 < 0.0lf) {
-                                                                phi_4605_ = -(_e1263);
+                                                                phi_4607_ = -(_e1263);
                                                             } else {
-                                                                phi_4605_ = _e1263;
+                                                                phi_4607_ = _e1263;
                                                             }
-                                                            let _e1278 = phi_4605_;
+                                                            let _e1278 = phi_4607_;
                                                             if (_e1278 < (_e1191 * (_e1245 - _e1247))) {
-                                                                phi_4612_ = false;
+                                                                phi_4614_ = false;
                                                             } else {
-                                                                phi_4612_ = true;
+                                                                phi_4614_ = true;
                                                             }
-                                                            let _e1283 = phi_4612_;
-                                                            phi_4613_ = _e1283;
+                                                            let _e1283 = phi_4614_;
+                                                            phi_4615_ = _e1283;
                                                         } else {
-                                                            phi_4613_ = true;
+                                                            phi_4615_ = true;
                                                         }
-                                                        let _e1285 = phi_4613_;
-                                                        phi_4614_ = _e1285;
+                                                        let _e1285 = phi_4615_;
+                                                        phi_4616_ = _e1285;
                                                     } else {
-                                                        phi_4614_ = true;
+                                                        phi_4616_ = true;
                                                     }
-                                                    let _e1287 = phi_4614_;
+                                                    let _e1287 = phi_4616_;
                                                     if _e1287 {
-                                                        phi_4620_ = (_e1191 * (_e1247 + _e1245));
+                                                        phi_4622_ = (_e1191 * (_e1247 + _e1245));
                                                     } else {
-                                                        phi_4620_ = _e1272;
+                                                        phi_4622_ = _e1272;
                                                     }
-                                                    let _e1291 = phi_4620_;
-                                                    phi_4621_ = _e1291;
-                                                    phi_4622_ = false;
+                                                    let _e1291 = phi_4622_;
+                                                    phi_4623_ = _e1291;
+                                                    phi_4624_ = false;
                                                 } else {
-                                                    phi_4621_ = f64();
-                                                    phi_4622_ = true;
+                                                    phi_4623_ = f64();
+                                                    phi_4624_ = true;
                                                 }
-                                                let _e1293 = phi_4621_;
-                                                let _e1295 = phi_4622_;
-                                                phi_4507_ = _e1245;
-                                                phi_4509_ = _e1247;
-                                                phi_4511_ = _e1293;
-                                                phi_4623_ = _e1247;
-                                                phi_4624_ = _e1249;
-                                                phi_4625_ = _e1295;
+                                                let _e1293 = phi_4623_;
+                                                let _e1295 = phi_4624_;
+                                                phi_4509_ = _e1245;
+                                                phi_4511_ = _e1247;
+                                                phi_4513_ = _e1293;
+                                                phi_4625_ = _e1247;
+                                                phi_4626_ = _e1249;
+                                                phi_4627_ = _e1295;
                                             } else {
-                                                phi_4507_ = f64();
                                                 phi_4509_ = f64();
                                                 phi_4511_ = f64();
-                                                phi_4623_ = f64();
-                                                phi_4624_ = false;
-                                                phi_4625_ = false;
+                                                phi_4513_ = f64();
+                                                phi_4625_ = f64();
+                                                phi_4626_ = false;
+                                                phi_4627_ = false;
                                             }
-                                            let _e1297 = phi_4507_;
-                                            let _e1299 = phi_4509_;
-                                            let _e1301 = phi_4511_;
-                                            let _e1303 = phi_4623_;
-                                            let _e1305 = phi_4624_;
-                                            let _e1307 = phi_4625_;
+                                            let _e1297 = phi_4509_;
+                                            let _e1299 = phi_4511_;
+                                            let _e1301 = phi_4513_;
+                                            let _e1303 = phi_4625_;
+                                            let _e1305 = phi_4626_;
+                                            let _e1307 = phi_4627_;
                                             local_22 = _e1307;
                                             local_52 = _e1303;
                                             continue;
                                             continuing {
-                                                phi_4503_ = _e1221;
-                                                phi_4506_ = _e1297;
-                                                phi_4508_ = _e1299;
-                                                phi_4510_ = _e1301;
+                                                phi_4505_ = _e1221;
+                                                phi_4508_ = _e1297;
+                                                phi_4510_ = _e1299;
+                                                phi_4512_ = _e1301;
                                                 break if !(_e1305);
                                             }
                                         }
                                         let _e1310 = local_22;
                                         if _e1310 {
-                                            let _e5248 = local_52;
-                                            phi_4629_ = _e5248;
+                                            let _e5240 = local_52;
+                                            phi_4631_ = _e5240;
                                         } else {
-                                            let _e5250 = local_53;
-                                            phi_4629_ = _e5250;
+                                            let _e5242 = local_53;
+                                            phi_4631_ = _e5242;
                                         }
-                                        let _e1312 = phi_4629_;
-                                        phi_4630_ = _e1312;
+                                        let _e1312 = phi_4631_;
+                                        phi_4632_ = _e1312;
                                     } else {
-                                        phi_4630_ = _e1118;
+                                        phi_4632_ = _e1118;
                                     }
-                                    let _e1314 = phi_4630_;
+                                    let _e1314 = phi_4632_;
                                     if _e1158 {
-                                        phi_4638_ = type_28(0u, 64u);
-                                        phi_4641_ = f64((2f * 0.00000000000022737368f));
+                                        phi_4640_ = type_28(0u, 64u);
+                                        phi_4643_ = f64((2f * 0.00000000000022737368f));
                                         loop {
-                                            let _e1318 = phi_4638_;
-                                            let _e1320 = phi_4641_;
+                                            let _e1318 = phi_4640_;
+                                            let _e1320 = phi_4643_;
                                             if (_e1318.member < _e1318.member_1) {
-                                                phi_4639_ = type_28((_e1318.member + 1u), _e1318.member_1);
-                                                phi_4664_ = type_28(1u, _e1318.member);
+                                                phi_4641_ = type_28((_e1318.member + 1u), _e1318.member_1);
+                                                phi_4666_ = type_28(1u, _e1318.member);
                                             } else {
-                                                phi_4639_ = _e1318;
-                                                phi_4664_ = type_28(0u, type_28().member_1);
+                                                phi_4641_ = _e1318;
+                                                phi_4666_ = type_28(0u, type_28().member_1);
                                             }
-                                            let _e1334 = phi_4639_;
-                                            let _e1336 = phi_4664_;
+                                            let _e1334 = phi_4641_;
+                                            let _e1336 = phi_4666_;
                                             if (bitcast<i32>(_e1336.member) != 0i) {
                                                 let _e1340 = (_e1314 + _e1320);
                                                 if (_e1340 < _e1122) {
@@ -3638,124 +3643,124 @@ fn function_() {
                                                     let _e1356 = (f64(1f) - _e1314);
                                                     let _e1367 = ((((_e545 * _e1356) + (_e568 * _e1314)) * (_e1356 * _e1356)) + (((_e591 * _e1356) + (_e602 * _e1314)) * (_e1314 * _e1314)));
                                                     if (_e1354 < 0.0lf) {
-                                                        phi_4707_ = -(_e1354);
+                                                        phi_4709_ = -(_e1354);
                                                     } else {
-                                                        phi_4707_ = _e1354;
+                                                        phi_4709_ = _e1354;
                                                     }
-                                                    let _e1371 = phi_4707_;
+                                                    let _e1371 = phi_4709_;
                                                     if (_e1371 > _e936) {
                                                         if (_e1367 < 0.0lf) {
-                                                            phi_4717_ = -(_e1367);
+                                                            phi_4719_ = -(_e1367);
                                                         } else {
-                                                            phi_4717_ = _e1367;
+                                                            phi_4719_ = _e1367;
                                                         }
-                                                        let _e1376 = phi_4717_;
+                                                        let _e1376 = phi_4719_;
                                                         if (_e1376 > _e936) {
-                                                            phi_4727_ = ((_e1354 > f64(0f)) == (_e1367 > f64(0f)));
+                                                            phi_4729_ = ((_e1354 > f64(0f)) == (_e1367 > f64(0f)));
                                                         } else {
-                                                            phi_4727_ = false;
+                                                            phi_4729_ = false;
                                                         }
-                                                        let _e1384 = phi_4727_;
-                                                        phi_4729_ = !(_e1384);
+                                                        let _e1384 = phi_4729_;
+                                                        phi_4731_ = !(_e1384);
                                                     } else {
-                                                        phi_4729_ = false;
+                                                        phi_4731_ = false;
                                                     }
-                                                    let _e1387 = phi_4729_;
+                                                    let _e1387 = phi_4731_;
                                                     if _e1387 {
-                                                        phi_4734_ = f64();
-                                                        phi_4735_ = false;
+                                                        phi_4736_ = f64();
+                                                        phi_4737_ = false;
                                                     } else {
-                                                        phi_4734_ = (_e1320 + _e1320);
-                                                        phi_4735_ = true;
+                                                        phi_4736_ = (_e1320 + _e1320);
+                                                        phi_4737_ = true;
                                                     }
-                                                    let _e1390 = phi_4734_;
-                                                    let _e1392 = phi_4735_;
-                                                    phi_4736_ = _e1390;
-                                                    phi_4737_ = _e1392;
-                                                    phi_4738_ = _e1387;
-                                                    phi_4739_ = false;
+                                                    let _e1390 = phi_4736_;
+                                                    let _e1392 = phi_4737_;
+                                                    phi_4738_ = _e1390;
+                                                    phi_4739_ = _e1392;
+                                                    phi_4740_ = _e1387;
+                                                    phi_4741_ = false;
                                                 } else {
-                                                    phi_4736_ = f64();
-                                                    phi_4737_ = false;
-                                                    phi_4738_ = false;
-                                                    phi_4739_ = true;
+                                                    phi_4738_ = f64();
+                                                    phi_4739_ = false;
+                                                    phi_4740_ = false;
+                                                    phi_4741_ = true;
                                                 }
-                                                let _e1394 = phi_4736_;
-                                                let _e1396 = phi_4737_;
-                                                let _e1398 = phi_4738_;
-                                                let _e1400 = phi_4739_;
-                                                phi_4740_ = _e1340;
-                                                phi_4642_ = _e1394;
-                                                phi_4741_ = _e1396;
-                                                phi_4742_ = _e1398;
-                                                phi_4743_ = _e1400;
-                                                phi_4744_ = false;
+                                                let _e1394 = phi_4738_;
+                                                let _e1396 = phi_4739_;
+                                                let _e1398 = phi_4740_;
+                                                let _e1400 = phi_4741_;
+                                                phi_4742_ = _e1340;
+                                                phi_4644_ = _e1394;
+                                                phi_4743_ = _e1396;
+                                                phi_4744_ = _e1398;
+                                                phi_4745_ = _e1400;
+                                                phi_4746_ = false;
                                             } else {
-                                                phi_4740_ = f64();
-                                                phi_4642_ = f64();
-                                                phi_4741_ = false;
-                                                phi_4742_ = false;
+                                                phi_4742_ = f64();
+                                                phi_4644_ = f64();
                                                 phi_4743_ = false;
-                                                phi_4744_ = true;
+                                                phi_4744_ = false;
+                                                phi_4745_ = false;
+                                                phi_4746_ = true;
                                             }
-                                            let _e1402 = phi_4740_;
-                                            let _e1404 = phi_4642_;
-                                            let _e1406 = phi_4741_;
-                                            let _e1408 = phi_4742_;
-                                            let _e1410 = phi_4743_;
-                                            let _e1412 = phi_4744_;
+                                            let _e1402 = phi_4742_;
+                                            let _e1404 = phi_4644_;
+                                            let _e1406 = phi_4743_;
+                                            let _e1408 = phi_4744_;
+                                            let _e1410 = phi_4745_;
+                                            let _e1412 = phi_4746_;
                                             local_23 = _e1408;
                                             local_54 = _e1410;
                                             local_55 = _e1412;
                                             local_56 = _e1402;
                                             continue;
                                             continuing {
-                                                phi_4638_ = _e1334;
-                                                phi_4641_ = _e1404;
+                                                phi_4640_ = _e1334;
+                                                phi_4643_ = _e1404;
                                                 break if !(_e1406);
                                             }
                                         }
                                         let _e1415 = local_23;
                                         if _e1415 {
-                                            phi_4748_ = false;
-                                            phi_4749_ = false;
+                                            phi_4750_ = false;
+                                            phi_4751_ = false;
                                         } else {
-                                            let _e5275 = local_54;
-                                            phi_4748_ = _e5275;
-                                            let _e5278 = local_55;
-                                            phi_4749_ = _e5278;
+                                            let _e5267 = local_54;
+                                            phi_4750_ = _e5267;
+                                            let _e5270 = local_55;
+                                            phi_4751_ = _e5270;
                                         }
-                                        let _e1417 = phi_4748_;
-                                        let _e1419 = phi_4749_;
+                                        let _e1417 = phi_4750_;
+                                        let _e1419 = phi_4751_;
                                         if _e1417 {
-                                            phi_4753_ = true;
+                                            phi_4755_ = true;
                                         } else {
-                                            phi_4753_ = _e1419;
+                                            phi_4755_ = _e1419;
                                         }
-                                        let _e1421 = phi_4753_;
+                                        let _e1421 = phi_4755_;
                                         if _e1421 {
-                                            phi_4757_ = _e1122;
+                                            phi_4759_ = _e1122;
                                         } else {
-                                            let _e5282 = local_56;
-                                            phi_4757_ = _e5282;
+                                            let _e5274 = local_56;
+                                            phi_4759_ = _e5274;
                                         }
-                                        let _e1423 = phi_4757_;
-                                        phi_4758_ = _e1423;
+                                        let _e1423 = phi_4759_;
+                                        phi_4760_ = _e1423;
                                     } else {
-                                        phi_4758_ = _e1122;
+                                        phi_4760_ = _e1122;
                                     }
-                                    let _e1425 = phi_4758_;
-                                    phi_4760_ = type_73(_e1314, _e1425, _e1172);
+                                    let _e1425 = phi_4760_;
+                                    phi_4762_ = type_73(_e1314, _e1425, _e1172);
                                 } else {
-                                    phi_4760_ = _e1182;
+                                    phi_4762_ = _e1182;
                                 }
-                                let _e1428 = phi_4760_;
+                                let _e1428 = phi_4762_;
                                 if (_e1428.member > _e1428.member_1) {
-                                    phi_7392_ = f64();
-                                    phi_7393_ = true;
-                                    phi_7394_ = false;
-                                    phi_7395_ = false;
+                                    phi_7394_ = f64();
+                                    phi_7395_ = true;
                                     phi_7396_ = false;
+                                    phi_7397_ = false;
+                                    phi_7398_ = false;
                                 } else {
                                     let _e1436 = ((_e1428.member_1 - _e1428.member) * f64(0.5f));
                                     let _e1437 = (_e1428.member + _e1436);
@@ -3763,72 +3768,72 @@ fn function_() {
                                     let _e1442 = local_20.member_3;
                                     let _e1445 = local_20.member[0u];
                                     if (_e1445[0] < 0.0lf) {
-                                        phi_4791_ = -(_e1445[0]);
+                                        phi_4793_ = -(_e1445[0]);
                                     } else {
-                                        phi_4791_ = _e1445[0];
+                                        phi_4793_ = _e1445[0];
                                     }
-                                    let _e1452 = phi_4791_;
+                                    let _e1452 = phi_4793_;
                                     if (_e1445[1] < 0.0lf) {
-                                        phi_4798_ = -(_e1445[1]);
+                                        phi_4800_ = -(_e1445[1]);
                                     } else {
-                                        phi_4798_ = _e1445[1];
+                                        phi_4800_ = _e1445[1];
                                     }
-                                    let _e1456 = phi_4798_;
+                                    let _e1456 = phi_4800_;
                                     if (_e1452 > _e1456) {
-                                        phi_4803_ = _e1452;
+                                        phi_4805_ = _e1452;
                                     } else {
-                                        phi_4803_ = _e1456;
+                                        phi_4805_ = _e1456;
                                     }
-                                    let _e1459 = phi_4803_;
+                                    let _e1459 = phi_4805_;
                                     if (_e1445[2] < 0.0lf) {
-                                        phi_4810_ = -(_e1445[2]);
+                                        phi_4812_ = -(_e1445[2]);
                                     } else {
-                                        phi_4810_ = _e1445[2];
+                                        phi_4812_ = _e1445[2];
                                     }
-                                    let _e1463 = phi_4810_;
+                                    let _e1463 = phi_4812_;
                                     if (_e1459 > _e1463) {
-                                        phi_4815_ = _e1459;
+                                        phi_4817_ = _e1459;
                                     } else {
-                                        phi_4815_ = _e1463;
+                                        phi_4817_ = _e1463;
                                     }
-                                    let _e1466 = phi_4815_;
+                                    let _e1466 = phi_4817_;
                                     let _e1468 = local_20.member[1u];
                                     if (_e1468[0] < 0.0lf) {
-                                        phi_4828_ = -(_e1468[0]);
+                                        phi_4830_ = -(_e1468[0]);
                                     } else {
-                                        phi_4828_ = _e1468[0];
+                                        phi_4830_ = _e1468[0];
                                     }
-                                    let _e1475 = phi_4828_;
+                                    let _e1475 = phi_4830_;
                                     if (_e1468[1] < 0.0lf) {
-                                        phi_4835_ = -(_e1468[1]);
+                                        phi_4837_ = -(_e1468[1]);
                                     } else {
-                                        phi_4835_ = _e1468[1];
+                                        phi_4837_ = _e1468[1];
                                     }
-                                    let _e1479 = phi_4835_;
+                                    let _e1479 = phi_4837_;
                                     if (_e1475 > _e1479) {
-                                        phi_4840_ = _e1475;
+                                        phi_4842_ = _e1475;
                                     } else {
-                                        phi_4840_ = _e1479;
+                                        phi_4842_ = _e1479;
                                     }
-                                    let _e1482 = phi_4840_;
+                                    let _e1482 = phi_4842_;
                                     if (_e1468[2] < 0.0lf) {
-                                        phi_4847_ = -(_e1468[2]);
+                                        phi_4849_ = -(_e1468[2]);
                                     } else {
-                                        phi_4847_ = _e1468[2];
+                                        phi_4849_ = _e1468[2];
                                     }
-                                    let _e1486 = phi_4847_;
+                                    let _e1486 = phi_4849_;
                                     if (_e1482 > _e1486) {
-                                        phi_4852_ = _e1482;
+                                        phi_4854_ = _e1482;
                                     } else {
-                                        phi_4852_ = _e1486;
+                                        phi_4854_ = _e1486;
                                     }
-                                    let _e1489 = phi_4852_;
+                                    let _e1489 = phi_4854_;
                                     if (_e1466 > _e1489) {
-                                        phi_4857_ = _e1466;
+                                        phi_4859_ = _e1466;
                                     } else {
-                                        phi_4857_ = _e1489;
+                                        phi_4859_ = _e1489;
                                     }
-                                    let _e1492 = phi_4857_;
+                                    let _e1492 = phi_4859_;
                                     let _e1495 = local_20.member[0u];
                                     let _e1500 = local_20.member[1u];
                                     let _e1510 = (_e1495[0] + ((_e1500[0] - _e1495[0]) * _e1437));
@@ -3840,136 +3845,136 @@ fn function_() {
                                     let _e1524 = (_e1514[1] - _e1519[1]);
                                     let _e1525 = (_e1514[2] - _e1519[2]);
                                     if (_e1523 < 0.0lf) {
-                                        phi_4916_ = -(_e1523);
+                                        phi_4918_ = -(_e1523);
                                     } else {
-                                        phi_4916_ = _e1523;
+                                        phi_4918_ = _e1523;
                                     }
-                                    let _e1529 = phi_4916_;
+                                    let _e1529 = phi_4918_;
                                     if (_e1524 < 0.0lf) {
-                                        phi_4922_ = -(_e1524);
+                                        phi_4924_ = -(_e1524);
                                     } else {
-                                        phi_4922_ = _e1524;
+                                        phi_4924_ = _e1524;
                                     }
-                                    let _e1533 = phi_4922_;
+                                    let _e1533 = phi_4924_;
                                     if (_e1529 > _e1533) {
-                                        phi_4927_ = _e1529;
+                                        phi_4929_ = _e1529;
                                     } else {
-                                        phi_4927_ = _e1533;
+                                        phi_4929_ = _e1533;
                                     }
-                                    let _e1536 = phi_4927_;
+                                    let _e1536 = phi_4929_;
                                     if (_e1525 < 0.0lf) {
-                                        phi_4933_ = -(_e1525);
+                                        phi_4935_ = -(_e1525);
                                     } else {
-                                        phi_4933_ = _e1525;
+                                        phi_4935_ = _e1525;
                                     }
-                                    let _e1540 = phi_4933_;
+                                    let _e1540 = phi_4935_;
                                     if (_e1536 > _e1540) {
-                                        phi_4938_ = _e1536;
+                                        phi_4940_ = _e1536;
                                     } else {
-                                        phi_4938_ = _e1540;
+                                        phi_4940_ = _e1540;
                                     }
-                                    let _e1543 = phi_4938_;
+                                    let _e1543 = phi_4940_;
                                     let _e1551 = ((((_e1440 * _e1543) * f64(1.01f)) + ((_e1492 + _e1442) * (1.1102230246251565e-16lf * f64(8f)))) + _e1442);
                                     if (_e1510 < 0.0lf) {
-                                        phi_4952_ = -(_e1510);
+                                        phi_4954_ = -(_e1510);
                                     } else {
-                                        phi_4952_ = _e1510;
+                                        phi_4954_ = _e1510;
                                     }
-                                    let _e1555 = phi_4952_;
+                                    let _e1555 = phi_4954_;
                                     if (_e1511 < 0.0lf) {
-                                        phi_4958_ = -(_e1511);
+                                        phi_4960_ = -(_e1511);
                                     } else {
-                                        phi_4958_ = _e1511;
+                                        phi_4960_ = _e1511;
                                     }
-                                    let _e1559 = phi_4958_;
+                                    let _e1559 = phi_4960_;
                                     if (_e1555 > _e1559) {
-                                        phi_4963_ = _e1555;
+                                        phi_4965_ = _e1555;
                                     } else {
-                                        phi_4963_ = _e1559;
+                                        phi_4965_ = _e1559;
                                     }
-                                    let _e1562 = phi_4963_;
+                                    let _e1562 = phi_4965_;
                                     if (_e1512 < 0.0lf) {
-                                        phi_4969_ = -(_e1512);
+                                        phi_4971_ = -(_e1512);
                                     } else {
-                                        phi_4969_ = _e1512;
+                                        phi_4971_ = _e1512;
                                     }
-                                    let _e1566 = phi_4969_;
+                                    let _e1566 = phi_4971_;
                                     if (_e1562 > _e1566) {
-                                        phi_4974_ = _e1562;
+                                        phi_4976_ = _e1562;
                                     } else {
-                                        phi_4974_ = _e1566;
+                                        phi_4976_ = _e1566;
                                     }
-                                    let _e1569 = phi_4974_;
+                                    let _e1569 = phi_4976_;
                                     local_3 = type_51(array<f64, 3>(_e1510, _e1511, _e1512), _e1551, (_e1569 + _e1551));
                                     let _e1575 = local_20.member_3;
                                     let _e1577 = local_20.member_1[0u];
                                     if (_e1577[0] < 0.0lf) {
-                                        phi_5000_ = -(_e1577[0]);
+                                        phi_5002_ = -(_e1577[0]);
                                     } else {
-                                        phi_5000_ = _e1577[0];
+                                        phi_5002_ = _e1577[0];
                                     }
-                                    let _e1584 = phi_5000_;
+                                    let _e1584 = phi_5002_;
                                     if (_e1577[1] < 0.0lf) {
-                                        phi_5007_ = -(_e1577[1]);
+                                        phi_5009_ = -(_e1577[1]);
                                     } else {
-                                        phi_5007_ = _e1577[1];
+                                        phi_5009_ = _e1577[1];
                                     }
-                                    let _e1588 = phi_5007_;
+                                    let _e1588 = phi_5009_;
                                     if (_e1584 > _e1588) {
-                                        phi_5012_ = _e1584;
+                                        phi_5014_ = _e1584;
                                     } else {
-                                        phi_5012_ = _e1588;
+                                        phi_5014_ = _e1588;
                                     }
-                                    let _e1591 = phi_5012_;
+                                    let _e1591 = phi_5014_;
                                     if (_e1577[2] < 0.0lf) {
-                                        phi_5019_ = -(_e1577[2]);
+                                        phi_5021_ = -(_e1577[2]);
                                     } else {
-                                        phi_5019_ = _e1577[2];
+                                        phi_5021_ = _e1577[2];
                                     }
-                                    let _e1595 = phi_5019_;
+                                    let _e1595 = phi_5021_;
                                     if (_e1591 > _e1595) {
-                                        phi_5024_ = _e1591;
+                                        phi_5026_ = _e1591;
                                     } else {
-                                        phi_5024_ = _e1595;
+                                        phi_5026_ = _e1595;
                                     }
-                                    let _e1598 = phi_5024_;
+                                    let _e1598 = phi_5026_;
                                     let _e1600 = local_20.member_1[1u];
                                     if (_e1600[0] < 0.0lf) {
-                                        phi_5037_ = -(_e1600[0]);
+                                        phi_5039_ = -(_e1600[0]);
                                     } else {
-                                        phi_5037_ = _e1600[0];
+                                        phi_5039_ = _e1600[0];
                                     }
-                                    let _e1607 = phi_5037_;
+                                    let _e1607 = phi_5039_;
                                     if (_e1600[1] < 0.0lf) {
-                                        phi_5044_ = -(_e1600[1]);
+                                        phi_5046_ = -(_e1600[1]);
                                     } else {
-                                        phi_5044_ = _e1600[1];
+                                        phi_5046_ = _e1600[1];
                                     }
-                                    let _e1611 = phi_5044_;
+                                    let _e1611 = phi_5046_;
                                     if (_e1607 > _e1611) {
-                                        phi_5049_ = _e1607;
+                                        phi_5051_ = _e1607;
                                     } else {
-                                        phi_5049_ = _e1611;
+                                        phi_5051_ = _e1611;
                                     }
-                                    let _e1614 = phi_5049_;
+                                    let _e1614 = phi_5051_;
                                     if (_e1600[2] < 0.0lf) {
-                                        phi_5056_ = -(_e1600[2]);
+                                        phi_5058_ = -(_e1600[2]);
                                     } else {
-                                        phi_5056_ = _e1600[2];
+                                        phi_5058_ = _e1600[2];
                                     }
-                                    let _e1618 = phi_5056_;
+                                    let _e1618 = phi_5058_;
                                     if (_e1614 > _e1618) {
-                                        phi_5061_ = _e1614;
+                                        phi_5063_ = _e1614;
                                     } else {
-                                        phi_5061_ = _e1618;
+                                        phi_5063_ = _e1618;
                                     }
-                                    let _e1621 = phi_5061_;
+                                    let _e1621 = phi_5063_;
                                     if (_e1598 > _e1621) {
-                                        phi_5066_ = _e1598;
+                                        phi_5068_ = _e1598;
                                     } else {
-                                        phi_5066_ = _e1621;
+                                        phi_5068_ = _e1621;
                                     }
-                                    let _e1624 = phi_5066_;
+                                    let _e1624 = phi_5068_;
                                     let _e1627 = local_20.member_1[0u];
                                     let _e1632 = local_20.member_1[1u];
                                     let _e1642 = (_e1627[0] + ((_e1632[0] - _e1627[0]) * _e1437));
@@ -3981,136 +3986,136 @@ fn function_() {
                                     let _e1656 = (_e1646[1] - _e1651[1]);
                                     let _e1657 = (_e1646[2] - _e1651[2]);
                                     if (_e1655 < 0.0lf) {
-                                        phi_5125_ = -(_e1655);
+                                        phi_5127_ = -(_e1655);
                                     } else {
-                                        phi_5125_ = _e1655;
+                                        phi_5127_ = _e1655;
                                     }
-                                    let _e1661 = phi_5125_;
+                                    let _e1661 = phi_5127_;
                                     if (_e1656 < 0.0lf) {
-                                        phi_5131_ = -(_e1656);
+                                        phi_5133_ = -(_e1656);
                                     } else {
-                                        phi_5131_ = _e1656;
+                                        phi_5133_ = _e1656;
                                     }
-                                    let _e1665 = phi_5131_;
+                                    let _e1665 = phi_5133_;
                                     if (_e1661 > _e1665) {
-                                        phi_5136_ = _e1661;
+                                        phi_5138_ = _e1661;
                                     } else {
-                                        phi_5136_ = _e1665;
+                                        phi_5138_ = _e1665;
                                     }
-                                    let _e1668 = phi_5136_;
+                                    let _e1668 = phi_5138_;
                                     if (_e1657 < 0.0lf) {
-                                        phi_5142_ = -(_e1657);
+                                        phi_5144_ = -(_e1657);
                                     } else {
-                                        phi_5142_ = _e1657;
+                                        phi_5144_ = _e1657;
                                     }
-                                    let _e1672 = phi_5142_;
+                                    let _e1672 = phi_5144_;
                                     if (_e1668 > _e1672) {
-                                        phi_5147_ = _e1668;
+                                        phi_5149_ = _e1668;
                                     } else {
-                                        phi_5147_ = _e1672;
+                                        phi_5149_ = _e1672;
                                     }
-                                    let _e1675 = phi_5147_;
+                                    let _e1675 = phi_5149_;
                                     let _e1683 = ((((_e1440 * _e1675) * f64(1.01f)) + ((_e1624 + _e1575) * (1.1102230246251565e-16lf * f64(8f)))) + _e1575);
                                     if (_e1642 < 0.0lf) {
-                                        phi_5161_ = -(_e1642);
+                                        phi_5163_ = -(_e1642);
                                     } else {
-                                        phi_5161_ = _e1642;
+                                        phi_5163_ = _e1642;
                                     }
-                                    let _e1687 = phi_5161_;
+                                    let _e1687 = phi_5163_;
                                     if (_e1643 < 0.0lf) {
-                                        phi_5167_ = -(_e1643);
+                                        phi_5169_ = -(_e1643);
                                     } else {
-                                        phi_5167_ = _e1643;
+                                        phi_5169_ = _e1643;
                                     }
-                                    let _e1691 = phi_5167_;
+                                    let _e1691 = phi_5169_;
                                     if (_e1687 > _e1691) {
-                                        phi_5172_ = _e1687;
+                                        phi_5174_ = _e1687;
                                     } else {
-                                        phi_5172_ = _e1691;
+                                        phi_5174_ = _e1691;
                                     }
-                                    let _e1694 = phi_5172_;
+                                    let _e1694 = phi_5174_;
                                     if (_e1644 < 0.0lf) {
-                                        phi_5178_ = -(_e1644);
+                                        phi_5180_ = -(_e1644);
                                     } else {
-                                        phi_5178_ = _e1644;
+                                        phi_5180_ = _e1644;
                                     }
-                                    let _e1698 = phi_5178_;
+                                    let _e1698 = phi_5180_;
                                     if (_e1694 > _e1698) {
-                                        phi_5183_ = _e1694;
+                                        phi_5185_ = _e1694;
                                     } else {
-                                        phi_5183_ = _e1698;
+                                        phi_5185_ = _e1698;
                                     }
-                                    let _e1701 = phi_5183_;
+                                    let _e1701 = phi_5185_;
                                     local_4 = type_51(array<f64, 3>(_e1642, _e1643, _e1644), _e1683, (_e1701 + _e1683));
                                     let _e1707 = local_20.member_3;
                                     let _e1709 = local_20.member_2[0u];
                                     if (_e1709[0] < 0.0lf) {
-                                        phi_5209_ = -(_e1709[0]);
+                                        phi_5211_ = -(_e1709[0]);
                                     } else {
-                                        phi_5209_ = _e1709[0];
+                                        phi_5211_ = _e1709[0];
                                     }
-                                    let _e1716 = phi_5209_;
+                                    let _e1716 = phi_5211_;
                                     if (_e1709[1] < 0.0lf) {
-                                        phi_5216_ = -(_e1709[1]);
+                                        phi_5218_ = -(_e1709[1]);
                                     } else {
-                                        phi_5216_ = _e1709[1];
+                                        phi_5218_ = _e1709[1];
                                     }
-                                    let _e1720 = phi_5216_;
+                                    let _e1720 = phi_5218_;
                                     if (_e1716 > _e1720) {
-                                        phi_5221_ = _e1716;
+                                        phi_5223_ = _e1716;
                                     } else {
-                                        phi_5221_ = _e1720;
+                                        phi_5223_ = _e1720;
                                     }
-                                    let _e1723 = phi_5221_;
+                                    let _e1723 = phi_5223_;
                                     if (_e1709[2] < 0.0lf) {
-                                        phi_5228_ = -(_e1709[2]);
+                                        phi_5230_ = -(_e1709[2]);
                                     } else {
-                                        phi_5228_ = _e1709[2];
+                                        phi_5230_ = _e1709[2];
                                     }
-                                    let _e1727 = phi_5228_;
+                                    let _e1727 = phi_5230_;
                                     if (_e1723 > _e1727) {
-                                        phi_5233_ = _e1723;
+                                        phi_5235_ = _e1723;
                                     } else {
-                                        phi_5233_ = _e1727;
+                                        phi_5235_ = _e1727;
                                     }
-                                    let _e1730 = phi_5233_;
+                                    let _e1730 = phi_5235_;
                                     let _e1732 = local_20.member_2[1u];
                                     if (_e1732[0] < 0.0lf) {
-                                        phi_5246_ = -(_e1732[0]);
+                                        phi_5248_ = -(_e1732[0]);
                                     } else {
-                                        phi_5246_ = _e1732[0];
+                                        phi_5248_ = _e1732[0];
                                     }
-                                    let _e1739 = phi_5246_;
+                                    let _e1739 = phi_5248_;
                                     if (_e1732[1] < 0.0lf) {
-                                        phi_5253_ = -(_e1732[1]);
+                                        phi_5255_ = -(_e1732[1]);
                                     } else {
-                                        phi_5253_ = _e1732[1];
+                                        phi_5255_ = _e1732[1];
                                     }
-                                    let _e1743 = phi_5253_;
+                                    let _e1743 = phi_5255_;
                                     if (_e1739 > _e1743) {
-                                        phi_5258_ = _e1739;
+                                        phi_5260_ = _e1739;
                                     } else {
-                                        phi_5258_ = _e1743;
+                                        phi_5260_ = _e1743;
                                     }
-                                    let _e1746 = phi_5258_;
+                                    let _e1746 = phi_5260_;
                                     if (_e1732[2] < 0.0lf) {
-                                        phi_5265_ = -(_e1732[2]);
+                                        phi_5267_ = -(_e1732[2]);
                                     } else {
-                                        phi_5265_ = _e1732[2];
+                                        phi_5267_ = _e1732[2];
                                     }
-                                    let _e1750 = phi_5265_;
+                                    let _e1750 = phi_5267_;
                                     if (_e1746 > _e1750) {
-                                        phi_5270_ = _e1746;
+                                        phi_5272_ = _e1746;
                                     } else {
-                                        phi_5270_ = _e1750;
+                                        phi_5272_ = _e1750;
                                     }
-                                    let _e1753 = phi_5270_;
+                                    let _e1753 = phi_5272_;
                                     if (_e1730 > _e1753) {
-                                        phi_5275_ = _e1730;
+                                        phi_5277_ = _e1730;
                                     } else {
-                                        phi_5275_ = _e1753;
+                                        phi_5277_ = _e1753;
                                     }
-                                    let _e1756 = phi_5275_;
+                                    let _e1756 = phi_5277_;
                                     let _e1759 = local_20.member_2[0u];
                                     let _e1764 = local_20.member_2[1u];
                                     let _e1774 = (_e1759[0] + ((_e1764[0] - _e1759[0]) * _e1437));
@@ -4122,66 +4127,66 @@ fn function_() {
                                     let _e1788 = (_e1778[1] - _e1783[1]);
                                     let _e1789 = (_e1778[2] - _e1783[2]);
                                     if (_e1787 < 0.0lf) {
-                                        phi_5334_ = -(_e1787);
+                                        phi_5336_ = -(_e1787);
                                     } else {
-                                        phi_5334_ = _e1787;
+                                        phi_5336_ = _e1787;
                                     }
-                                    let _e1793 = phi_5334_;
+                                    let _e1793 = phi_5336_;
                                     if (_e1788 < 0.0lf) {
-                                        phi_5340_ = -(_e1788);
+                                        phi_5342_ = -(_e1788);
                                     } else {
-                                        phi_5340_ = _e1788;
+                                        phi_5342_ = _e1788;
                                     }
-                                    let _e1797 = phi_5340_;
+                                    let _e1797 = phi_5342_;
                                     if (_e1793 > _e1797) {
-                                        phi_5345_ = _e1793;
+                                        phi_5347_ = _e1793;
                                     } else {
-                                        phi_5345_ = _e1797;
+                                        phi_5347_ = _e1797;
                                     }
-                                    let _e1800 = phi_5345_;
+                                    let _e1800 = phi_5347_;
                                     if (_e1789 < 0.0lf) {
-                                        phi_5351_ = -(_e1789);
+                                        phi_5353_ = -(_e1789);
                                     } else {
-                                        phi_5351_ = _e1789;
+                                        phi_5353_ = _e1789;
                                     }
-                                    let _e1804 = phi_5351_;
+                                    let _e1804 = phi_5353_;
                                     if (_e1800 > _e1804) {
-                                        phi_5356_ = _e1800;
+                                        phi_5358_ = _e1800;
                                     } else {
-                                        phi_5356_ = _e1804;
+                                        phi_5358_ = _e1804;
                                     }
-                                    let _e1807 = phi_5356_;
+                                    let _e1807 = phi_5358_;
                                     let _e1815 = ((((_e1440 * _e1807) * f64(1.01f)) + ((_e1756 + _e1707) * (1.1102230246251565e-16lf * f64(8f)))) + _e1707);
                                     if (_e1774 < 0.0lf) {
-                                        phi_5370_ = -(_e1774);
+                                        phi_5372_ = -(_e1774);
                                     } else {
-                                        phi_5370_ = _e1774;
+                                        phi_5372_ = _e1774;
                                     }
-                                    let _e1819 = phi_5370_;
+                                    let _e1819 = phi_5372_;
                                     if (_e1775 < 0.0lf) {
-                                        phi_5376_ = -(_e1775);
+                                        phi_5378_ = -(_e1775);
                                     } else {
-                                        phi_5376_ = _e1775;
+                                        phi_5378_ = _e1775;
                                     }
-                                    let _e1823 = phi_5376_;
+                                    let _e1823 = phi_5378_;
                                     if (_e1819 > _e1823) {
-                                        phi_5381_ = _e1819;
+                                        phi_5383_ = _e1819;
                                     } else {
-                                        phi_5381_ = _e1823;
+                                        phi_5383_ = _e1823;
                                     }
-                                    let _e1826 = phi_5381_;
+                                    let _e1826 = phi_5383_;
                                     if (_e1776 < 0.0lf) {
-                                        phi_5387_ = -(_e1776);
+                                        phi_5389_ = -(_e1776);
                                     } else {
-                                        phi_5387_ = _e1776;
+                                        phi_5389_ = _e1776;
                                     }
-                                    let _e1830 = phi_5387_;
+                                    let _e1830 = phi_5389_;
                                     if (_e1826 > _e1830) {
-                                        phi_5392_ = _e1826;
+                                        phi_5394_ = _e1826;
                                     } else {
-                                        phi_5392_ = _e1830;
+                                        phi_5394_ = _e1830;
                                     }
-                                    let _e1833 = phi_5392_;
+                                    let _e1833 = phi_5394_;
                                     local_5 = type_51(array<f64, 3>(_e1774, _e1775, _e1776), _e1815, (_e1833 + _e1815));
                                     let _e1838 = local_4.member;
                                     let _e1843 = local_5.member;
@@ -4189,68 +4194,68 @@ fn function_() {
                                     let _e1852 = ((_e1838[2] * _e1843[0]) - (_e1838[0] * _e1843[2]));
                                     let _e1855 = ((_e1838[0] * _e1843[1]) - (_e1838[1] * _e1843[0]));
                                     if (_e1849 < 0.0lf) {
-                                        phi_5441_ = -(_e1849);
+                                        phi_5443_ = -(_e1849);
                                     } else {
-                                        phi_5441_ = _e1849;
+                                        phi_5443_ = _e1849;
                                     }
-                                    let _e1859 = phi_5441_;
+                                    let _e1859 = phi_5443_;
                                     if (_e1852 < 0.0lf) {
-                                        phi_5447_ = -(_e1852);
+                                        phi_5449_ = -(_e1852);
                                     } else {
-                                        phi_5447_ = _e1852;
+                                        phi_5449_ = _e1852;
                                     }
-                                    let _e1863 = phi_5447_;
+                                    let _e1863 = phi_5449_;
                                     if (_e1859 > _e1863) {
                                         if (_e1849 < 0.0lf) {
-                                            phi_5457_ = -(_e1849);
+                                            phi_5459_ = -(_e1849);
                                         } else {
-                                            phi_5457_ = _e1849;
+                                            phi_5459_ = _e1849;
                                         }
-                                        let _e1881 = phi_5457_;
+                                        let _e1881 = phi_5459_;
                                         if (_e1855 < 0.0lf) {
-                                            phi_5463_ = -(_e1855);
+                                            phi_5465_ = -(_e1855);
                                         } else {
-                                            phi_5463_ = _e1855;
+                                            phi_5465_ = _e1855;
                                         }
-                                        let _e1885 = phi_5463_;
+                                        let _e1885 = phi_5465_;
                                         if (_e1881 > _e1885) {
-                                            phi_5468_ = 2u;
-                                            phi_5469_ = 1u;
+                                            phi_5470_ = 2u;
+                                            phi_5471_ = 1u;
                                         } else {
-                                            phi_5468_ = 1u;
-                                            phi_5469_ = 0u;
+                                            phi_5470_ = 1u;
+                                            phi_5471_ = 0u;
                                         }
-                                        let _e1888 = phi_5468_;
-                                        let _e1890 = phi_5469_;
-                                        phi_5488_ = _e1888;
-                                        phi_5489_ = _e1890;
+                                        let _e1888 = phi_5470_;
+                                        let _e1890 = phi_5471_;
+                                        phi_5490_ = _e1888;
+                                        phi_5491_ = _e1890;
                                     } else {
                                         if (_e1852 < 0.0lf) {
-                                            phi_5475_ = -(_e1852);
+                                            phi_5477_ = -(_e1852);
                                         } else {
-                                            phi_5475_ = _e1852;
+                                            phi_5477_ = _e1852;
                                         }
-                                        let _e1868 = phi_5475_;
+                                        let _e1868 = phi_5477_;
                                         if (_e1855 < 0.0lf) {
-                                            phi_5481_ = -(_e1855);
+                                            phi_5483_ = -(_e1855);
                                         } else {
-                                            phi_5481_ = _e1855;
+                                            phi_5483_ = _e1855;
                                         }
-                                        let _e1872 = phi_5481_;
+                                        let _e1872 = phi_5483_;
                                         if (_e1868 > _e1872) {
-                                            phi_5486_ = 0u;
-                                            phi_5487_ = 2u;
+                                            phi_5488_ = 0u;
+                                            phi_5489_ = 2u;
                                         } else {
-                                            phi_5486_ = 1u;
-                                            phi_5487_ = 0u;
+                                            phi_5488_ = 1u;
+                                            phi_5489_ = 0u;
                                         }
-                                        let _e1875 = phi_5486_;
-                                        let _e1877 = phi_5487_;
-                                        phi_5488_ = _e1875;
-                                        phi_5489_ = _e1877;
+                                        let _e1875 = phi_5488_;
+                                        let _e1877 = phi_5489_;
+                                        phi_5490_ = _e1875;
+                                        phi_5491_ = _e1877;
                                     }
-                                    let _e1892 = phi_5488_;
-                                    let _e1894 = phi_5489_;
+                                    let _e1892 = phi_5490_;
+                                    let _e1894 = phi_5491_;
                                     if (_e1894 < 3u) {
                                     } else {
                                         return;
@@ -4283,18 +4288,18 @@ fn function_() {
                                     let _e1943 = local_5.member_2;
                                     let _e1947 = (((((_e1916 * _e1918) + (_e1921 * _e1923)) * f64(2.01f)) + ((_e1929 * _e1931) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1914 + _e1940) * (_e1914 + _e1943))));
                                     if (_e1913 < 0.0lf) {
-                                        phi_5560_ = -(_e1913);
+                                        phi_5562_ = -(_e1913);
                                     } else {
-                                        phi_5560_ = _e1913;
+                                        phi_5562_ = _e1913;
                                     }
-                                    let _e1951 = phi_5560_;
+                                    let _e1951 = phi_5562_;
                                     if (_e1951 > _e1947) {
                                         if (_e1913 < f64(0f)) {
-                                            phi_5572_ = f64(-1f);
+                                            phi_5574_ = f64(-1f);
                                         } else {
-                                            phi_5572_ = f64(1f);
+                                            phi_5574_ = f64(1f);
                                         }
-                                        let _e1958 = phi_5572_;
+                                        let _e1958 = phi_5574_;
                                         if (_e1894 < 3u) {
                                         } else {
                                             return;
@@ -4359,23 +4364,23 @@ fn function_() {
                                         let _e2066 = (((_e1962 * _e1966) - (_e1971 * _e1975)) * _e1958);
                                         let _e2067 = (((_e2015 * _e2019) - (_e2024 * _e2028)) * _e1958);
                                         if (_e2065 < 0.0lf) {
-                                            phi_5711_ = -(_e2065);
+                                            phi_5713_ = -(_e2065);
                                         } else {
-                                            phi_5711_ = _e2065;
+                                            phi_5713_ = _e2065;
                                         }
-                                        let _e2071 = phi_5711_;
+                                        let _e2071 = phi_5713_;
                                         if (_e2066 < 0.0lf) {
-                                            phi_5717_ = -(_e2066);
+                                            phi_5719_ = -(_e2066);
                                         } else {
-                                            phi_5717_ = _e2066;
+                                            phi_5719_ = _e2066;
                                         }
-                                        let _e2075 = phi_5717_;
+                                        let _e2075 = phi_5719_;
                                         if (_e2067 < 0.0lf) {
-                                            phi_5724_ = -(_e2067);
+                                            phi_5726_ = -(_e2067);
                                         } else {
-                                            phi_5724_ = _e2067;
+                                            phi_5726_ = _e2067;
                                         }
-                                        let _e2080 = phi_5724_;
+                                        let _e2080 = phi_5726_;
                                         let _e2084 = (((_e2071 + _e2075) + _e2080) * (1.1102230246251565e-16lf * f64(4f)));
                                         local_6[0u].member = _e2066;
                                         local_6[0u].member_1 = _e2011;
@@ -4385,21 +4390,21 @@ fn function_() {
                                         local_6[2u].member_1 = ((_e1947 + _e2011) + _e2084);
                                         local_6[3u].member = (_e2065 - _e2067);
                                         local_6[3u].member_1 = ((_e1947 + _e2064) + _e2084);
-                                        phi_5768_ = type_28(0u, 4u);
-                                        phi_5771_ = true;
+                                        phi_5770_ = type_28(0u, 4u);
+                                        phi_5773_ = true;
                                         loop {
-                                            let _e2105 = phi_5768_;
-                                            let _e2107 = phi_5771_;
+                                            let _e2105 = phi_5770_;
+                                            let _e2107 = phi_5773_;
                                             local_25 = _e2107;
                                             if (_e2105.member < _e2105.member_1) {
-                                                phi_5769_ = type_28((_e2105.member + 1u), _e2105.member_1);
-                                                phi_5794_ = type_28(1u, _e2105.member);
+                                                phi_5771_ = type_28((_e2105.member + 1u), _e2105.member_1);
+                                                phi_5796_ = type_28(1u, _e2105.member);
                                             } else {
-                                                phi_5769_ = _e2105;
-                                                phi_5794_ = type_28(0u, type_28().member_1);
+                                                phi_5771_ = _e2105;
+                                                phi_5796_ = type_28(0u, type_28().member_1);
                                             }
-                                            let _e2121 = phi_5769_;
-                                            let _e2123 = phi_5794_;
+                                            let _e2121 = phi_5771_;
+                                            let _e2123 = phi_5796_;
                                             if (bitcast<i32>(_e2123.member) != 0i) {
                                                 if (_e2123.member_1 < 4u) {
                                                 } else {
@@ -4409,98 +4414,98 @@ fn function_() {
                                                 let _e2134 = local_6[_e2123.member_1].member_1;
                                                 let _e2136 = (_e2131 < -(_e2134));
                                                 if _e2136 {
-                                                    phi_5821_ = bool();
-                                                    phi_5822_ = false;
+                                                    phi_5823_ = bool();
+                                                    phi_5824_ = false;
                                                 } else {
-                                                    phi_5821_ = (_e2107 && (_e2131 > _e2134));
-                                                    phi_5822_ = true;
+                                                    phi_5823_ = (_e2107 && (_e2131 > _e2134));
+                                                    phi_5824_ = true;
                                                 }
-                                                let _e2140 = phi_5821_;
-                                                let _e2142 = phi_5822_;
-                                                phi_5772_ = _e2140;
-                                                phi_5823_ = _e2142;
-                                                phi_5824_ = _e2136;
+                                                let _e2140 = phi_5823_;
+                                                let _e2142 = phi_5824_;
+                                                phi_5774_ = _e2140;
+                                                phi_5825_ = _e2142;
+                                                phi_5826_ = _e2136;
                                             } else {
-                                                phi_5772_ = bool();
-                                                phi_5823_ = false;
-                                                phi_5824_ = false;
+                                                phi_5774_ = bool();
+                                                phi_5825_ = false;
+                                                phi_5826_ = false;
                                             }
-                                            let _e2144 = phi_5772_;
-                                            let _e2146 = phi_5823_;
-                                            let _e2148 = phi_5824_;
+                                            let _e2144 = phi_5774_;
+                                            let _e2146 = phi_5825_;
+                                            let _e2148 = phi_5826_;
                                             local_24 = _e2148;
                                             continue;
                                             continuing {
-                                                phi_5768_ = _e2121;
-                                                phi_5771_ = _e2144;
+                                                phi_5770_ = _e2121;
+                                                phi_5773_ = _e2144;
                                                 break if !(_e2146);
                                             }
                                         }
                                         let _e2151 = local_24;
                                         if _e2151 {
-                                            phi_5828_ = false;
+                                            phi_5830_ = false;
                                         } else {
-                                            phi_5828_ = true;
+                                            phi_5830_ = true;
                                         }
-                                        let _e2153 = phi_5828_;
+                                        let _e2153 = phi_5830_;
                                         if _e2153 {
                                             let _e2155 = local_25;
                                             if _e2155 {
-                                                phi_5835_ = 1u;
+                                                phi_5837_ = 1u;
                                             } else {
-                                                phi_5835_ = 2u;
+                                                phi_5837_ = 2u;
                                             }
-                                            let _e2157 = phi_5835_;
-                                            phi_5836_ = _e2157;
-                                            phi_5837_ = false;
+                                            let _e2157 = phi_5837_;
+                                            phi_5838_ = _e2157;
+                                            phi_5839_ = false;
                                         } else {
-                                            phi_5836_ = u32();
-                                            phi_5837_ = true;
+                                            phi_5838_ = u32();
+                                            phi_5839_ = true;
                                         }
-                                        let _e2159 = phi_5836_;
-                                        let _e2161 = phi_5837_;
-                                        phi_5838_ = _e2159;
-                                        phi_5839_ = 0u;
-                                        phi_5840_ = _e2161;
+                                        let _e2159 = phi_5838_;
+                                        let _e2161 = phi_5839_;
+                                        phi_5840_ = _e2159;
+                                        phi_5841_ = 0u;
+                                        phi_5842_ = _e2161;
                                     } else {
-                                        phi_5838_ = u32();
-                                        phi_5839_ = 2u;
-                                        phi_5840_ = true;
+                                        phi_5840_ = u32();
+                                        phi_5841_ = 2u;
+                                        phi_5842_ = true;
                                     }
-                                    let _e2163 = phi_5838_;
-                                    let _e2165 = phi_5839_;
-                                    let _e2167 = phi_5840_;
+                                    let _e2163 = phi_5840_;
+                                    let _e2165 = phi_5841_;
+                                    let _e2167 = phi_5842_;
                                     if _e2167 {
-                                        phi_5844_ = _e2165;
+                                        phi_5846_ = _e2165;
                                     } else {
-                                        phi_5844_ = _e2163;
+                                        phi_5846_ = _e2163;
                                     }
-                                    let _e2169 = phi_5844_;
+                                    let _e2169 = phi_5846_;
                                     let _e2170 = (_e2169 == 0u);
                                     if _e2170 {
-                                        phi_7388_ = f64();
-                                        phi_7389_ = false;
-                                        phi_7390_ = false;
+                                        phi_7390_ = f64();
                                         phi_7391_ = false;
+                                        phi_7392_ = false;
+                                        phi_7393_ = false;
                                     } else {
                                         if (_e2169 == 1u) {
                                             if _e1428.member_2 {
                                                 if ((_e1428.member_1 - _e1428.member) <= f64(0.0000005f)) {
-                                                    phi_5865_ = false;
+                                                    phi_5867_ = false;
                                                 } else {
-                                                    phi_5865_ = true;
+                                                    phi_5867_ = true;
                                                 }
-                                                let _e2179 = phi_5865_;
-                                                phi_5866_ = _e2179;
+                                                let _e2179 = phi_5867_;
+                                                phi_5868_ = _e2179;
                                             } else {
-                                                phi_5866_ = true;
+                                                phi_5868_ = true;
                                             }
-                                            let _e2181 = phi_5866_;
-                                            phi_5867_ = _e2181;
+                                            let _e2181 = phi_5868_;
+                                            phi_5869_ = _e2181;
                                         } else {
-                                            phi_5867_ = true;
+                                            phi_5869_ = true;
                                         }
-                                        let _e2183 = phi_5867_;
+                                        let _e2183 = phi_5869_;
                                         if _e2183 {
                                             let _e2189 = local_20.member[0u];
                                             let _e2195 = local_20.member_1[0u];
@@ -4518,231 +4523,231 @@ fn function_() {
                                             local_2 = array<array<f64, 3>, 4>(_e2220, array<f64, 3>(_e2236, _e2237, _e2238), array<f64, 3>((_e2220[0] - _e2232[0]), (_e2220[1] - _e2232[1]), (_e2220[2] - _e2232[2])), array<f64, 3>((_e2236 - _e2232[0]), (_e2237 - _e2232[1]), (_e2238 - _e2232[2])));
                                             let _e2251 = local_20.member[0u];
                                             if (_e2251[0] < 0.0lf) {
-                                                phi_6064_ = -(_e2251[0]);
+                                                phi_6066_ = -(_e2251[0]);
                                             } else {
-                                                phi_6064_ = _e2251[0];
+                                                phi_6066_ = _e2251[0];
                                             }
-                                            let _e2258 = phi_6064_;
+                                            let _e2258 = phi_6066_;
                                             if (_e2251[1] < 0.0lf) {
-                                                phi_6071_ = -(_e2251[1]);
+                                                phi_6073_ = -(_e2251[1]);
                                             } else {
-                                                phi_6071_ = _e2251[1];
+                                                phi_6073_ = _e2251[1];
                                             }
-                                            let _e2262 = phi_6071_;
+                                            let _e2262 = phi_6073_;
                                             if (_e2258 > _e2262) {
-                                                phi_6076_ = _e2258;
+                                                phi_6078_ = _e2258;
                                             } else {
-                                                phi_6076_ = _e2262;
+                                                phi_6078_ = _e2262;
                                             }
-                                            let _e2265 = phi_6076_;
+                                            let _e2265 = phi_6078_;
                                             if (_e2251[2] < 0.0lf) {
-                                                phi_6083_ = -(_e2251[2]);
+                                                phi_6085_ = -(_e2251[2]);
                                             } else {
-                                                phi_6083_ = _e2251[2];
+                                                phi_6085_ = _e2251[2];
                                             }
-                                            let _e2269 = phi_6083_;
+                                            let _e2269 = phi_6085_;
                                             if (_e2265 > _e2269) {
-                                                phi_6088_ = _e2265;
+                                                phi_6090_ = _e2265;
                                             } else {
-                                                phi_6088_ = _e2269;
+                                                phi_6090_ = _e2269;
                                             }
-                                            let _e2272 = phi_6088_;
+                                            let _e2272 = phi_6090_;
                                             let _e2275 = local_20.member[1u];
                                             if (_e2275[0] < 0.0lf) {
-                                                phi_6101_ = -(_e2275[0]);
+                                                phi_6103_ = -(_e2275[0]);
                                             } else {
-                                                phi_6101_ = _e2275[0];
+                                                phi_6103_ = _e2275[0];
                                             }
-                                            let _e2282 = phi_6101_;
+                                            let _e2282 = phi_6103_;
                                             if (_e2275[1] < 0.0lf) {
-                                                phi_6108_ = -(_e2275[1]);
+                                                phi_6110_ = -(_e2275[1]);
                                             } else {
-                                                phi_6108_ = _e2275[1];
+                                                phi_6110_ = _e2275[1];
                                             }
-                                            let _e2286 = phi_6108_;
+                                            let _e2286 = phi_6110_;
                                             if (_e2282 > _e2286) {
-                                                phi_6113_ = _e2282;
+                                                phi_6115_ = _e2282;
                                             } else {
-                                                phi_6113_ = _e2286;
+                                                phi_6115_ = _e2286;
                                             }
-                                            let _e2289 = phi_6113_;
+                                            let _e2289 = phi_6115_;
                                             if (_e2275[2] < 0.0lf) {
-                                                phi_6120_ = -(_e2275[2]);
+                                                phi_6122_ = -(_e2275[2]);
                                             } else {
-                                                phi_6120_ = _e2275[2];
+                                                phi_6122_ = _e2275[2];
                                             }
-                                            let _e2293 = phi_6120_;
+                                            let _e2293 = phi_6122_;
                                             if (_e2289 > _e2293) {
-                                                phi_6125_ = _e2289;
+                                                phi_6127_ = _e2289;
                                             } else {
-                                                phi_6125_ = _e2293;
+                                                phi_6127_ = _e2293;
                                             }
-                                            let _e2296 = phi_6125_;
+                                            let _e2296 = phi_6127_;
                                             if (_e2272 > _e2296) {
-                                                phi_6130_ = _e2272;
+                                                phi_6132_ = _e2272;
                                             } else {
-                                                phi_6130_ = _e2296;
+                                                phi_6132_ = _e2296;
                                             }
-                                            let _e2299 = phi_6130_;
+                                            let _e2299 = phi_6132_;
                                             let _e2301 = local_20.member_3;
                                             let _e2305 = local_20.member_1[0u];
                                             if (_e2305[0] < 0.0lf) {
-                                                phi_6147_ = -(_e2305[0]);
+                                                phi_6149_ = -(_e2305[0]);
                                             } else {
-                                                phi_6147_ = _e2305[0];
+                                                phi_6149_ = _e2305[0];
                                             }
-                                            let _e2312 = phi_6147_;
+                                            let _e2312 = phi_6149_;
                                             if (_e2305[1] < 0.0lf) {
-                                                phi_6154_ = -(_e2305[1]);
+                                                phi_6156_ = -(_e2305[1]);
                                             } else {
-                                                phi_6154_ = _e2305[1];
+                                                phi_6156_ = _e2305[1];
                                             }
-                                            let _e2316 = phi_6154_;
+                                            let _e2316 = phi_6156_;
                                             if (_e2312 > _e2316) {
-                                                phi_6159_ = _e2312;
+                                                phi_6161_ = _e2312;
                                             } else {
-                                                phi_6159_ = _e2316;
+                                                phi_6161_ = _e2316;
                                             }
-                                            let _e2319 = phi_6159_;
+                                            let _e2319 = phi_6161_;
                                             if (_e2305[2] < 0.0lf) {
-                                                phi_6166_ = -(_e2305[2]);
+                                                phi_6168_ = -(_e2305[2]);
                                             } else {
-                                                phi_6166_ = _e2305[2];
+                                                phi_6168_ = _e2305[2];
                                             }
-                                            let _e2323 = phi_6166_;
+                                            let _e2323 = phi_6168_;
                                             if (_e2319 > _e2323) {
-                                                phi_6171_ = _e2319;
+                                                phi_6173_ = _e2319;
                                             } else {
-                                                phi_6171_ = _e2323;
+                                                phi_6173_ = _e2323;
                                             }
-                                            let _e2326 = phi_6171_;
+                                            let _e2326 = phi_6173_;
                                             let _e2329 = local_20.member_1[1u];
                                             if (_e2329[0] < 0.0lf) {
-                                                phi_6185_ = -(_e2329[0]);
+                                                phi_6187_ = -(_e2329[0]);
                                             } else {
-                                                phi_6185_ = _e2329[0];
+                                                phi_6187_ = _e2329[0];
                                             }
-                                            let _e2336 = phi_6185_;
+                                            let _e2336 = phi_6187_;
                                             if (_e2329[1] < 0.0lf) {
-                                                phi_6192_ = -(_e2329[1]);
+                                                phi_6194_ = -(_e2329[1]);
                                             } else {
-                                                phi_6192_ = _e2329[1];
+                                                phi_6194_ = _e2329[1];
                                             }
-                                            let _e2340 = phi_6192_;
+                                            let _e2340 = phi_6194_;
                                             if (_e2336 > _e2340) {
-                                                phi_6197_ = _e2336;
+                                                phi_6199_ = _e2336;
                                             } else {
-                                                phi_6197_ = _e2340;
+                                                phi_6199_ = _e2340;
                                             }
-                                            let _e2343 = phi_6197_;
+                                            let _e2343 = phi_6199_;
                                             if (_e2329[2] < 0.0lf) {
-                                                phi_6204_ = -(_e2329[2]);
+                                                phi_6206_ = -(_e2329[2]);
                                             } else {
-                                                phi_6204_ = _e2329[2];
+                                                phi_6206_ = _e2329[2];
                                             }
-                                            let _e2347 = phi_6204_;
+                                            let _e2347 = phi_6206_;
                                             if (_e2343 > _e2347) {
-                                                phi_6209_ = _e2343;
+                                                phi_6211_ = _e2343;
                                             } else {
-                                                phi_6209_ = _e2347;
+                                                phi_6211_ = _e2347;
                                             }
-                                            let _e2350 = phi_6209_;
+                                            let _e2350 = phi_6211_;
                                             if (_e2326 > _e2350) {
-                                                phi_6214_ = _e2326;
+                                                phi_6216_ = _e2326;
                                             } else {
-                                                phi_6214_ = _e2350;
+                                                phi_6216_ = _e2350;
                                             }
-                                            let _e2353 = phi_6214_;
+                                            let _e2353 = phi_6216_;
                                             let _e2355 = local_20.member_3;
                                             let _e2359 = local_20.member_2[0u];
                                             if (_e2359[0] < 0.0lf) {
-                                                phi_6231_ = -(_e2359[0]);
+                                                phi_6233_ = -(_e2359[0]);
                                             } else {
-                                                phi_6231_ = _e2359[0];
+                                                phi_6233_ = _e2359[0];
                                             }
-                                            let _e2366 = phi_6231_;
+                                            let _e2366 = phi_6233_;
                                             if (_e2359[1] < 0.0lf) {
-                                                phi_6238_ = -(_e2359[1]);
+                                                phi_6240_ = -(_e2359[1]);
                                             } else {
-                                                phi_6238_ = _e2359[1];
+                                                phi_6240_ = _e2359[1];
                                             }
-                                            let _e2370 = phi_6238_;
+                                            let _e2370 = phi_6240_;
                                             if (_e2366 > _e2370) {
-                                                phi_6243_ = _e2366;
+                                                phi_6245_ = _e2366;
                                             } else {
-                                                phi_6243_ = _e2370;
+                                                phi_6245_ = _e2370;
                                             }
-                                            let _e2373 = phi_6243_;
+                                            let _e2373 = phi_6245_;
                                             if (_e2359[2] < 0.0lf) {
-                                                phi_6250_ = -(_e2359[2]);
+                                                phi_6252_ = -(_e2359[2]);
                                             } else {
-                                                phi_6250_ = _e2359[2];
+                                                phi_6252_ = _e2359[2];
                                             }
-                                            let _e2377 = phi_6250_;
+                                            let _e2377 = phi_6252_;
                                             if (_e2373 > _e2377) {
-                                                phi_6255_ = _e2373;
+                                                phi_6257_ = _e2373;
                                             } else {
-                                                phi_6255_ = _e2377;
+                                                phi_6257_ = _e2377;
                                             }
-                                            let _e2380 = phi_6255_;
+                                            let _e2380 = phi_6257_;
                                             let _e2383 = local_20.member_2[1u];
                                             if (_e2383[0] < 0.0lf) {
-                                                phi_6269_ = -(_e2383[0]);
+                                                phi_6271_ = -(_e2383[0]);
                                             } else {
-                                                phi_6269_ = _e2383[0];
+                                                phi_6271_ = _e2383[0];
                                             }
-                                            let _e2390 = phi_6269_;
+                                            let _e2390 = phi_6271_;
                                             if (_e2383[1] < 0.0lf) {
-                                                phi_6276_ = -(_e2383[1]);
+                                                phi_6278_ = -(_e2383[1]);
                                             } else {
-                                                phi_6276_ = _e2383[1];
+                                                phi_6278_ = _e2383[1];
                                             }
-                                            let _e2394 = phi_6276_;
+                                            let _e2394 = phi_6278_;
                                             if (_e2390 > _e2394) {
-                                                phi_6281_ = _e2390;
+                                                phi_6283_ = _e2390;
                                             } else {
-                                                phi_6281_ = _e2394;
+                                                phi_6283_ = _e2394;
                                             }
-                                            let _e2397 = phi_6281_;
+                                            let _e2397 = phi_6283_;
                                             if (_e2383[2] < 0.0lf) {
-                                                phi_6288_ = -(_e2383[2]);
+                                                phi_6290_ = -(_e2383[2]);
                                             } else {
-                                                phi_6288_ = _e2383[2];
+                                                phi_6290_ = _e2383[2];
                                             }
-                                            let _e2401 = phi_6288_;
+                                            let _e2401 = phi_6290_;
                                             if (_e2397 > _e2401) {
-                                                phi_6293_ = _e2397;
+                                                phi_6295_ = _e2397;
                                             } else {
-                                                phi_6293_ = _e2401;
+                                                phi_6295_ = _e2401;
                                             }
-                                            let _e2404 = phi_6293_;
+                                            let _e2404 = phi_6295_;
                                             if (_e2380 > _e2404) {
-                                                phi_6298_ = _e2380;
+                                                phi_6300_ = _e2380;
                                             } else {
-                                                phi_6298_ = _e2404;
+                                                phi_6300_ = _e2404;
                                             }
-                                            let _e2407 = phi_6298_;
+                                            let _e2407 = phi_6300_;
                                             let _e2409 = local_20.member_3;
                                             let _e2417 = local_20.member_3;
-                                            phi_6318_ = type_28(0u, 48u);
-                                            phi_6321_ = _e1428.member;
+                                            phi_6320_ = type_28(0u, 48u);
+                                            phi_6323_ = _e1428.member;
                                             loop {
-                                                let _e2426 = phi_6318_;
-                                                let _e2428 = phi_6321_;
+                                                let _e2426 = phi_6320_;
+                                                let _e2428 = phi_6323_;
                                                 local_70 = _e2428;
                                                 local_32 = _e2428;
                                                 local_33 = _e2428;
                                                 local_34 = _e2428;
                                                 local_35 = _e2428;
                                                 if (_e2426.member < _e2426.member_1) {
-                                                    phi_6319_ = type_28((_e2426.member + 1u), _e2426.member_1);
-                                                    phi_6344_ = type_28(1u, _e2426.member);
+                                                    phi_6321_ = type_28((_e2426.member + 1u), _e2426.member_1);
+                                                    phi_6346_ = type_28(1u, _e2426.member);
                                                 } else {
-                                                    phi_6319_ = _e2426;
-                                                    phi_6344_ = type_28(0u, type_28().member_1);
+                                                    phi_6321_ = _e2426;
+                                                    phi_6346_ = type_28(0u, type_28().member_1);
                                                 }
-                                                let _e2442 = phi_6319_;
-                                                let _e2444 = phi_6344_;
+                                                let _e2442 = phi_6321_;
+                                                let _e2444 = phi_6346_;
                                                 if (bitcast<i32>(_e2444.member) != 0i) {
                                                     let _e2450 = local_20.member[0u];
                                                     let _e2456 = local_20.member[1u];
@@ -4772,54 +4777,54 @@ fn function_() {
                                                     if (_e2544 >= _e2539) {
                                                         if (_e2548 >= _e2539) {
                                                             if (_e2544 <= _e2540) {
-                                                                phi_6500_ = (_e2548 <= _e2540);
-                                                                phi_6501_ = false;
+                                                                phi_6502_ = (_e2548 <= _e2540);
+                                                                phi_6503_ = false;
                                                             } else {
-                                                                phi_6500_ = bool();
-                                                                phi_6501_ = true;
+                                                                phi_6502_ = bool();
+                                                                phi_6503_ = true;
                                                             }
-                                                            let _e2554 = phi_6500_;
-                                                            let _e2556 = phi_6501_;
-                                                            phi_6502_ = _e2554;
-                                                            phi_6503_ = _e2556;
+                                                            let _e2554 = phi_6502_;
+                                                            let _e2556 = phi_6503_;
+                                                            phi_6504_ = _e2554;
+                                                            phi_6505_ = _e2556;
                                                         } else {
-                                                            phi_6502_ = bool();
-                                                            phi_6503_ = true;
+                                                            phi_6504_ = bool();
+                                                            phi_6505_ = true;
                                                         }
-                                                        let _e2558 = phi_6502_;
-                                                        let _e2560 = phi_6503_;
-                                                        phi_6504_ = _e2558;
-                                                        phi_6505_ = _e2560;
+                                                        let _e2558 = phi_6504_;
+                                                        let _e2560 = phi_6505_;
+                                                        phi_6506_ = _e2558;
+                                                        phi_6507_ = _e2560;
                                                     } else {
-                                                        phi_6504_ = bool();
-                                                        phi_6505_ = true;
+                                                        phi_6506_ = bool();
+                                                        phi_6507_ = true;
                                                     }
-                                                    let _e2562 = phi_6504_;
-                                                    let _e2564 = phi_6505_;
+                                                    let _e2562 = phi_6506_;
+                                                    let _e2564 = phi_6507_;
                                                     if _e2564 {
-                                                        phi_6509_ = false;
+                                                        phi_6511_ = false;
                                                     } else {
-                                                        phi_6509_ = _e2562;
+                                                        phi_6511_ = _e2562;
                                                     }
-                                                    let _e2566 = phi_6509_;
+                                                    let _e2566 = phi_6511_;
                                                     if (_e2538 > _e2539) {
                                                         if _e2566 {
-                                                            phi_6549_ = array<f64, 3>((_e2466 - ((_e2487 * _e2544) + (_e2508 * _e2548))), (_e2467 - ((_e2488 * _e2544) + (_e2509 * _e2548))), (_e2468 - ((_e2489 * _e2544) + (_e2510 * _e2548))));
-                                                            phi_6550_ = false;
+                                                            phi_6551_ = array<f64, 3>((_e2466 - ((_e2487 * _e2544) + (_e2508 * _e2548))), (_e2467 - ((_e2488 * _e2544) + (_e2509 * _e2548))), (_e2468 - ((_e2489 * _e2544) + (_e2510 * _e2548))));
+                                                            phi_6552_ = false;
                                                         } else {
-                                                            phi_6549_ = array<f64, 3>();
-                                                            phi_6550_ = true;
+                                                            phi_6551_ = array<f64, 3>();
+                                                            phi_6552_ = true;
                                                         }
-                                                        let _e2582 = phi_6549_;
-                                                        let _e2584 = phi_6550_;
-                                                        phi_6551_ = _e2582;
-                                                        phi_6552_ = _e2584;
+                                                        let _e2582 = phi_6551_;
+                                                        let _e2584 = phi_6552_;
+                                                        phi_6553_ = _e2582;
+                                                        phi_6554_ = _e2584;
                                                     } else {
-                                                        phi_6551_ = array<f64, 3>();
-                                                        phi_6552_ = true;
+                                                        phi_6553_ = array<f64, 3>();
+                                                        phi_6554_ = true;
                                                     }
-                                                    let _e2586 = phi_6551_;
-                                                    let _e2588 = phi_6552_;
+                                                    let _e2586 = phi_6553_;
+                                                    let _e2588 = phi_6554_;
                                                     if _e2588 {
                                                         let _e2589 = (_e2466 - _e2487);
                                                         let _e2590 = (_e2467 - _e2488);
@@ -4827,78 +4832,78 @@ fn function_() {
                                                         let _e2602 = ((((_e2466 * _e2487) + (_e2467 * _e2488)) + (_e2468 * _e2489)) / (((_e2487 * _e2487) + (_e2488 * _e2488)) + (_e2489 * _e2489)));
                                                         if (_e2602 > f64(0f)) {
                                                             if (_e2602 < f64(1f)) {
-                                                                phi_6585_ = _e2602;
+                                                                phi_6587_ = _e2602;
                                                             } else {
-                                                                phi_6585_ = f64(1f);
+                                                                phi_6587_ = f64(1f);
                                                             }
-                                                            let _e2610 = phi_6585_;
-                                                            phi_6587_ = _e2610;
+                                                            let _e2610 = phi_6587_;
+                                                            phi_6589_ = _e2610;
                                                         } else {
-                                                            phi_6587_ = f64(0f);
+                                                            phi_6589_ = f64(0f);
                                                         }
-                                                        let _e2612 = phi_6587_;
+                                                        let _e2612 = phi_6589_;
                                                         let _e2629 = ((((_e2466 * _e2508) + (_e2467 * _e2509)) + (_e2468 * _e2510)) / (((_e2508 * _e2508) + (_e2509 * _e2509)) + (_e2510 * _e2510)));
                                                         if (_e2629 > f64(0f)) {
                                                             if (_e2629 < f64(1f)) {
-                                                                phi_6617_ = _e2629;
+                                                                phi_6619_ = _e2629;
                                                             } else {
-                                                                phi_6617_ = f64(1f);
+                                                                phi_6619_ = f64(1f);
                                                             }
-                                                            let _e2637 = phi_6617_;
-                                                            phi_6619_ = _e2637;
+                                                            let _e2637 = phi_6619_;
+                                                            phi_6621_ = _e2637;
                                                         } else {
-                                                            phi_6619_ = f64(0f);
+                                                            phi_6621_ = f64(0f);
                                                         }
-                                                        let _e2639 = phi_6619_;
+                                                        let _e2639 = phi_6621_;
                                                         let _e2656 = ((((_e2589 * _e2508) + (_e2590 * _e2509)) + (_e2591 * _e2510)) / (((_e2508 * _e2508) + (_e2509 * _e2509)) + (_e2510 * _e2510)));
                                                         if (_e2656 > f64(0f)) {
                                                             if (_e2656 < f64(1f)) {
-                                                                phi_6649_ = _e2656;
+                                                                phi_6651_ = _e2656;
                                                             } else {
-                                                                phi_6649_ = f64(1f);
+                                                                phi_6651_ = f64(1f);
                                                             }
-                                                            let _e2664 = phi_6649_;
-                                                            phi_6651_ = _e2664;
+                                                            let _e2664 = phi_6651_;
+                                                            phi_6653_ = _e2664;
                                                         } else {
-                                                            phi_6651_ = f64(0f);
+                                                            phi_6653_ = f64(0f);
                                                         }
-                                                        let _e2666 = phi_6651_;
+                                                        let _e2666 = phi_6653_;
                                                         let _e2673 = (_e2466 - _e2508);
                                                         let _e2674 = (_e2467 - _e2509);
                                                         let _e2675 = (_e2468 - _e2510);
                                                         let _e2686 = ((((_e2673 * _e2487) + (_e2674 * _e2488)) + (_e2675 * _e2489)) / (((_e2487 * _e2487) + (_e2488 * _e2488)) + (_e2489 * _e2489)));
                                                         if (_e2686 > f64(0f)) {
                                                             if (_e2686 < f64(1f)) {
-                                                                phi_6684_ = _e2686;
+                                                                phi_6686_ = _e2686;
                                                             } else {
-                                                                phi_6684_ = f64(1f);
+                                                                phi_6686_ = f64(1f);
                                                             }
-                                                            let _e2694 = phi_6684_;
-                                                            phi_6686_ = _e2694;
+                                                            let _e2694 = phi_6686_;
+                                                            phi_6688_ = _e2694;
                                                         } else {
-                                                            phi_6686_ = f64(0f);
+                                                            phi_6688_ = f64(0f);
                                                         }
-                                                        let _e2696 = phi_6686_;
+                                                        let _e2696 = phi_6688_;
                                                         local[0u] = array<f64, 3>((_e2466 - (_e2487 * _e2612)), (_e2467 - (_e2488 * _e2612)), (_e2468 - (_e2489 * _e2612)));
                                                         local[1u] = array<f64, 3>((_e2466 - (_e2508 * _e2639)), (_e2467 - (_e2509 * _e2639)), (_e2468 - (_e2510 * _e2639)));
                                                         local[2u] = array<f64, 3>((_e2589 - (_e2508 * _e2666)), (_e2590 - (_e2509 * _e2666)), (_e2591 - (_e2510 * _e2666)));
                                                         local[3u] = array<f64, 3>((_e2673 - (_e2487 * _e2696)), (_e2674 - (_e2488 * _e2696)), (_e2675 - (_e2489 * _e2696)));
                                                         let _e2712 = local[0u];
-                                                        phi_6841_ = type_28(1u, 4u);
-                                                        phi_6844_ = array<f64, 3>(_e2712[0], _e2712[1], _e2712[2]);
+                                                        phi_6843_ = type_28(1u, 4u);
+                                                        phi_6846_ = array<f64, 3>(_e2712[0], _e2712[1], _e2712[2]);
                                                         loop {
-                                                            let _e2718 = phi_6841_;
-                                                            let _e2720 = phi_6844_;
+                                                            let _e2718 = phi_6843_;
+                                                            let _e2720 = phi_6846_;
                                                             local_57 = _e2720;
                                                             if (_e2718.member < _e2718.member_1) {
-                                                                phi_6842_ = type_28((_e2718.member + 1u), _e2718.member_1);
-                                                                phi_6867_ = type_28(1u, _e2718.member);
+                                                                phi_6844_ = type_28((_e2718.member + 1u), _e2718.member_1);
+                                                                phi_6869_ = type_28(1u, _e2718.member);
                                                             } else {
-                                                                phi_6842_ = _e2718;
-                                                                phi_6867_ = type_28(0u, type_28().member_1);
+                                                                phi_6844_ = _e2718;
+                                                                phi_6869_ = type_28(0u, type_28().member_1);
                                                             }
-                                                            let _e2734 = phi_6842_;
-                                                            let _e2736 = phi_6867_;
+                                                            let _e2734 = phi_6844_;
+                                                            let _e2736 = phi_6869_;
                                                             let _e2740 = (bitcast<i32>(_e2736.member) != 0i);
                                                             if _e2740 {
                                                                 if (_e2736.member_1 < 4u) {
@@ -4917,47 +4922,47 @@ fn function_() {
                                                                         return;
                                                                     }
                                                                     let _e2772 = local[_e2736.member_1];
-                                                                    phi_6934_ = array<f64, 3>(_e2772[0], _e2772[1], _e2772[2]);
+                                                                    phi_6936_ = array<f64, 3>(_e2772[0], _e2772[1], _e2772[2]);
                                                                 } else {
-                                                                    phi_6934_ = _e2720;
+                                                                    phi_6936_ = _e2720;
                                                                 }
-                                                                let _e2778 = phi_6934_;
-                                                                phi_6845_ = _e2778;
+                                                                let _e2778 = phi_6936_;
+                                                                phi_6847_ = _e2778;
                                                             } else {
-                                                                phi_6845_ = array<f64, 3>();
+                                                                phi_6847_ = array<f64, 3>();
                                                             }
-                                                            let _e2780 = phi_6845_;
+                                                            let _e2780 = phi_6847_;
                                                             continue;
                                                             continuing {
-                                                                phi_6841_ = _e2734;
-                                                                phi_6844_ = _e2780;
+                                                                phi_6843_ = _e2734;
+                                                                phi_6846_ = _e2780;
                                                                 break if !(_e2740);
                                                             }
                                                         }
-                                                        let _e5451 = local_57;
-                                                        phi_6935_ = _e5451;
+                                                        let _e5443 = local_57;
+                                                        phi_6937_ = _e5443;
                                                     } else {
-                                                        phi_6935_ = _e2586;
+                                                        phi_6937_ = _e2586;
                                                     }
-                                                    let _e2783 = phi_6935_;
+                                                    let _e2783 = phi_6937_;
                                                     if (_e2783[0] < 0.0lf) {
-                                                        phi_6942_ = -(_e2783[0]);
+                                                        phi_6944_ = -(_e2783[0]);
                                                     } else {
-                                                        phi_6942_ = _e2783[0];
+                                                        phi_6944_ = _e2783[0];
                                                     }
-                                                    let _e2788 = phi_6942_;
+                                                    let _e2788 = phi_6944_;
                                                     if (_e2783[1] < 0.0lf) {
-                                                        phi_6949_ = -(_e2783[1]);
+                                                        phi_6951_ = -(_e2783[1]);
                                                     } else {
-                                                        phi_6949_ = _e2783[1];
+                                                        phi_6951_ = _e2783[1];
                                                     }
-                                                    let _e2793 = phi_6949_;
+                                                    let _e2793 = phi_6951_;
                                                     if (_e2783[2] < 0.0lf) {
-                                                        phi_6957_ = -(_e2783[2]);
+                                                        phi_6959_ = -(_e2783[2]);
                                                     } else {
-                                                        phi_6957_ = _e2783[2];
+                                                        phi_6959_ = _e2783[2];
                                                     }
-                                                    let _e2799 = phi_6957_;
+                                                    let _e2799 = phi_6959_;
                                                     let _e2800 = ((_e2788 + _e2793) + _e2799);
                                                     if (_e2800 > f64(0f)) {
                                                         if ((bitcast<u64>(_e2800) & 9218868437227405312lu) != 9218868437227405312lu) {
@@ -4968,82 +4973,82 @@ fn function_() {
                                                             let _e2817 = (((_e2808 * _e2808) + (_e2810 * _e2810)) + (_e2812 * _e2812));
                                                             if (_e2817 <= 2.2250738585072014e-308lf) {
                                                                 if (_e2817 > 0.0lf) {
-                                                                    phi_6995_ = (1.464336215552873e-154lf * 2.0lf);
+                                                                    phi_6997_ = (1.464336215552873e-154lf * 2.0lf);
                                                                 } else {
-                                                                    phi_6995_ = 0.0lf;
+                                                                    phi_6997_ = 0.0lf;
                                                                 }
-                                                                let _e2875 = phi_6995_;
-                                                                phi_7059_ = _e2875;
+                                                                let _e2875 = phi_6997_;
+                                                                phi_7061_ = _e2875;
                                                             } else {
-                                                                phi_7002_ = type_26(0i, 5i);
-                                                                phi_7005_ = bitcast<f64>(((bitcast<u64>(_e2817) / 2lu) + 2303426169912950784lu));
+                                                                phi_7004_ = type_26(0i, 5i);
+                                                                phi_7007_ = bitcast<f64>(((bitcast<u64>(_e2817) / 2lu) + 2303426169912950784lu));
                                                                 loop {
-                                                                    let _e2824 = phi_7002_;
-                                                                    let _e2826 = phi_7005_;
+                                                                    let _e2824 = phi_7004_;
+                                                                    let _e2826 = phi_7007_;
                                                                     local_26 = _e2826;
                                                                     if (_e2824.member < _e2824.member_1) {
                                                                         let _e2834 = (_e2824.member + 1i);
                                                                         if ((false == (_e2834 > _e2824.member)) != false) {
-                                                                            phi_7026_ = true;
+                                                                            phi_7028_ = true;
                                                                         } else {
-                                                                            phi_7026_ = false;
+                                                                            phi_7028_ = false;
                                                                         }
-                                                                        let _e2839 = phi_7026_;
+                                                                        let _e2839 = phi_7028_;
                                                                         if _e2839 {
-                                                                            phi_7032_ = type_27(0u, type_27().member_1);
+                                                                            phi_7034_ = type_27(0u, type_27().member_1);
                                                                         } else {
-                                                                            phi_7032_ = type_27(1u, _e2834);
+                                                                            phi_7034_ = type_27(1u, _e2834);
                                                                         }
-                                                                        let _e2845 = phi_7032_;
+                                                                        let _e2845 = phi_7034_;
                                                                         if (bitcast<i32>(_e2845.member) != 0i) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        phi_7003_ = type_26(_e2845.member_1, _e2824.member_1);
-                                                                        phi_7046_ = type_27(1u, _e2824.member);
+                                                                        phi_7005_ = type_26(_e2845.member_1, _e2824.member_1);
+                                                                        phi_7048_ = type_27(1u, _e2824.member);
                                                                     } else {
-                                                                        phi_7003_ = _e2824;
-                                                                        phi_7046_ = type_27(0u, type_27().member_1);
+                                                                        phi_7005_ = _e2824;
+                                                                        phi_7048_ = type_27(0u, type_27().member_1);
                                                                     }
-                                                                    let _e2855 = phi_7003_;
-                                                                    let _e2857 = phi_7046_;
+                                                                    let _e2855 = phi_7005_;
+                                                                    let _e2857 = phi_7048_;
                                                                     let _e2860 = (bitcast<i32>(_e2857.member) != 0i);
                                                                     if _e2860 {
-                                                                        phi_7006_ = (0.5lf * (_e2826 + (_e2817 / _e2826)));
+                                                                        phi_7008_ = (0.5lf * (_e2826 + (_e2817 / _e2826)));
                                                                     } else {
-                                                                        phi_7006_ = f64();
+                                                                        phi_7008_ = f64();
                                                                     }
-                                                                    let _e2865 = phi_7006_;
+                                                                    let _e2865 = phi_7008_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_7002_ = _e2855;
-                                                                        phi_7005_ = _e2865;
+                                                                        phi_7004_ = _e2855;
+                                                                        phi_7007_ = _e2865;
                                                                         break if !(_e2860);
                                                                     }
                                                                 }
                                                                 let _e2870 = local_26;
-                                                                phi_7059_ = (_e2870 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                                phi_7061_ = (_e2870 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                             }
-                                                            let _e2877 = phi_7059_;
-                                                            phi_7072_ = type_28(0u, 4u);
-                                                            phi_7075_ = f64(2f);
+                                                            let _e2877 = phi_7061_;
+                                                            phi_7074_ = type_28(0u, 4u);
+                                                            phi_7077_ = f64(2f);
                                                             loop {
-                                                                let _e2889 = phi_7072_;
-                                                                let _e2891 = phi_7075_;
+                                                                let _e2889 = phi_7074_;
+                                                                let _e2891 = phi_7077_;
                                                                 local_28 = _e2891;
                                                                 local_29 = _e2891;
                                                                 local_30 = _e2891;
                                                                 local_60 = _e2891;
                                                                 local_61 = _e2891;
                                                                 if (_e2889.member < _e2889.member_1) {
-                                                                    phi_7073_ = type_28((_e2889.member + 1u), _e2889.member_1);
-                                                                    phi_7098_ = type_28(1u, _e2889.member);
+                                                                    phi_7075_ = type_28((_e2889.member + 1u), _e2889.member_1);
+                                                                    phi_7100_ = type_28(1u, _e2889.member);
                                                                 } else {
-                                                                    phi_7073_ = _e2889;
-                                                                    phi_7098_ = type_28(0u, type_28().member_1);
+                                                                    phi_7075_ = _e2889;
+                                                                    phi_7100_ = type_28(0u, type_28().member_1);
                                                                 }
-                                                                let _e2905 = phi_7073_;
-                                                                let _e2907 = phi_7098_;
+                                                                let _e2905 = phi_7075_;
+                                                                let _e2907 = phi_7100_;
                                                                 if (bitcast<i32>(_e2907.member) != 0i) {
                                                                     if (_e2907.member_1 < 4u) {
                                                                     } else {
@@ -5058,30 +5063,30 @@ fn function_() {
                                                                     let _e2925 = local_2[_e2907.member_1];
                                                                     let _e2933 = (((_e2808 * _e2925[0]) + (_e2810 * _e2925[1])) + (_e2812 * _e2925[2]));
                                                                     if (_e2922 < 0.0lf) {
-                                                                        phi_7149_ = -(_e2922);
+                                                                        phi_7151_ = -(_e2922);
                                                                     } else {
-                                                                        phi_7149_ = _e2922;
+                                                                        phi_7151_ = _e2922;
                                                                     }
-                                                                    let _e2937 = phi_7149_;
+                                                                    let _e2937 = phi_7151_;
                                                                     if (_e2933 < 0.0lf) {
-                                                                        phi_7155_ = -(_e2933);
+                                                                        phi_7157_ = -(_e2933);
                                                                     } else {
-                                                                        phi_7155_ = _e2933;
+                                                                        phi_7157_ = _e2933;
                                                                     }
-                                                                    let _e2941 = phi_7155_;
+                                                                    let _e2941 = phi_7157_;
                                                                     let _e2946 = (((((((((_e2299 + _e2301) + (_e2353 + _e2355)) + (_e2407 + _e2409)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2417 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((f64(0f) * _e2877) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e2937 + _e2941) * (1.1102230246251565e-16lf * f64(8f))));
                                                                     if (_e2922 > _e2946) {
                                                                         if (_e2933 > _e2946) {
-                                                                            phi_7169_ = false;
+                                                                            phi_7171_ = false;
                                                                         } else {
-                                                                            phi_7169_ = true;
+                                                                            phi_7171_ = true;
                                                                         }
-                                                                        let _e2950 = phi_7169_;
-                                                                        phi_7170_ = _e2950;
+                                                                        let _e2950 = phi_7171_;
+                                                                        phi_7172_ = _e2950;
                                                                     } else {
-                                                                        phi_7170_ = true;
+                                                                        phi_7172_ = true;
                                                                     }
-                                                                    let _e2952 = phi_7170_;
+                                                                    let _e2952 = phi_7172_;
                                                                     if _e2952 {
                                                                         if ((_e2922 + ((_e2933 - _e2922) * _e2428)) > _e2946) {
                                                                             if (_e2933 < _e2922) {
@@ -5089,82 +5094,82 @@ fn function_() {
                                                                                 if _e2961 {
                                                                                     let _e2969 = (((_e2922 - _e2946) / (_e2922 - _e2933)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
                                                                                     if (_e2891 < _e2969) {
-                                                                                        phi_7204_ = _e2891;
+                                                                                        phi_7206_ = _e2891;
                                                                                     } else {
-                                                                                        phi_7204_ = _e2969;
+                                                                                        phi_7206_ = _e2969;
                                                                                     }
-                                                                                    let _e2972 = phi_7204_;
-                                                                                    phi_7205_ = _e2972;
+                                                                                    let _e2972 = phi_7206_;
+                                                                                    phi_7207_ = _e2972;
                                                                                 } else {
-                                                                                    phi_7205_ = f64();
+                                                                                    phi_7207_ = f64();
                                                                                 }
-                                                                                let _e2974 = phi_7205_;
-                                                                                phi_7206_ = _e2974;
-                                                                                phi_7207_ = _e2961;
+                                                                                let _e2974 = phi_7207_;
+                                                                                phi_7208_ = _e2974;
+                                                                                phi_7209_ = _e2961;
                                                                             } else {
-                                                                                phi_7206_ = _e2891;
-                                                                                phi_7207_ = true;
+                                                                                phi_7208_ = _e2891;
+                                                                                phi_7209_ = true;
                                                                             }
-                                                                            let _e2976 = phi_7206_;
-                                                                            let _e2978 = phi_7207_;
+                                                                            let _e2976 = phi_7208_;
+                                                                            let _e2978 = phi_7209_;
                                                                             if _e2978 {
-                                                                                phi_7211_ = false;
+                                                                                phi_7213_ = false;
                                                                             } else {
-                                                                                phi_7211_ = true;
+                                                                                phi_7213_ = true;
                                                                             }
-                                                                            let _e2980 = phi_7211_;
-                                                                            phi_7212_ = _e2976;
-                                                                            phi_7213_ = _e2978;
-                                                                            phi_7214_ = _e2980;
-                                                                            phi_7215_ = false;
+                                                                            let _e2980 = phi_7213_;
+                                                                            phi_7214_ = _e2976;
+                                                                            phi_7215_ = _e2978;
+                                                                            phi_7216_ = _e2980;
+                                                                            phi_7217_ = false;
                                                                         } else {
-                                                                            phi_7212_ = f64();
-                                                                            phi_7213_ = false;
-                                                                            phi_7214_ = false;
-                                                                            phi_7215_ = true;
+                                                                            phi_7214_ = f64();
+                                                                            phi_7215_ = false;
+                                                                            phi_7216_ = false;
+                                                                            phi_7217_ = true;
                                                                         }
-                                                                        let _e2982 = phi_7212_;
-                                                                        let _e2984 = phi_7213_;
-                                                                        let _e2986 = phi_7214_;
-                                                                        let _e2988 = phi_7215_;
-                                                                        phi_7216_ = _e2982;
-                                                                        phi_7217_ = _e2984;
-                                                                        phi_7218_ = _e2986;
-                                                                        phi_7219_ = _e2988;
+                                                                        let _e2982 = phi_7214_;
+                                                                        let _e2984 = phi_7215_;
+                                                                        let _e2986 = phi_7216_;
+                                                                        let _e2988 = phi_7217_;
+                                                                        phi_7218_ = _e2982;
+                                                                        phi_7219_ = _e2984;
+                                                                        phi_7220_ = _e2986;
+                                                                        phi_7221_ = _e2988;
                                                                     } else {
-                                                                        phi_7216_ = _e2891;
-                                                                        phi_7217_ = true;
-                                                                        phi_7218_ = false;
-                                                                        phi_7219_ = false;
+                                                                        phi_7218_ = _e2891;
+                                                                        phi_7219_ = true;
+                                                                        phi_7220_ = false;
+                                                                        phi_7221_ = false;
                                                                     }
-                                                                    let _e2990 = phi_7216_;
-                                                                    let _e2992 = phi_7217_;
-                                                                    let _e2994 = phi_7218_;
-                                                                    let _e2996 = phi_7219_;
-                                                                    phi_7076_ = _e2990;
-                                                                    phi_7220_ = _e2992;
-                                                                    phi_7221_ = false;
-                                                                    phi_7222_ = _e2994;
-                                                                    phi_7223_ = _e2996;
-                                                                } else {
-                                                                    phi_7076_ = f64();
-                                                                    phi_7220_ = false;
-                                                                    phi_7221_ = true;
-                                                                    phi_7222_ = false;
+                                                                    let _e2990 = phi_7218_;
+                                                                    let _e2992 = phi_7219_;
+                                                                    let _e2994 = phi_7220_;
+                                                                    let _e2996 = phi_7221_;
+                                                                    phi_7078_ = _e2990;
+                                                                    phi_7222_ = _e2992;
                                                                     phi_7223_ = false;
+                                                                    phi_7224_ = _e2994;
+                                                                    phi_7225_ = _e2996;
+                                                                } else {
+                                                                    phi_7078_ = f64();
+                                                                    phi_7222_ = false;
+                                                                    phi_7223_ = true;
+                                                                    phi_7224_ = false;
+                                                                    phi_7225_ = false;
                                                                 }
-                                                                let _e2998 = phi_7076_;
-                                                                let _e3000 = phi_7220_;
-                                                                let _e3002 = phi_7221_;
-                                                                let _e3004 = phi_7222_;
-                                                                let _e3006 = phi_7223_;
+                                                                let _e2998 = phi_7078_;
+                                                                let _e3000 = phi_7222_;
+                                                                let _e3002 = phi_7223_;
+                                                                let _e3004 = phi_7224_;
+                                                                let _e3006 = phi_7225_;
                                                                 local_27 = _e3002;
                                                                 local_58 = _e3004;
                                                                 local_59 = _e3006;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_7072_ = _e2905;
-                                                                    phi_7075_ = _e2998;
+                                                                    phi_7074_ = _e2905;
+                                                                    phi_7077_ = _e2998;
                                                                     break if !(_e3000);
                                                                 }
                                                             }
@@ -5173,158 +5178,158 @@ fn function_() {
                                                                 let _e3011 = local_28;
                                                                 let _e3012 = (_e3011 > _e1428.member_1);
                                                                 if _e3012 {
-                                                                    phi_7245_ = false;
-                                                                    phi_7246_ = false;
                                                                     phi_7247_ = false;
+                                                                    phi_7248_ = false;
+                                                                    phi_7249_ = false;
                                                                 } else {
                                                                     let _e3014 = local_29;
                                                                     if (_e3014 > _e2428) {
                                                                         let _e3017 = local_30;
                                                                         let _e3020 = ((_e3017 - _e2428) < f64(0.00000000023283064f));
                                                                         if _e3020 {
-                                                                            phi_7241_ = false;
+                                                                            phi_7243_ = false;
                                                                         } else {
-                                                                            phi_7241_ = true;
+                                                                            phi_7243_ = true;
                                                                         }
-                                                                        let _e3022 = phi_7241_;
-                                                                        phi_7242_ = _e3022;
-                                                                        phi_7243_ = _e3020;
-                                                                        phi_7244_ = false;
+                                                                        let _e3022 = phi_7243_;
+                                                                        phi_7244_ = _e3022;
+                                                                        phi_7245_ = _e3020;
+                                                                        phi_7246_ = false;
                                                                     } else {
-                                                                        phi_7242_ = false;
-                                                                        phi_7243_ = false;
-                                                                        phi_7244_ = true;
+                                                                        phi_7244_ = false;
+                                                                        phi_7245_ = false;
+                                                                        phi_7246_ = true;
                                                                     }
-                                                                    let _e3024 = phi_7242_;
-                                                                    let _e3026 = phi_7243_;
-                                                                    let _e3028 = phi_7244_;
-                                                                    phi_7245_ = _e3024;
-                                                                    phi_7246_ = _e3026;
-                                                                    phi_7247_ = _e3028;
+                                                                    let _e3024 = phi_7244_;
+                                                                    let _e3026 = phi_7245_;
+                                                                    let _e3028 = phi_7246_;
+                                                                    phi_7247_ = _e3024;
+                                                                    phi_7248_ = _e3026;
+                                                                    phi_7249_ = _e3028;
                                                                 }
-                                                                let _e3030 = phi_7245_;
-                                                                let _e3032 = phi_7246_;
-                                                                let _e3034 = phi_7247_;
-                                                                phi_7248_ = _e3030;
-                                                                phi_7249_ = _e3012;
-                                                                phi_7250_ = _e3032;
-                                                                phi_7251_ = _e3034;
-                                                                phi_7252_ = false;
-                                                                phi_7253_ = false;
+                                                                let _e3030 = phi_7247_;
+                                                                let _e3032 = phi_7248_;
+                                                                let _e3034 = phi_7249_;
+                                                                phi_7250_ = _e3030;
+                                                                phi_7251_ = _e3012;
+                                                                phi_7252_ = _e3032;
+                                                                phi_7253_ = _e3034;
+                                                                phi_7254_ = false;
+                                                                phi_7255_ = false;
                                                             } else {
-                                                                phi_7248_ = false;
-                                                                phi_7249_ = false;
                                                                 phi_7250_ = false;
                                                                 phi_7251_ = false;
-                                                                let _e5508 = local_58;
-                                                                phi_7252_ = _e5508;
-                                                                let _e5511 = local_59;
-                                                                phi_7253_ = _e5511;
+                                                                phi_7252_ = false;
+                                                                phi_7253_ = false;
+                                                                let _e5500 = local_58;
+                                                                phi_7254_ = _e5500;
+                                                                let _e5503 = local_59;
+                                                                phi_7255_ = _e5503;
                                                             }
-                                                            let _e3036 = phi_7248_;
-                                                            let _e3038 = phi_7249_;
-                                                            let _e3040 = phi_7250_;
-                                                            let _e3042 = phi_7251_;
-                                                            let _e3044 = phi_7252_;
-                                                            let _e3046 = phi_7253_;
-                                                            let _e5514 = local_60;
-                                                            phi_7254_ = _e5514;
-                                                            let _e5517 = local_61;
-                                                            phi_7255_ = _e5517;
-                                                            phi_7256_ = _e3036;
-                                                            phi_7257_ = _e3038;
-                                                            phi_7258_ = _e3040;
-                                                            phi_7259_ = _e3042;
-                                                            phi_7260_ = _e3044;
-                                                            phi_7261_ = _e3046;
-                                                            phi_7262_ = false;
+                                                            let _e3036 = phi_7250_;
+                                                            let _e3038 = phi_7251_;
+                                                            let _e3040 = phi_7252_;
+                                                            let _e3042 = phi_7253_;
+                                                            let _e3044 = phi_7254_;
+                                                            let _e3046 = phi_7255_;
+                                                            let _e5506 = local_60;
+                                                            phi_7256_ = _e5506;
+                                                            let _e5509 = local_61;
+                                                            phi_7257_ = _e5509;
+                                                            phi_7258_ = _e3036;
+                                                            phi_7259_ = _e3038;
+                                                            phi_7260_ = _e3040;
+                                                            phi_7261_ = _e3042;
+                                                            phi_7262_ = _e3044;
+                                                            phi_7263_ = _e3046;
+                                                            phi_7264_ = false;
                                                         } else {
-                                                            phi_7254_ = f64();
-                                                            phi_7255_ = f64();
-                                                            phi_7256_ = false;
-                                                            phi_7257_ = false;
+                                                            phi_7256_ = f64();
+                                                            phi_7257_ = f64();
                                                             phi_7258_ = false;
                                                             phi_7259_ = false;
                                                             phi_7260_ = false;
                                                             phi_7261_ = false;
-                                                            phi_7262_ = true;
+                                                            phi_7262_ = false;
+                                                            phi_7263_ = false;
+                                                            phi_7264_ = true;
                                                         }
-                                                        let _e3048 = phi_7254_;
-                                                        let _e3050 = phi_7255_;
-                                                        let _e3052 = phi_7256_;
-                                                        let _e3054 = phi_7257_;
-                                                        let _e3056 = phi_7258_;
-                                                        let _e3058 = phi_7259_;
-                                                        let _e3060 = phi_7260_;
-                                                        let _e3062 = phi_7261_;
-                                                        let _e3064 = phi_7262_;
-                                                        phi_7263_ = _e3048;
-                                                        phi_7264_ = _e3050;
-                                                        phi_7265_ = _e3052;
-                                                        phi_7266_ = _e3054;
-                                                        phi_7267_ = _e3056;
-                                                        phi_7268_ = _e3058;
-                                                        phi_7269_ = _e3060;
-                                                        phi_7270_ = _e3062;
-                                                        phi_7271_ = _e3064;
-                                                        phi_7272_ = false;
+                                                        let _e3048 = phi_7256_;
+                                                        let _e3050 = phi_7257_;
+                                                        let _e3052 = phi_7258_;
+                                                        let _e3054 = phi_7259_;
+                                                        let _e3056 = phi_7260_;
+                                                        let _e3058 = phi_7261_;
+                                                        let _e3060 = phi_7262_;
+                                                        let _e3062 = phi_7263_;
+                                                        let _e3064 = phi_7264_;
+                                                        phi_7265_ = _e3048;
+                                                        phi_7266_ = _e3050;
+                                                        phi_7267_ = _e3052;
+                                                        phi_7268_ = _e3054;
+                                                        phi_7269_ = _e3056;
+                                                        phi_7270_ = _e3058;
+                                                        phi_7271_ = _e3060;
+                                                        phi_7272_ = _e3062;
+                                                        phi_7273_ = _e3064;
+                                                        phi_7274_ = false;
                                                     } else {
-                                                        phi_7263_ = f64();
-                                                        phi_7264_ = f64();
-                                                        phi_7265_ = false;
-                                                        phi_7266_ = false;
+                                                        phi_7265_ = f64();
+                                                        phi_7266_ = f64();
                                                         phi_7267_ = false;
                                                         phi_7268_ = false;
                                                         phi_7269_ = false;
                                                         phi_7270_ = false;
                                                         phi_7271_ = false;
-                                                        phi_7272_ = true;
+                                                        phi_7272_ = false;
+                                                        phi_7273_ = false;
+                                                        phi_7274_ = true;
                                                     }
-                                                    let _e3066 = phi_7263_;
-                                                    let _e3068 = phi_7264_;
-                                                    let _e3070 = phi_7265_;
-                                                    let _e3072 = phi_7266_;
-                                                    let _e3074 = phi_7267_;
-                                                    let _e3076 = phi_7268_;
-                                                    let _e3078 = phi_7269_;
-                                                    let _e3080 = phi_7270_;
-                                                    let _e3082 = phi_7271_;
-                                                    let _e3084 = phi_7272_;
-                                                    phi_7273_ = _e3066;
-                                                    phi_6322_ = _e3068;
-                                                    phi_7274_ = _e3070;
-                                                    phi_7275_ = _e3072;
-                                                    phi_7276_ = _e3074;
-                                                    phi_7277_ = false;
-                                                    phi_7278_ = _e3076;
-                                                    phi_7279_ = _e3078;
-                                                    phi_7280_ = _e3080;
-                                                    phi_7281_ = _e3082;
-                                                    phi_7282_ = _e3084;
-                                                } else {
-                                                    phi_7273_ = f64();
-                                                    phi_6322_ = f64();
-                                                    phi_7274_ = false;
-                                                    phi_7275_ = false;
-                                                    phi_7276_ = false;
-                                                    phi_7277_ = true;
-                                                    phi_7278_ = false;
+                                                    let _e3066 = phi_7265_;
+                                                    let _e3068 = phi_7266_;
+                                                    let _e3070 = phi_7267_;
+                                                    let _e3072 = phi_7268_;
+                                                    let _e3074 = phi_7269_;
+                                                    let _e3076 = phi_7270_;
+                                                    let _e3078 = phi_7271_;
+                                                    let _e3080 = phi_7272_;
+                                                    let _e3082 = phi_7273_;
+                                                    let _e3084 = phi_7274_;
+                                                    phi_7275_ = _e3066;
+                                                    phi_6324_ = _e3068;
+                                                    phi_7276_ = _e3070;
+                                                    phi_7277_ = _e3072;
+                                                    phi_7278_ = _e3074;
                                                     phi_7279_ = false;
+                                                    phi_7280_ = _e3076;
+                                                    phi_7281_ = _e3078;
+                                                    phi_7282_ = _e3080;
+                                                    phi_7283_ = _e3082;
+                                                    phi_7284_ = _e3084;
+                                                } else {
+                                                    phi_7275_ = f64();
+                                                    phi_6324_ = f64();
+                                                    phi_7276_ = false;
+                                                    phi_7277_ = false;
+                                                    phi_7278_ = false;
+                                                    phi_7279_ = true;
                                                     phi_7280_ = false;
                                                     phi_7281_ = false;
                                                     phi_7282_ = false;
+                                                    phi_7283_ = false;
+                                                    phi_7284_ = false;
                                                 }
-                                                let _e3086 = phi_7273_;
-                                                let _e3088 = phi_6322_;
-                                                let _e3090 = phi_7274_;
-                                                let _e3092 = phi_7275_;
-                                                let _e3094 = phi_7276_;
-                                                let _e3096 = phi_7277_;
-                                                let _e3098 = phi_7278_;
-                                                let _e3100 = phi_7279_;
-                                                let _e3102 = phi_7280_;
-                                                let _e3104 = phi_7281_;
-                                                let _e3106 = phi_7282_;
+                                                let _e3086 = phi_7275_;
+                                                let _e3088 = phi_6324_;
+                                                let _e3090 = phi_7276_;
+                                                let _e3092 = phi_7277_;
+                                                let _e3094 = phi_7278_;
+                                                let _e3096 = phi_7279_;
+                                                let _e3098 = phi_7280_;
+                                                let _e3100 = phi_7281_;
+                                                let _e3102 = phi_7282_;
+                                                let _e3104 = phi_7283_;
+                                                let _e3106 = phi_7284_;
                                                 local_31 = _e3092;
                                                 local_62 = _e3094;
                                                 local_63 = _e3096;
@@ -5337,291 +5342,291 @@ fn function_() {
                                                 local_71 = _e3092;
                                                 continue;
                                                 continuing {
-                                                    phi_6318_ = _e2442;
-                                                    phi_6321_ = _e3088;
+                                                    phi_6320_ = _e2442;
+                                                    phi_6323_ = _e3088;
                                                     break if !(_e3090);
                                                 }
                                             }
                                             let _e3109 = local_31;
                                             if _e3109 {
-                                                phi_7287_ = type_72(0u, type_72().member_1);
-                                                phi_7288_ = false;
-                                                phi_7289_ = false;
+                                                phi_7289_ = type_72(0u, type_72().member_1);
                                                 phi_7290_ = false;
                                                 phi_7291_ = false;
                                                 phi_7292_ = false;
                                                 phi_7293_ = false;
                                                 phi_7294_ = false;
+                                                phi_7295_ = false;
+                                                phi_7296_ = false;
                                             } else {
-                                                phi_7287_ = type_72();
-                                                let _e5550 = local_62;
-                                                phi_7288_ = _e5550;
-                                                let _e5553 = local_63;
-                                                phi_7289_ = _e5553;
-                                                let _e5556 = local_64;
-                                                phi_7290_ = _e5556;
-                                                let _e5559 = local_65;
-                                                phi_7291_ = _e5559;
-                                                let _e5562 = local_66;
-                                                phi_7292_ = _e5562;
-                                                let _e5565 = local_67;
-                                                phi_7293_ = _e5565;
-                                                let _e5568 = local_68;
-                                                phi_7294_ = _e5568;
+                                                phi_7289_ = type_72();
+                                                let _e5542 = local_62;
+                                                phi_7290_ = _e5542;
+                                                let _e5545 = local_63;
+                                                phi_7291_ = _e5545;
+                                                let _e5548 = local_64;
+                                                phi_7292_ = _e5548;
+                                                let _e5551 = local_65;
+                                                phi_7293_ = _e5551;
+                                                let _e5554 = local_66;
+                                                phi_7294_ = _e5554;
+                                                let _e5557 = local_67;
+                                                phi_7295_ = _e5557;
+                                                let _e5560 = local_68;
+                                                phi_7296_ = _e5560;
                                             }
-                                            let _e3114 = phi_7287_;
-                                            let _e3116 = phi_7288_;
-                                            let _e3118 = phi_7289_;
-                                            let _e3120 = phi_7290_;
-                                            let _e3122 = phi_7291_;
-                                            let _e3124 = phi_7292_;
-                                            let _e3126 = phi_7293_;
-                                            let _e3128 = phi_7294_;
+                                            let _e3114 = phi_7289_;
+                                            let _e3116 = phi_7290_;
+                                            let _e3118 = phi_7291_;
+                                            let _e3120 = phi_7292_;
+                                            let _e3122 = phi_7293_;
+                                            let _e3124 = phi_7294_;
+                                            let _e3126 = phi_7295_;
+                                            let _e3128 = phi_7296_;
                                             if _e3116 {
-                                                let _e5571 = local_69;
-                                                phi_7298_ = _e5571;
-                                                phi_7299_ = true;
-                                                phi_7300_ = false;
-                                                phi_7301_ = false;
+                                                let _e5563 = local_69;
+                                                phi_7300_ = _e5563;
+                                                phi_7301_ = true;
                                                 phi_7302_ = false;
                                                 phi_7303_ = false;
                                                 phi_7304_ = false;
                                                 phi_7305_ = false;
+                                                phi_7306_ = false;
+                                                phi_7307_ = false;
                                             } else {
-                                                let _e5573 = local_70;
-                                                phi_7298_ = _e5573;
-                                                phi_7299_ = _e3118;
-                                                phi_7300_ = _e3120;
-                                                phi_7301_ = _e3122;
-                                                phi_7302_ = _e3124;
-                                                let _e5580 = local_71;
-                                                phi_7303_ = _e5580;
-                                                phi_7304_ = _e3126;
-                                                phi_7305_ = _e3128;
+                                                let _e5565 = local_70;
+                                                phi_7300_ = _e5565;
+                                                phi_7301_ = _e3118;
+                                                phi_7302_ = _e3120;
+                                                phi_7303_ = _e3122;
+                                                phi_7304_ = _e3124;
+                                                let _e5572 = local_71;
+                                                phi_7305_ = _e5572;
+                                                phi_7306_ = _e3126;
+                                                phi_7307_ = _e3128;
                                             }
-                                            let _e3130 = phi_7298_;
-                                            let _e3132 = phi_7299_;
-                                            let _e3134 = phi_7300_;
-                                            let _e3136 = phi_7301_;
-                                            let _e3138 = phi_7302_;
-                                            let _e3140 = phi_7303_;
-                                            let _e3142 = phi_7304_;
-                                            let _e3144 = phi_7305_;
+                                            let _e3130 = phi_7300_;
+                                            let _e3132 = phi_7301_;
+                                            let _e3134 = phi_7302_;
+                                            let _e3136 = phi_7303_;
+                                            let _e3138 = phi_7304_;
+                                            let _e3140 = phi_7305_;
+                                            let _e3142 = phi_7306_;
+                                            let _e3144 = phi_7307_;
                                             if _e3132 {
-                                                phi_7310_ = type_72(1u, _e3130);
-                                                phi_7311_ = false;
-                                                phi_7312_ = false;
+                                                phi_7312_ = type_72(1u, _e3130);
                                                 phi_7313_ = false;
                                                 phi_7314_ = false;
                                                 phi_7315_ = false;
                                                 phi_7316_ = false;
+                                                phi_7317_ = false;
+                                                phi_7318_ = false;
                                             } else {
-                                                phi_7310_ = type_72();
-                                                phi_7311_ = _e3134;
-                                                phi_7312_ = _e3136;
-                                                phi_7313_ = _e3138;
-                                                phi_7314_ = _e3140;
-                                                phi_7315_ = _e3142;
-                                                phi_7316_ = _e3144;
+                                                phi_7312_ = type_72();
+                                                phi_7313_ = _e3134;
+                                                phi_7314_ = _e3136;
+                                                phi_7315_ = _e3138;
+                                                phi_7316_ = _e3140;
+                                                phi_7317_ = _e3142;
+                                                phi_7318_ = _e3144;
                                             }
-                                            let _e3147 = phi_7310_;
-                                            let _e3149 = phi_7311_;
-                                            let _e3151 = phi_7312_;
-                                            let _e3153 = phi_7313_;
-                                            let _e3155 = phi_7314_;
-                                            let _e3157 = phi_7315_;
-                                            let _e3159 = phi_7316_;
+                                            let _e3147 = phi_7312_;
+                                            let _e3149 = phi_7313_;
+                                            let _e3151 = phi_7314_;
+                                            let _e3153 = phi_7315_;
+                                            let _e3155 = phi_7316_;
+                                            let _e3157 = phi_7317_;
+                                            let _e3159 = phi_7318_;
                                             if _e3149 {
                                                 let _e3161 = local_32;
-                                                phi_7321_ = type_72(1u, _e3161);
-                                                phi_7322_ = false;
-                                                phi_7323_ = false;
-                                                phi_7324_ = true;
+                                                phi_7323_ = type_72(1u, _e3161);
+                                                phi_7324_ = false;
                                                 phi_7325_ = false;
-                                                phi_7326_ = false;
+                                                phi_7326_ = true;
+                                                phi_7327_ = false;
+                                                phi_7328_ = false;
                                             } else {
-                                                phi_7321_ = _e3114;
-                                                phi_7322_ = _e3151;
-                                                phi_7323_ = _e3153;
-                                                phi_7324_ = _e3155;
-                                                phi_7325_ = _e3157;
-                                                phi_7326_ = _e3159;
+                                                phi_7323_ = _e3114;
+                                                phi_7324_ = _e3151;
+                                                phi_7325_ = _e3153;
+                                                phi_7326_ = _e3155;
+                                                phi_7327_ = _e3157;
+                                                phi_7328_ = _e3159;
                                             }
-                                            let _e3164 = phi_7321_;
-                                            let _e3166 = phi_7322_;
-                                            let _e3168 = phi_7323_;
-                                            let _e3170 = phi_7324_;
-                                            let _e3172 = phi_7325_;
-                                            let _e3174 = phi_7326_;
+                                            let _e3164 = phi_7323_;
+                                            let _e3166 = phi_7324_;
+                                            let _e3168 = phi_7325_;
+                                            let _e3170 = phi_7326_;
+                                            let _e3172 = phi_7327_;
+                                            let _e3174 = phi_7328_;
                                             if _e3166 {
                                                 let _e3176 = local_33;
-                                                phi_7331_ = type_72(1u, _e3176);
-                                                phi_7332_ = false;
-                                                phi_7333_ = false;
+                                                phi_7333_ = type_72(1u, _e3176);
                                                 phi_7334_ = false;
                                                 phi_7335_ = false;
+                                                phi_7336_ = false;
+                                                phi_7337_ = false;
                                             } else {
-                                                phi_7331_ = type_72();
-                                                phi_7332_ = _e3168;
-                                                phi_7333_ = _e3170;
-                                                phi_7334_ = _e3172;
-                                                phi_7335_ = _e3174;
+                                                phi_7333_ = type_72();
+                                                phi_7334_ = _e3168;
+                                                phi_7335_ = _e3170;
+                                                phi_7336_ = _e3172;
+                                                phi_7337_ = _e3174;
                                             }
-                                            let _e3179 = phi_7331_;
-                                            let _e3181 = phi_7332_;
-                                            let _e3183 = phi_7333_;
-                                            let _e3185 = phi_7334_;
-                                            let _e3187 = phi_7335_;
+                                            let _e3179 = phi_7333_;
+                                            let _e3181 = phi_7334_;
+                                            let _e3183 = phi_7335_;
+                                            let _e3185 = phi_7336_;
+                                            let _e3187 = phi_7337_;
                                             if _e3181 {
                                                 let _e3189 = local_34;
-                                                phi_7340_ = type_72(1u, _e3189);
-                                                phi_7341_ = true;
-                                                phi_7342_ = false;
-                                                phi_7343_ = false;
+                                                phi_7342_ = type_72(1u, _e3189);
+                                                phi_7343_ = true;
                                                 phi_7344_ = false;
+                                                phi_7345_ = false;
+                                                phi_7346_ = false;
                                             } else {
-                                                phi_7340_ = _e3179;
-                                                phi_7341_ = _e3166;
-                                                phi_7342_ = _e3183;
-                                                phi_7343_ = _e3185;
-                                                phi_7344_ = _e3187;
+                                                phi_7342_ = _e3179;
+                                                phi_7343_ = _e3166;
+                                                phi_7344_ = _e3183;
+                                                phi_7345_ = _e3185;
+                                                phi_7346_ = _e3187;
                                             }
-                                            let _e3192 = phi_7340_;
-                                            let _e3194 = phi_7341_;
-                                            let _e3196 = phi_7342_;
-                                            let _e3198 = phi_7343_;
-                                            let _e3200 = phi_7344_;
+                                            let _e3192 = phi_7342_;
+                                            let _e3194 = phi_7343_;
+                                            let _e3196 = phi_7344_;
+                                            let _e3198 = phi_7345_;
+                                            let _e3200 = phi_7346_;
                                             if _e3194 {
-                                                phi_7348_ = _e3192;
-                                                phi_7349_ = true;
-                                                phi_7350_ = false;
-                                                phi_7351_ = false;
+                                                phi_7350_ = _e3192;
+                                                phi_7351_ = true;
+                                                phi_7352_ = false;
+                                                phi_7353_ = false;
                                             } else {
-                                                phi_7348_ = _e3164;
-                                                phi_7349_ = _e3196;
-                                                phi_7350_ = _e3198;
-                                                phi_7351_ = _e3200;
+                                                phi_7350_ = _e3164;
+                                                phi_7351_ = _e3196;
+                                                phi_7352_ = _e3198;
+                                                phi_7353_ = _e3200;
                                             }
-                                            let _e3202 = phi_7348_;
-                                            let _e3204 = phi_7349_;
-                                            let _e3206 = phi_7350_;
-                                            let _e3208 = phi_7351_;
+                                            let _e3202 = phi_7350_;
+                                            let _e3204 = phi_7351_;
+                                            let _e3206 = phi_7352_;
+                                            let _e3208 = phi_7353_;
                                             if _e3204 {
-                                                phi_7355_ = false;
-                                                phi_7356_ = false;
+                                                phi_7357_ = false;
+                                                phi_7358_ = false;
                                             } else {
-                                                phi_7355_ = _e3206;
-                                                phi_7356_ = _e3208;
+                                                phi_7357_ = _e3206;
+                                                phi_7358_ = _e3208;
                                             }
-                                            let _e3210 = phi_7355_;
-                                            let _e3212 = phi_7356_;
+                                            let _e3210 = phi_7357_;
+                                            let _e3212 = phi_7358_;
                                             if _e3210 {
-                                                phi_7360_ = false;
-                                                phi_7361_ = false;
+                                                phi_7362_ = false;
+                                                phi_7363_ = false;
                                             } else {
-                                                phi_7360_ = _e3212;
-                                                phi_7361_ = _e3204;
+                                                phi_7362_ = _e3212;
+                                                phi_7363_ = _e3204;
                                             }
-                                            let _e3214 = phi_7360_;
-                                            let _e3216 = phi_7361_;
+                                            let _e3214 = phi_7362_;
+                                            let _e3216 = phi_7363_;
                                             if _e3214 {
-                                                phi_7365_ = true;
-                                                phi_7366_ = false;
+                                                phi_7367_ = true;
+                                                phi_7368_ = false;
                                             } else {
-                                                phi_7365_ = _e3210;
-                                                phi_7366_ = _e3216;
+                                                phi_7367_ = _e3210;
+                                                phi_7368_ = _e3216;
                                             }
-                                            let _e3218 = phi_7365_;
-                                            let _e3220 = phi_7366_;
+                                            let _e3218 = phi_7367_;
+                                            let _e3220 = phi_7368_;
                                             if _e3218 {
                                                 let _e3222 = local_35;
-                                                phi_7371_ = type_72(1u, _e3222);
-                                                phi_7372_ = true;
+                                                phi_7373_ = type_72(1u, _e3222);
+                                                phi_7374_ = true;
                                             } else {
-                                                phi_7371_ = _e3202;
-                                                phi_7372_ = _e3220;
+                                                phi_7373_ = _e3202;
+                                                phi_7374_ = _e3220;
                                             }
-                                            let _e3225 = phi_7371_;
-                                            let _e3227 = phi_7372_;
+                                            let _e3225 = phi_7373_;
+                                            let _e3227 = phi_7374_;
                                             if _e3227 {
-                                                phi_7376_ = _e3225;
+                                                phi_7378_ = _e3225;
                                             } else {
-                                                phi_7376_ = _e3147;
+                                                phi_7378_ = _e3147;
                                             }
-                                            let _e3229 = phi_7376_;
+                                            let _e3229 = phi_7378_;
                                             let _e3232 = (_e3229.member != 0u);
                                             if _e3232 {
-                                                phi_7383_ = false;
+                                                phi_7385_ = false;
                                             } else {
-                                                phi_7383_ = true;
+                                                phi_7385_ = true;
                                             }
-                                            let _e3234 = phi_7383_;
-                                            phi_7384_ = _e3229.member_1;
-                                            phi_7385_ = _e3234;
-                                            phi_7386_ = _e3232;
-                                            phi_7387_ = false;
+                                            let _e3234 = phi_7385_;
+                                            phi_7386_ = _e3229.member_1;
+                                            phi_7387_ = _e3234;
+                                            phi_7388_ = _e3232;
+                                            phi_7389_ = false;
                                         } else {
-                                            phi_7384_ = f64();
-                                            phi_7385_ = false;
-                                            phi_7386_ = false;
-                                            phi_7387_ = true;
+                                            phi_7386_ = f64();
+                                            phi_7387_ = false;
+                                            phi_7388_ = false;
+                                            phi_7389_ = true;
                                         }
-                                        let _e3236 = phi_7384_;
-                                        let _e3238 = phi_7385_;
-                                        let _e3240 = phi_7386_;
-                                        let _e3242 = phi_7387_;
-                                        phi_7388_ = _e3236;
-                                        phi_7389_ = _e3238;
-                                        phi_7390_ = _e3240;
-                                        phi_7391_ = _e3242;
+                                        let _e3236 = phi_7386_;
+                                        let _e3238 = phi_7387_;
+                                        let _e3240 = phi_7388_;
+                                        let _e3242 = phi_7389_;
+                                        phi_7390_ = _e3236;
+                                        phi_7391_ = _e3238;
+                                        phi_7392_ = _e3240;
+                                        phi_7393_ = _e3242;
                                     }
-                                    let _e3244 = phi_7388_;
-                                    let _e3246 = phi_7389_;
-                                    let _e3248 = phi_7390_;
-                                    let _e3250 = phi_7391_;
-                                    phi_7392_ = _e3244;
-                                    phi_7393_ = _e2170;
-                                    phi_7394_ = _e3246;
-                                    phi_7395_ = _e3248;
-                                    phi_7396_ = _e3250;
+                                    let _e3244 = phi_7390_;
+                                    let _e3246 = phi_7391_;
+                                    let _e3248 = phi_7392_;
+                                    let _e3250 = phi_7393_;
+                                    phi_7394_ = _e3244;
+                                    phi_7395_ = _e2170;
+                                    phi_7396_ = _e3246;
+                                    phi_7397_ = _e3248;
+                                    phi_7398_ = _e3250;
                                 }
-                                let _e3252 = phi_7392_;
-                                let _e3254 = phi_7393_;
-                                let _e3256 = phi_7394_;
-                                let _e3258 = phi_7395_;
-                                let _e3260 = phi_7396_;
+                                let _e3252 = phi_7394_;
+                                let _e3254 = phi_7395_;
+                                let _e3256 = phi_7396_;
+                                let _e3258 = phi_7397_;
+                                let _e3260 = phi_7398_;
                                 if _e3254 {
-                                    phi_7400_ = true;
-                                    phi_7401_ = false;
-                                    phi_7402_ = false;
+                                    phi_7402_ = true;
+                                    phi_7403_ = false;
+                                    phi_7404_ = false;
                                 } else {
-                                    phi_7400_ = _e3256;
-                                    phi_7401_ = _e3258;
-                                    phi_7402_ = _e3260;
+                                    phi_7402_ = _e3256;
+                                    phi_7403_ = _e3258;
+                                    phi_7404_ = _e3260;
                                 }
-                                let _e3262 = phi_7400_;
-                                let _e3264 = phi_7401_;
-                                let _e3266 = phi_7402_;
-                                phi_7403_ = _e3252;
-                                phi_7404_ = _e1428;
-                                phi_7405_ = _e3262;
-                                phi_7406_ = false;
-                                phi_7407_ = _e3264;
-                                phi_7408_ = _e3266;
-                            } else {
-                                phi_7403_ = f64();
-                                phi_7404_ = type_73();
-                                phi_7405_ = false;
-                                phi_7406_ = true;
-                                phi_7407_ = false;
+                                let _e3262 = phi_7402_;
+                                let _e3264 = phi_7403_;
+                                let _e3266 = phi_7404_;
+                                phi_7405_ = _e3252;
+                                phi_7406_ = _e1428;
+                                phi_7407_ = _e3262;
                                 phi_7408_ = false;
+                                phi_7409_ = _e3264;
+                                phi_7410_ = _e3266;
+                            } else {
+                                phi_7405_ = f64();
+                                phi_7406_ = type_73();
+                                phi_7407_ = false;
+                                phi_7408_ = true;
+                                phi_7409_ = false;
+                                phi_7410_ = false;
                             }
-                            let _e3268 = phi_7403_;
-                            let _e3270 = phi_7404_;
-                            let _e3272 = phi_7405_;
-                            let _e3274 = phi_7406_;
-                            let _e3276 = phi_7407_;
-                            let _e3278 = phi_7408_;
+                            let _e3268 = phi_7405_;
+                            let _e3270 = phi_7406_;
+                            let _e3272 = phi_7407_;
+                            let _e3274 = phi_7408_;
+                            let _e3276 = phi_7409_;
+                            let _e3278 = phi_7410_;
                             local_36 = _e3274;
                             local_72 = _e3276;
                             local_73 = _e3278;
@@ -5629,137 +5634,137 @@ fn function_() {
                             local_38 = _e3270;
                             continue;
                             continuing {
-                                phi_4357_ = _e1109;
+                                phi_4359_ = _e1109;
                                 break if !(_e3272);
                             }
                         }
                         let _e3281 = local_36;
                         if _e3281 {
-                            phi_7413_ = type_72(0u, type_72().member_1);
-                            phi_7414_ = false;
-                            phi_7415_ = false;
+                            phi_7415_ = type_72(0u, type_72().member_1);
+                            phi_7416_ = false;
+                            phi_7417_ = false;
                         } else {
-                            phi_7413_ = type_72();
-                            let _e5650 = local_72;
-                            phi_7414_ = _e5650;
-                            let _e5653 = local_73;
-                            phi_7415_ = _e5653;
+                            phi_7415_ = type_72();
+                            let _e5642 = local_72;
+                            phi_7416_ = _e5642;
+                            let _e5645 = local_73;
+                            phi_7417_ = _e5645;
                         }
-                        let _e3286 = phi_7413_;
-                        let _e3288 = phi_7414_;
-                        let _e3290 = phi_7415_;
+                        let _e3286 = phi_7415_;
+                        let _e3288 = phi_7416_;
+                        let _e3290 = phi_7417_;
                         if _e3288 {
                             let _e3292 = local_37;
-                            phi_7420_ = type_72(2u, _e3292);
-                            phi_7421_ = false;
+                            phi_7422_ = type_72(2u, _e3292);
+                            phi_7423_ = false;
                         } else {
-                            phi_7420_ = type_72();
-                            phi_7421_ = _e3290;
+                            phi_7422_ = type_72();
+                            phi_7423_ = _e3290;
                         }
-                        let _e3295 = phi_7420_;
-                        let _e3297 = phi_7421_;
+                        let _e3295 = phi_7422_;
+                        let _e3297 = phi_7423_;
                         if _e3297 {
                             let _e3299 = local_38;
-                            phi_7427_ = type_72(1u, _e3299.member);
-                            phi_7428_ = true;
+                            phi_7429_ = type_72(1u, _e3299.member);
+                            phi_7430_ = true;
                         } else {
-                            phi_7427_ = _e3295;
-                            phi_7428_ = _e3288;
+                            phi_7429_ = _e3295;
+                            phi_7430_ = _e3288;
                         }
-                        let _e3303 = phi_7427_;
-                        let _e3305 = phi_7428_;
+                        let _e3303 = phi_7429_;
+                        let _e3305 = phi_7430_;
                         if _e3305 {
-                            phi_7432_ = _e3303;
+                            phi_7434_ = _e3303;
                         } else {
-                            phi_7432_ = _e3286;
+                            phi_7434_ = _e3286;
                         }
-                        let _e3307 = phi_7432_;
-                        phi_7436_ = _e3307;
+                        let _e3307 = phi_7434_;
+                        phi_7438_ = _e3307;
                     }
-                    let _e5013 = phi_7436_;
-                    phi_7437_ = _e5013;
+                    let _e5013 = phi_7438_;
+                    phi_7439_ = _e5013;
                 }
-                let _e5018 = phi_7437_;
+                let _e5018 = phi_7439_;
                 switch bitcast<i32>(_e5018.member) {
                     case 0: {
-                        phi_7458_ = type_46(0u, array<u32, 2>(0u, 0u), false);
+                        phi_7452_ = type_46(0u, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e5028 = bitcast<u64>(_e5018.member_1);
-                        phi_7458_ = type_46(0u, array<u32, 2>(u32(_e5028), u32((_e5028 / 4294967296lu))), true);
+                        let _e5024 = function_(_e5018.member_1);
+                        phi_7452_ = type_46(0u, _e5024, true);
                         break;
                     }
                     case 2: {
-                        let _e5022 = bitcast<u64>(_e5018.member_1);
-                        phi_7458_ = type_46(1u, array<u32, 2>(u32(_e5022), u32((_e5022 / 4294967296lu))), true);
+                        let _e5022 = function_(_e5018.member_1);
+                        phi_7452_ = type_46(1u, _e5022, true);
                         break;
                     }
                     default: {
-                        phi_7458_ = type_46();
+                        phi_7452_ = type_46();
                         break;
                     }
                 }
-                let _e5035 = phi_7458_;
-                if _e5035.member_2 {
-                    let _e5042 = (_e5035.member_1[1] >> bitcast<u32>(20i));
-                    if (_e5042 <= 896u) {
-                        phi_7481_ = 0u;
+                let _e5027 = phi_7452_;
+                if _e5027.member_2 {
+                    let _e5034 = (_e5027.member_1[1] >> bitcast<u32>(20i));
+                    if (_e5034 <= 896u) {
+                        phi_7475_ = 0u;
                     } else {
-                        phi_7481_ = ((((_e5042 - 896u) << bitcast<u32>(23i)) | ((_e5035.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e5035.member_1[0] >> bitcast<u32>(29i)));
+                        phi_7475_ = ((((_e5034 - 896u) << bitcast<u32>(23i)) | ((_e5027.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e5027.member_1[0] >> bitcast<u32>(29i)));
                     }
-                    let _e5057 = phi_7481_;
-                    let _e5059 = atomicMin((&earliest.member[0u]), _e5057);
+                    let _e5049 = phi_7475_;
+                    let _e5051 = atomicMin((&earliest.member[0u]), _e5049);
                 }
-                phi_7485_ = type_45(_e186, _e5035.member, _e192, _e195, _e5035.member_1);
-                phi_7486_ = _e5035.member_2;
+                phi_7479_ = type_45(_e186, _e5027.member, _e192, _e195, _e5027.member_1);
+                phi_7480_ = _e5027.member_2;
             } else {
-                phi_7485_ = type_45(_e186, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
-                phi_7486_ = false;
+                phi_7479_ = type_45(_e186, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
+                phi_7480_ = false;
             }
-            let _e5061 = phi_7485_;
-            let _e5063 = phi_7486_;
-            let _e5065 = params.member.member_1;
-            if ((_e5065 & 16u) != 0u) {
+            let _e5053 = phi_7479_;
+            let _e5055 = phi_7480_;
+            let _e5057 = params.member.member_1;
+            if ((_e5057 & 16u) != 0u) {
                 if (_e117 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e5063 {
-                    let _e5071 = atomicAdd((&counters[0u]), 1u);
-                    phi_7504_ = _e5071;
+                if _e5055 {
+                    let _e5063 = atomicAdd((&counters[0u]), 1u);
+                    phi_7498_ = _e5063;
                 } else {
-                    phi_7504_ = 0u;
+                    phi_7498_ = 0u;
                 }
-                let _e5073 = phi_7504_;
+                let _e5065 = phi_7498_;
                 workgroupBarrier();
                 if (_e117 == 0u) {
-                    let _e5076 = atomicLoad((&counters[0u]));
-                    if (_e5076 > 0u) {
-                        let _e5079 = atomicAdd((&contacts.member[0u]), _e5076);
-                        atomicStore((&counters[1u]), _e5079);
+                    let _e5068 = atomicLoad((&counters[0u]));
+                    if (_e5068 > 0u) {
+                        let _e5071 = atomicAdd((&contacts.member[0u]), _e5068);
+                        atomicStore((&counters[1u]), _e5071);
                     }
                 }
                 workgroupBarrier();
-                let _e5082 = atomicLoad((&counters[1u]));
-                let _e5083 = (_e5082 + _e5073);
-                if _e5063 {
-                    let _e5085 = params.member.member_16;
-                    if (_e5083 < _e5085) {
-                        let _e5087 = (6u * _e5083);
-                        atomicStore((&contacts.member[(4u + _e5087)]), _e5061.member);
-                        atomicStore((&contacts.member[(_e5087 + 5u)]), _e5061.member_1);
-                        atomicStore((&contacts.member[(_e5087 + 6u)]), _e5061.member_2);
-                        atomicStore((&contacts.member[(_e5087 + 7u)]), _e5061.member_3);
-                        atomicStore((&contacts.member[(_e5087 + 8u)]), _e5061.member_4[0]);
-                        atomicStore((&contacts.member[(_e5087 + 9u)]), _e5061.member_4[1]);
+                let _e5074 = atomicLoad((&counters[1u]));
+                let _e5075 = (_e5074 + _e5065);
+                if _e5055 {
+                    let _e5077 = params.member.member_16;
+                    if (_e5075 < _e5077) {
+                        let _e5079 = (6u * _e5075);
+                        atomicStore((&contacts.member[(4u + _e5079)]), _e5053.member);
+                        atomicStore((&contacts.member[(_e5079 + 5u)]), _e5053.member_1);
+                        atomicStore((&contacts.member[(_e5079 + 6u)]), _e5053.member_2);
+                        atomicStore((&contacts.member[(_e5079 + 7u)]), _e5053.member_3);
+                        atomicStore((&contacts.member[(_e5079 + 8u)]), _e5053.member_4[0]);
+                        atomicStore((&contacts.member[(_e5079 + 9u)]), _e5053.member_4[1]);
                     }
                 }
             }
         }
         continue;
         continuing {
-            phi_271_ = _e174;
+            phi_273_ = _e174;
             break if !(_e180);
         }
     }
@@ -5771,5 +5776,5 @@ fn decide_edge_edge_wide(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_work
     id_1 = id;
     n_1 = n;
     lane_1 = lane;
-    function_();
+    function_1();
 }

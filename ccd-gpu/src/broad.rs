@@ -4,10 +4,11 @@ use crate::device::Device;
 use crate::error::Error;
 use crate::list::{HEADER_BYTES, List};
 use crate::readback::Readback;
-use crate::recorder::Bench;
-use crate::session::submit;
+use crate::recorder::{Bench, submit};
 use crate::tree::{Tree, check_countable};
 use ccd_core::Aabb;
+use ccd_core::aabb::GREATEST;
+use ccd_core::error::check_boxes;
 use ccd_core::kernel::Id;
 use ccd_core::layout::{Pair, Params};
 use wgpu::BufferUsages as U;
@@ -55,27 +56,28 @@ impl BroadPhase {
 
     /// All pairs of boxes that overlap, each once, the lesser index first.
     pub fn self_pairs(&mut self, boxes: &[Aabb<f32>]) -> Result<Vec<Pair>, Error> {
-        let n = self.find(1, [0, count(boxes)?, 0], &[boxes])?;
+        let n = self.find(1, [&[], boxes, &[]])?;
         self.read(n)
     }
 
     /// All pairs of a box of `a` with a box of `b` that overlap.
     pub fn pairs(&mut self, a: &[Aabb<f32>], b: &[Aabb<f32>]) -> Result<Vec<Pair>, Error> {
-        let n = self.find(0, [count(a)?, 0, count(b)?], &[a, b])?;
+        let n = self.find(0, [a, &[], b])?;
         self.read(n)
     }
 
     /// As [`BroadPhase::self_pairs`], but leaves the pairs on the device: returns their number, and the list that holds them until the next call.
     pub fn self_pairs_on_device(&mut self, boxes: &[Aabb<f32>]) -> Result<(u32, &List), Error> {
-        let n = self.find(1, [0, count(boxes)?, 0], &[boxes])?;
+        let n = self.find(1, [&[], boxes, &[]])?;
         Ok((n, &self.pairs))
     }
 
     /// Fills the list of pairs; returns their number.
-    fn find(&mut self, kind: u32, count: [u32; 3], sets: &[&[Aabb<f32>]]) -> Result<u32, Error> {
+    fn find(&mut self, kind: u32, sets: [&[Aabb<f32>]; 3]) -> Result<u32, Error> {
         for boxes in sets {
-            check(boxes)?;
+            check_boxes(boxes, GREATEST as f64)?;
         }
+        let count = sets.map(|boxes| boxes.len() as u32);
         let Self { device, bench, .. } = self;
         if self.tree.is_none() || self.count != count {
             self.tree = None;
@@ -89,7 +91,7 @@ impl BroadPhase {
         let mut at = 0;
         for boxes in sets {
             device.queue().write_buffer(&tree.boxes, at, bytemuck::cast_slice(boxes));
-            at += size_of_val(*boxes) as u64;
+            at += size_of_val(boxes) as u64;
         }
         self.kind = kind;
         self.again()
@@ -147,25 +149,6 @@ impl BroadPhase {
         let bytes = readback.read(device, &parts)?.into_iter().next().unwrap_or_default();
         Ok(bytemuck::pod_collect_to_vec(&bytes[HEADER_BYTES as usize..]))
     }
-}
-
-fn count(boxes: &[Aabb<f32>]) -> Result<u32, Error> {
-    let limit = ccd_core::topology::Mesh::MAX_ELEMENTS;
-    let count = boxes.len() as u64;
-    u32::try_from(count).ok().filter(|_| count <= limit).ok_or(ccd_core::Error::TooMany { element: "boxes", count, limit }.into())
-}
-
-fn check(boxes: &[Aabb<f32>]) -> Result<(), Error> {
-    for (at, b) in boxes.iter().enumerate() {
-        for axis in 0..3 {
-            // Written so that NaN fails.
-            let fine = b.min[axis] <= b.max[axis] && b.min[axis] >= -ccd_core::aabb::GREATEST && b.max[axis] <= ccd_core::aabb::GREATEST;
-            if !fine {
-                return Err(ccd_core::Error::Box { at, axis: axis as u8, min: b.min[axis] as f64, max: b.max[axis] as f64 }.into());
-            }
-        }
-    }
-    Ok(())
 }
 
 /// Sorts keys with their values on a device, for tests and benches.

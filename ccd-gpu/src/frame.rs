@@ -10,7 +10,7 @@ use ccd_core::Num;
 use ccd_core::kernel::Id;
 use ccd_core::layout::{Params, Path, Touch};
 use ccd_core::report::Options;
-use ccd_core::topology::Mesh;
+use ccd_core::topology::{Bodies, Mesh};
 use wgpu::BufferUsages as U;
 
 /// Of how many pairs of blocks one is sampled to bound the earliest time of impact.
@@ -25,6 +25,8 @@ pub struct Buffers {
     pub edges: wgpu::Buffer,
     pub faces: wgpu::Buffer,
     pub bodies: wgpu::Buffer,
+    /// What kernels are told of bodies.
+    body_flags: u32,
     /// Pairs that the filters leave, by kind.
     pub survivors: [List; 2],
     /// Pairs that `f32` leaves open, by kind.
@@ -58,17 +60,7 @@ impl Buffers {
             device.queue().write_buffer(&buffer, 0, bytes);
             Ok(buffer)
         };
-        let bodies: Vec<u32> = match &options.bodies {
-            Some(b) => {
-                // Numbered anew, because one bit of a word says whether a body is fixed.
-                let mut names: Vec<u32> = (0..count[0]).map(|v| b.body(v)).collect();
-                names.sort_unstable();
-                names.dedup();
-                let number = |name: u32| names.partition_point(|&n| n < name) as u32;
-                (0..count[0]).map(|v| number(b.body(v)) << 1 | b.fixed(b.body(v)) as u32).collect()
-            }
-            None => Vec::new(),
-        };
+        let (bodies, body_flags) = options.bodies.as_ref().map_or((Vec::new(), 0), |bodies| number_bodies(bodies, count[0]));
         let list = |what, words, room: u32| List::new(device, what, words, room.max(1024));
         let features = count[0] + count[1] + count[2];
         Ok(Self {
@@ -78,6 +70,7 @@ impl Buffers {
             edges: fixed("edges", bytemuck::cast_slice(mesh.edges()))?,
             faces: fixed("faces", bytemuck::cast_slice(mesh.faces()))?,
             bodies: fixed("bodies", bytemuck::cast_slice(&bodies))?,
+            body_flags,
             survivors: [list("filtered vertex-face pairs", 2, features / 2)?, list("filtered edge-edge pairs", 2, features)?],
             undecided: [list("undecided vertex-face pairs", 2, features / 2)?, list("undecided edge-edge pairs", 2, features)?],
             contacts: list("contacts", (size_of::<Touch>() / 4) as u32, features / 2)?,
@@ -97,6 +90,14 @@ impl Buffers {
     pub fn lists_mut(&mut self) -> impl Iterator<Item = &mut List> {
         let ends = self.candidates.iter_mut().chain(&mut self.survivors).chain(&mut self.undecided).chain([&mut self.contacts]);
         ends.chain(self.tree.pairs.iter_mut().flatten())
+    }
+
+    /// Parameters that all kernels of a frame share.
+    pub fn params(&self, options: &Options) -> Params {
+        let mut params = self.tree.params();
+        params.flags |= Params::FLAG_TOPOLOGY | self.body_flags;
+        self.positions.params(&mut params, options.min_distance);
+        params
     }
 
     /// Everything from positions to results.
@@ -210,16 +211,15 @@ impl Buffers {
     }
 }
 
-/// Parameters that all kernels of a frame share.
-pub fn frame_params(buffers: &Buffers, options: &Options, mesh: &Mesh) -> Params {
-    let mut params = buffers.tree.params();
-    params.flags |= Params::FLAG_TOPOLOGY;
-    buffers.positions.params(&mut params, options.min_distance);
-    if let Some(bodies) = &options.bodies {
-        params.flags |= Params::FLAG_BODIES;
-        // A body against itself is wanted if it is wanted of any.
-        let wanted = (0..mesh.n_vertices() as u32).map(|v| bodies.body(v)).any(|b| !bodies.fixed(b) && bodies.wants(b, b));
-        params.flags |= if wanted { Params::FLAG_SELF_CONTACT } else { 0 };
-    }
-    params
+/// For each of `n` vertices twice the number of its body, plus one if that is fixed; and the flags that go with that. Bodies are numbered anew, because
+/// their own numbers may need all bits of a word.
+fn number_bodies(bodies: &Bodies, n: u32) -> (Vec<u32>, u32) {
+    let mut names: Vec<u32> = (0..n).map(|v| bodies.body(v)).collect();
+    names.sort_unstable();
+    names.dedup();
+    // A body against itself is wanted if it is wanted of any.
+    let self_contact = names.iter().any(|&b| !bodies.fixed(b) && bodies.wants(b, b));
+    let number = |name: u32| names.partition_point(|&n| n < name) as u32;
+    let words = (0..n).map(|v| number(bodies.body(v)) << 1 | bodies.fixed(bodies.body(v)) as u32).collect();
+    (words, Params::FLAG_BODIES | if self_contact { Params::FLAG_SELF_CONTACT } else { 0 })
 }

@@ -3,8 +3,7 @@
 use crate::device::Device;
 use crate::error::Error;
 use crate::readback::Readback;
-use crate::recorder::Bench;
-use crate::session::submit;
+use crate::recorder::{Bench, submit};
 use ccd_core::kernel::Id;
 use ccd_core::layout::Params;
 use wgpu::BufferUsages as U;

@@ -178,3 +178,15 @@ impl Recorder<'_> {
         Ok(self.stages)
     }
 }
+
+/// Records with `work`, submits, and returns the stages.
+pub fn submit(device: &Device, bench: &mut Bench, work: impl FnOnce(&mut Recorder)) -> Result<Vec<&'static str>, Error> {
+    device.guarded("a frame", 0, || {
+        let mut encoder = device.wgpu().create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("ccd") });
+        let mut recorder = bench.record(&mut encoder);
+        work(&mut recorder);
+        let stages = recorder.finish()?;
+        device.queue().submit([encoder.finish()]);
+        Ok(stages)
+    })?
+}

@@ -2,14 +2,13 @@
 
 use crate::device::Device;
 use crate::error::Error;
-use crate::frame::{Buffers, Goal, SAMPLE, frame_params};
+use crate::frame::{Buffers, Goal, SAMPLE};
 use crate::list::{HEADER_BYTES, List};
 use crate::readback::Readback;
-use crate::recorder::{Bench, Recorder};
+use crate::recorder::{Bench, submit};
 use crate::tail;
 use crate::tree::check_countable;
 use ccd_core::Real;
-use ccd_core::error::check_min_distance;
 use ccd_core::kernel::decide;
 use ccd_core::layout::{Pair, Touch};
 use ccd_core::report::{Kind, Options, PerKind, Report, State};
@@ -63,10 +62,7 @@ pub struct Candidates {
 impl Session {
     /// A session for `mesh` on `device`.
     pub fn new(device: &Device, mesh: Mesh, options: Options) -> Result<Self, Error> {
-        check_min_distance(options.min_distance)?;
-        if let Some(bodies) = &options.bodies {
-            bodies.check(&mesh)?;
-        }
+        options.check(&mesh)?;
         Ok(Self {
             buffers: Buffers::new(device, &mesh, &options)?,
             bench: Bench::new(device)?,
@@ -147,7 +143,7 @@ impl Session {
     }
 
     /// Every contact while vertices move on straight lines from `x0` to `x1`, one position per vertex of the mesh.
-    pub fn step<T: Real>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error> {
+    pub fn step<T: Real + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error> {
         self.run(x0, x1, Goal::Contacts)?;
         Ok(&self.report)
     }
@@ -155,7 +151,7 @@ impl Session {
     /// The earliest time of impact of the step, without the list of contacts: cheaper than [`Session::step`]. `None`: the whole step is free.
     ///
     /// It is not later than the earliest contact, and rounded down to an `f32`.
-    pub fn earliest_toi<T: Real>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Option<f64>, Error> {
+    pub fn earliest_toi<T: Real + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Option<f64>, Error> {
         let goal = if self.at_once > 0 { Goal::EarliestAtOnce } else { Goal::Earliest };
         self.at_once = self.at_once.saturating_sub(1);
         self.run(x0, x1, goal)?;
@@ -163,7 +159,7 @@ impl Session {
     }
 
     /// Lists all candidates of the step: pairs of features whose swept boxes overlap, without those that share a vertex or that the bodies rule out.
-    pub fn candidates<T: Real>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Candidates, Error> {
+    pub fn candidates<T: Real + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Candidates, Error> {
         self.run(x0, x1, Goal::Candidates)?;
         let Self { buffers, bench, readback, device, report, .. } = self;
         let PerKind { vf, ee } = report.candidates;
@@ -180,7 +176,7 @@ impl Session {
     }
 
     /// As [`Session::candidates`], but leaves the pairs on the device: vertex-face and edge-edge, until the next call. All of them fit.
-    pub fn candidates_on_device<T: Real>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<[&List; 2], Error> {
+    pub fn candidates_on_device<T: Real + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<[&List; 2], Error> {
         self.run(x0, x1, Goal::Candidates)?;
         let [vf, ee] = &self.buffers.candidates;
         Ok([vf, ee])
@@ -198,7 +194,7 @@ impl Session {
         let positions = &mut self.buffers.positions;
         (positions.exact, positions.path_error, positions.slack) = (true, 0.0, 0.0);
         let (device, bench, buffers) = (&self.device, &mut self.bench, &self.buffers);
-        let params = frame_params(buffers, &self.options, &self.mesh);
+        let params = buffers.params(&self.options);
         device.guarded("a frame", 0, || -> Result<(), Error> {
             let mut recorder = bench.record(encoder);
             buffers.frame(&mut recorder, &params, Goal::Contacts, device.info().wide);
@@ -209,13 +205,8 @@ impl Session {
         Ok(OnDevice { contacts: &b.contacts, undecided: [&b.undecided[0], &b.undecided[1]], lists, earliest: &b.earliest })
     }
 
-    fn run<T: Real>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]], goal: Goal) -> Result<(), Error> {
-        let expected = self.mesh.n_vertices();
-        for (time, found) in [(0, x0.len()), (1, x1.len())] {
-            if expected != found {
-                return Err(ccd_core::Error::VertexCount { time, expected, found }.into());
-            }
-        }
+    fn run<T: Real + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]], goal: Goal) -> Result<(), Error> {
+        self.mesh.check_positions(x0, x1)?;
         let start = Instant::now();
         let distance = self.options.min_distance;
         let Buffers { positions, tree, .. } = &mut self.buffers;
@@ -242,7 +233,7 @@ impl Session {
     /// Runs a frame; `None` if a list was too short and has been replaced. `expected`: contacts that are read back at once.
     fn attempt(&mut self, goal: Goal, expected: u32) -> Result<Option<Found>, Error> {
         let Self { device, buffers, bench, readback, .. } = self;
-        let params = frame_params(buffers, &self.options, &self.mesh);
+        let params = buffers.params(&self.options);
         let heads: Vec<List> = buffers.lists().cloned().collect();
         let guess = (expected + expected / 4 + 256).min(buffers.contacts.room());
         let mut sizes = vec![4, 8];
@@ -317,7 +308,7 @@ impl Session {
     }
 
     /// Decides what the device left open, and makes the report.
-    fn take<T: Real>(&mut self, found: Found, goal: Goal, x0: &[[T; 3]], x1: &[[T; 3]]) {
+    fn take<T: Real + Sync>(&mut self, found: Found, goal: Goal, x0: &[[T; 3]], x1: &[[T; 3]]) {
         let report = &mut self.report;
         self.left_open = PerKind { vf: found.open[0].len() as u64, ee: found.open[1].len() as u64 };
         report.candidates = found.candidates;
@@ -361,18 +352,6 @@ fn read_touches(touches: &mut Vec<Touch>, list: &[u8], n: u32) {
     let n = (n as usize).min(entries.len() / size_of::<Touch>());
     touches.resize(n, Touch::default());
     bytemuck::cast_slice_mut::<Touch, u8>(touches).copy_from_slice(&entries[..n * size_of::<Touch>()]);
-}
-
-/// Records with `work`, submits, and returns the stages.
-pub(crate) fn submit(device: &Device, bench: &mut Bench, work: impl FnOnce(&mut Recorder)) -> Result<Vec<&'static str>, Error> {
-    device.guarded("a frame", 0, || {
-        let mut encoder = device.wgpu().create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("ccd") });
-        let mut recorder = bench.record(&mut encoder);
-        work(&mut recorder);
-        let stages = recorder.finish()?;
-        device.queue().submit([encoder.finish()]);
-        Ok(stages)
-    })?
 }
 
 /// If more than a quarter of the candidates is left after paths were cut, so many of the next calls do without: what is cut takes less time than the

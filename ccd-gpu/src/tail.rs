@@ -1,7 +1,6 @@
 //! The end of a step on the CPU: what `f32` left open is decided in `f64`, and contacts get their canonical order.
 
 use ccd_core::Real;
-use ccd_core::Verdict;
 use ccd_core::kernel::narrow;
 use ccd_core::layout::{Pair, Touch, join};
 use ccd_core::report::{Contact, Kind, State};
@@ -11,23 +10,31 @@ use ccd_core::topology::Mesh;
 const MIN_SHARE: usize = 256;
 
 /// Decides pairs in `f64` on all cores and appends those that touch or stay undecided.
-pub fn decide<T: Real>(mesh: &Mesh, kind: Kind, pairs: &[Pair], x0: &[[T; 3]], x1: &[[T; 3]], min_distance: f64, out: &mut Vec<Contact>) {
+pub fn decide<T: Real + Sync>(
+    mesh: &Mesh,
+    kind: Kind,
+    pairs: &[Pair],
+    x0: &[[T; 3]],
+    x1: &[[T; 3]],
+    min_distance: f64,
+    out: &mut Vec<Contact>,
+) {
+    let one = |&pair: &Pair| {
+        let verdict = match kind {
+            Kind::VertexFace => narrow::vertex_face(narrow::vertex_face_ids(pair, mesh.faces()), x0, x1, min_distance, 0.0),
+            Kind::EdgeEdge => narrow::edge_edge(narrow::edge_edge_ids(pair, mesh.edges()), x0, x1, min_distance, 0.0),
+        };
+        Contact::of(kind, pair, verdict)
+    };
+    if pairs.len() <= MIN_SHARE {
+        out.extend(pairs.iter().filter_map(one));
+        return;
+    }
     let cores = std::thread::available_parallelism().map_or(1, |n| n.get());
     let share = pairs.len().div_ceil(cores).max(MIN_SHARE);
-    let wide = |p: &[T; 3]| [p[0].to_f64(), p[1].to_f64(), p[2].to_f64()];
-    // Only what the pairs touch is widened, so slices of `f64` are made once for all of them.
-    if pairs.is_empty() {
-        return;
-    }
-    let (x0, x1): (Vec<_>, Vec<_>) = (x0.iter().map(wide).collect(), x1.iter().map(wide).collect());
-    let work =
-        |pairs: &[Pair]| -> Vec<Contact> { pairs.iter().filter_map(|&pair| one(mesh, kind, pair, &x0, &x1, min_distance)).collect() };
-    if pairs.len() <= MIN_SHARE {
-        out.extend(work(pairs));
-        return;
-    }
     std::thread::scope(|scope| {
-        let threads: Vec<_> = pairs.chunks(share).map(|part| scope.spawn(|| work(part))).collect();
+        let threads: Vec<_> =
+            pairs.chunks(share).map(|part| scope.spawn(move || part.iter().filter_map(one).collect::<Vec<_>>())).collect();
         for thread in threads {
             match thread.join() {
                 Ok(found) => out.extend(found),
@@ -35,19 +42,6 @@ pub fn decide<T: Real>(mesh: &Mesh, kind: Kind, pairs: &[Pair], x0: &[[T; 3]], x
             }
         }
     });
-}
-
-fn one(mesh: &Mesh, kind: Kind, pair: Pair, x0: &[[f64; 3]], x1: &[[f64; 3]], min_distance: f64) -> Option<Contact> {
-    let verdict: Verdict<f64> = match kind {
-        Kind::VertexFace => narrow::vertex_face(narrow::vertex_face_ids(pair, mesh.faces()), x0, x1, min_distance, 0.0),
-        Kind::EdgeEdge => narrow::edge_edge(narrow::edge_edge_ids(pair, mesh.edges()), x0, x1, min_distance, 0.0),
-    };
-    let (state, toi) = match verdict {
-        Verdict::Miss => return None,
-        Verdict::Hit { toi } => (State::Hit, toi),
-        Verdict::Undecided { toi } => (State::Undecided, toi),
-    };
-    Some(Contact { kind, state, a: pair.a, b: pair.b, toi })
 }
 
 /// Puts contacts in order; buffers are kept.

@@ -2,10 +2,10 @@
 
 use crate::device::Device;
 use crate::error::Error;
-use ccd_core::input::{Scan, margin, slack_at};
+use ccd_core::input::{Scan, margin};
 use ccd_core::kernel::{blocks::bound_key, sweep};
 use ccd_core::layout::{Params, Path, WidePath, split};
-use ccd_core::real::{Num, Real};
+use ccd_core::real::Real;
 use ccd_core::{Aabb, error};
 use wgpu::BufferUsages as U;
 
@@ -79,8 +79,8 @@ impl Positions {
         let queue = device.queue();
         queue.write_buffer(&self.paths, 0, bytemuck::cast_slice(&self.host_paths));
         // Rounded boxes: by rounding the input, or by growing exact ones.
-        let rounded = T::UNIT.to_f64() < f32::UNIT as f64 && !(self.exact && min_distance == 0.0);
-        self.slack = if rounded { slack_at((scan.greatest() + min_distance).round_up()) } else { 0.0 };
+        let rounded = scan.rounds_boxes::<T>(min_distance);
+        self.slack = if rounded { scan.slack(min_distance) } else { 0.0 };
         let mut replaced = false;
         if !self.exact {
             self.host_wide.clear();

@@ -34,7 +34,7 @@ fn entries(params: &Params, there: u32) -> u32 {
     wanted.min(params.limit)
 }
 
-/// The pair of nodes of a team; a team for which there is none gets no children, see `test_children`.
+/// The pair of nodes of a team; the second part says whether there is one: a team without tests nothing, see [`gather`].
 #[inline(always)]
 fn team_pair(params: &Params, list: &[u32], there: u32, own: u32, groups: u32, round: u32, team: u32) -> ([u32; 2], bool) {
     let i = (own + round * groups) * TEAMS + team;

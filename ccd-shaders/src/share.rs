@@ -67,7 +67,6 @@ pub fn set<T: Copy, const N: usize>(shared: &mut [T; N], i: u32, value: T) {
 /// Waits for the workgroup; what its threads wrote to workgroup memory before is seen after.
 #[inline(always)]
 pub fn barrier() {
-
     spirv_std::arch::workgroup_memory_barrier_with_group_sync();
 }
 

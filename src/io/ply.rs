@@ -1,7 +1,6 @@
 //! PLY through `ply-rs-bw`, straight into positions and triangles.
 
 use super::{Frame, ReadErrorKind, push_polygon};
-use crate::Mesh;
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{Header, Property, PropertyAccess, PropertyAccessResult};
 use std::io::BufRead;
@@ -103,7 +102,7 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
         return Err(ReadErrorKind::Header("there is no element named vertex".into()));
     }
     for element in header.elements.values() {
-        let (count, limit) = (element.count as u64, Mesh::MAX_ELEMENTS);
+        let (count, limit) = (element.count as u64, crate::Error::MAX_ELEMENTS);
         if count > limit {
             let element = if element.name == "face" { "faces" } else { "vertices" };
             return Err(crate::Error::TooMany { element, count, limit }.into());

@@ -1,6 +1,5 @@
-//! Map and meet: the bounds of many boxes, and their Morton codes.
+//! Map: the bounds of many boxes, and their Morton codes.
 
-use super::Words;
 use crate::aabb::Aabb;
 use crate::morton::{MortonGrid, morton30, morton63};
 use crate::slice::at;
@@ -38,14 +37,6 @@ pub fn from_order_key(key: u32) -> f32 {
 #[inline(always)]
 pub fn shared_word(b: &Aabb<f32>, k: usize) -> u32 {
     if k < 3 { !order_key(b.min[k]) } else { order_key(b.max[k - 3]) }
-}
-
-/// Merges `b` into the six shared words.
-#[inline(always)]
-pub fn merge(b: &Aabb<f32>, words: &impl Words) {
-    for k in 0..6 {
-        words.max(k, shared_word(b, k));
-    }
 }
 
 /// The bounds in six shared words.

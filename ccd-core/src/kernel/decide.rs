@@ -1,6 +1,7 @@
 //! Map: the verdict of one pair that the filters left, from the buffers of a device.
 
 use super::filter::ends;
+use super::narrow::{edge_edge_ids, vertex_face_ids};
 use crate::layout::{Pair, Params, Path, WidePath, join, split};
 use crate::motion::{Motion, Patch};
 use crate::query::{Verdict, solve};
@@ -57,53 +58,40 @@ pub fn widen(toi: f32) -> [u32; 2] {
 }
 
 #[inline(always)]
-fn narrow(verdict: Verdict<f32>) -> Verdicts {
+fn verdicts<R>(verdict: Verdict<R>, bits: impl Fn(R) -> [u32; 2]) -> Verdicts {
     match verdict {
         Verdict::Miss => Verdicts { touches: false, undecided: 0, toi: [0; 2] },
-        Verdict::Hit { toi } => Verdicts { touches: true, undecided: 0, toi: widen(toi) },
-        Verdict::Undecided { toi } => Verdicts { touches: true, undecided: 1, toi: widen(toi) },
-    }
-}
-
-#[inline(always)]
-fn wide(verdict: Verdict<f64>) -> Verdicts {
-    match verdict {
-        Verdict::Miss => Verdicts { touches: false, undecided: 0, toi: [0; 2] },
-        Verdict::Hit { toi } => Verdicts { touches: true, undecided: 0, toi: split(toi) },
-        Verdict::Undecided { toi } => Verdicts { touches: true, undecided: 1, toi: split(toi) },
+        Verdict::Hit { toi } => Verdicts { touches: true, undecided: 0, toi: bits(toi) },
+        Verdict::Undecided { toi } => Verdicts { touches: true, undecided: 1, toi: bits(toi) },
     }
 }
 
 /// Decides vertex `pair.a` against face `pair.b` in `f32`.
 #[inline(always)]
 pub fn vertex_face(pair: Pair, params: &Params, paths: &[Path], faces: &[[u32; 3]]) -> Verdicts {
-    let f = at(faces, pair.b as usize);
-    let (x0, x1) = ends([pair.a, f[0], f[1], f[2]], paths);
-    narrow(solve(&Motion::vertex_face(&x0, &x1, params.path_error), Patch::Triangle, params.min_distance))
+    let (x0, x1) = ends(vertex_face_ids(pair, faces), paths);
+    verdicts(solve(&Motion::vertex_face(&x0, &x1, params.path_error), Patch::Triangle, params.min_distance), widen)
 }
 
 /// Decides edges `pair.a` and `pair.b` in `f32`.
 #[inline(always)]
 pub fn edge_edge(pair: Pair, params: &Params, paths: &[Path], edges: &[[u32; 2]]) -> Verdicts {
-    let (a, b) = (at(edges, pair.a as usize), at(edges, pair.b as usize));
-    let (x0, x1) = ends([a[0], a[1], b[0], b[1]], paths);
-    narrow(solve(&Motion::edge_edge(&x0, &x1, params.path_error), Patch::Parallelogram, params.min_distance))
+    let (x0, x1) = ends(edge_edge_ids(pair, edges), paths);
+    verdicts(solve(&Motion::edge_edge(&x0, &x1, params.path_error), Patch::Parallelogram, params.min_distance), widen)
 }
 
 /// Decides vertex `pair.a` against face `pair.b` in `f64`.
 #[inline(always)]
 pub fn vertex_face_wide(pair: Pair, params: &Params, paths: &[Path], wide_paths: &[WidePath], faces: &[[u32; 3]]) -> Verdicts {
-    let f = at(faces, pair.b as usize);
-    let (x0, x1) = wide_ends([pair.a, f[0], f[1], f[2]], params, paths, wide_paths);
-    wide(solve(&Motion::vertex_face(&x0, &x1, 0.0), Patch::Triangle, join(params.distance_bits)))
+    let (x0, x1) = wide_ends(vertex_face_ids(pair, faces), params, paths, wide_paths);
+    verdicts(solve(&Motion::vertex_face(&x0, &x1, 0.0), Patch::Triangle, join(params.distance_bits)), split)
 }
 
 /// Decides edges `pair.a` and `pair.b` in `f64`.
 #[inline(always)]
 pub fn edge_edge_wide(pair: Pair, params: &Params, paths: &[Path], wide_paths: &[WidePath], edges: &[[u32; 2]]) -> Verdicts {
-    let (a, b) = (at(edges, pair.a as usize), at(edges, pair.b as usize));
-    let (x0, x1) = wide_ends([a[0], a[1], b[0], b[1]], params, paths, wide_paths);
-    wide(solve(&Motion::edge_edge(&x0, &x1, 0.0), Patch::Parallelogram, join(params.distance_bits)))
+    let (x0, x1) = wide_ends(edge_edge_ids(pair, edges), params, paths, wide_paths);
+    verdicts(solve(&Motion::edge_edge(&x0, &x1, 0.0), Patch::Parallelogram, join(params.distance_bits)), split)
 }
 
 /// Positions as given: in `f32` if those are exact.

@@ -21,8 +21,6 @@ pub trait Words {
     fn load(&self, i: usize) -> u32;
     /// Relaxed store to word `i`.
     fn store(&self, i: usize, value: u32);
-    /// Raises word `i` to `value` if it is less; relaxed.
-    fn max(&self, i: usize, value: u32);
     /// Adds and returns the old value; acquires what others released by this call on the same word, releases what this thread
     /// stored before.
     fn add_acquire_release(&self, i: usize, value: u32) -> u32;

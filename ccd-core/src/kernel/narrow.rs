@@ -18,16 +18,16 @@ pub fn gather<T: Copy + Into<R>, R: Real>(ids: [u32; 4], x: &[[T; 3]]) -> [[R; 3
 }
 
 /// The vertex ids `v f0 f1 f2` of a vertex-face pair.
-#[inline]
+#[inline(always)]
 pub fn vertex_face_ids(pair: Pair, faces: &[[u32; 3]]) -> [u32; 4] {
-    let [f0, f1, f2] = faces[pair.b as usize];
+    let [f0, f1, f2] = at(faces, pair.b as usize);
     [pair.a, f0, f1, f2]
 }
 
 /// The vertex ids `ea0 ea1 eb0 eb1` of an edge-edge pair.
-#[inline]
+#[inline(always)]
 pub fn edge_edge_ids(pair: Pair, edges: &[[u32; 2]]) -> [u32; 4] {
-    let ([a0, a1], [b0, b1]) = (edges[pair.a as usize], edges[pair.b as usize]);
+    let ([a0, a1], [b0, b1]) = (at(edges, pair.a as usize), at(edges, pair.b as usize));
     [a0, a1, b0, b1]
 }
 
