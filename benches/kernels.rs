@@ -40,7 +40,10 @@ fn boxes(c: &mut Criterion) {
     codes.sort_unstable_by_key(|&[low, high]| (high, low));
     c.bench_function("tree branches, 100,000 boxes", |b| {
         b.iter(|| {
-            let leaves: u64 = (0..codes.len() - 1).map(|i| build::branch(i, black_box(&codes))).map(|n| (n.last - n.first) as u64).sum();
+            let leaves: u64 = (0..codes.len() as u32 - 1)
+                .map(|i| build::branch(i, codes.len() as u32, black_box(&codes)))
+                .map(|n| (n.last - n.first) as u64)
+                .sum();
             assert!(leaves > codes.len() as u64);
         })
     });

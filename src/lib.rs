@@ -58,7 +58,7 @@ struct Readme;
 
 pub use ccd_core::digest::Digest;
 pub use ccd_core::layout::Pair;
-pub use ccd_core::report::{Contact, Kind, Options, PerKind, Report, State, Times};
+pub use ccd_core::report::{Contact, Kind, Method, Options, PerKind, Report, State, Times};
 pub use ccd_core::topology::{Bodies, Mesh};
 pub use ccd_core::{Aabb, EdgeEdge, Error, Real, TOI_TOLERANCE, Verdict, VertexFace, edge_edge, vertex_face};
-pub use ccd_cpu::{BroadPhase, Candidates, MAX_LOOSENESS, Method, Pairs, Session, earliest_toi, step};
+pub use ccd_cpu::{BroadPhase, Candidates, MAX_LOOSENESS, Pairs, Session, earliest_toi, step};

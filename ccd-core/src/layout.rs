@@ -88,21 +88,6 @@ pub struct Path {
     pub t1: [f32; 4],
 }
 
-/// Both ends of the path of a vertex, as given.
-///
-/// | field | bytes |
-/// |---|---|
-/// | `t0` | 0..24 |
-/// | `t1` | 24..48 |
-#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
-#[repr(C)]
-pub struct WidePath {
-    /// Position at the start of the step.
-    pub t0: [f64; 3],
-    /// Position at its end.
-    pub t1: [f64; 3],
-}
-
 /// What a leaf of a block tree is besides its box.
 ///
 /// | field | bytes |
@@ -166,6 +151,9 @@ pub fn split(x: f64) -> [u32; 2] {
 /// Words before the first entry of a list that a device writes: the number of entries wanted, which may exceed the room, and three that are not used.
 pub const LIST_HEADER: usize = 4;
 
+/// Words of a [`Touch`].
+pub const TOUCH_WORDS: usize = size_of::<Touch>() / 4;
+
 /// Levels of a block tree: `32^7` exceeds every number of boxes, and level 0 is the boxes.
 pub const MAX_LEVELS: usize = 8;
 
@@ -181,8 +169,9 @@ pub const MAX_LEVELS: usize = 8;
 /// | `min_distance` | 40..44 | | `room_in` | 84..88 |
 /// | `slack` | 44..48 | | `room_out` | 88..92 |
 /// | `distance_bits` | 48..56 | | `n` | 92..96 |
-/// | `kind` | 56..60 | | `slots` | 96..224 |
-/// | `level` | 60..64 | | | |
+/// | `kind` | 56..60 | | `origin` | 96..120 |
+/// | `level` | 60..64 | | `margin_bits` | 120..128 |
+/// | | | | `slots` | 128..256 |
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Params {
@@ -222,6 +211,10 @@ pub struct Params {
     pub room_out: u32,
     /// Items of a map.
     pub n: u32,
+    /// What is subtracted from positions before they become `f32`: bits of `f64`, low words first.
+    pub origin: [[u32; 2]; 3],
+    /// By how much exact boxes are grown: bits of an `f64`, low word first.
+    pub margin_bits: [u32; 2],
     /// First node of each set on each level, then the first of the next level.
     pub slots: [[u32; 4]; MAX_LEVELS],
 }
@@ -247,6 +240,6 @@ impl Params {
     }
 }
 
-const _: () = assert!(size_of::<Path>() == 32 && size_of::<WidePath>() == 48 && size_of::<Leaf>() == 16);
-const _: () = assert!(size_of::<Touch>() == 24 && size_of::<Params>() == 224);
+const _: () = assert!(size_of::<Path>() == 32 && size_of::<Leaf>() == 16);
+const _: () = assert!(size_of::<Touch>() == 24 && size_of::<Params>() == 256);
 const _: () = assert!(size_of::<Pair>() == 8 && size_of::<Node>() == 32 && size_of::<Branch>() == 16);

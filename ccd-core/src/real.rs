@@ -22,7 +22,7 @@ pub trait Num: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Sel
 }
 
 /// A single number that can be compared and divided: `f32` or `f64`.
-pub trait Real: Num + PartialOrd + core::ops::Div<Output = Self> + core::fmt::Debug + Into<f64> {
+pub trait Real: Num + PartialOrd + core::ops::Div<Output = Self> + core::fmt::Debug + Into<f64> + bytemuck::Pod {
     /// Exact for `f32` and `f64`.
     fn to_f64(self) -> f64;
     /// The number nearest to `x`.

@@ -8,17 +8,8 @@ use crate::traverse::{Rows, Traversal};
 use crate::tree::Tree;
 use ccd_core::error::check_boxes;
 use ccd_core::layout::Pair;
+use ccd_core::report::Method;
 use ccd_core::{Aabb, Error, Num, Real};
-
-/// How pairs are found; all methods give the same set.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Method {
-    /// Blocks of eight boxes in Morton order, descended together: the fastest on every scene measured.
-    #[default]
-    Blocks,
-    /// A binary radix tree (Karras 2012), one query per leaf in leaf order: the kernels that a GPU runs.
-    Tree,
-}
 
 /// Finds overlapping boxes; keeps its buffers between calls.
 ///

@@ -13,5 +13,5 @@ mod threads;
 mod traverse;
 mod tree;
 
-pub use broad::{BroadPhase, Method, Pairs};
+pub use broad::{BroadPhase, Pairs};
 pub use session::{Candidates, MAX_LOOSENESS, Session, earliest_toi, step};

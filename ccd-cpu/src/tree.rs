@@ -1,9 +1,10 @@
-//! The binary radix tree on threads: the kernels of `ccd-core`, one call per thread of a GPU, over rayon.
+//! The binary radix tree on threads: the kernel bodies of `ccd-core` that a GPU runs too, over rayon.
 
 use crate::order::MortonOrder;
 use crate::threads::Threads;
 use ccd_core::Aabb;
-use ccd_core::kernel::{Sink, Words, bounds, build, refit, traverse};
+use ccd_core::kernel::traverse::{NONE, Walk};
+use ccd_core::kernel::{Words, bounds, build, refit};
 use ccd_core::layout::{Branch, Node, Pair};
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -36,14 +37,6 @@ impl Words for Shared<'_> {
     }
 }
 
-struct ListSink(Vec<Pair>);
-
-impl Sink<Pair> for ListSink {
-    fn push(&mut self, item: Pair) {
-        self.0.push(item);
-    }
-}
-
 /// Queries a task.
 const CHUNK: usize = 512;
 
@@ -56,7 +49,7 @@ impl Tree {
         self.codes.resize(n, [0; 2]);
         threads.fill(&mut self.codes, |i| bounds::morton(self.order[i] as usize, boxes, &grid));
         self.branches.resize(n_internal, Branch { left: 0, right: 0, first: 0, last: 0 });
-        threads.fill(&mut self.branches, |i| build::branch(i, &self.codes));
+        threads.fill(&mut self.branches, |i| build::branch(i as u32, n as u32, &self.codes));
         for (words, len) in [(&mut self.parents, 2 * n), (&mut self.visits, n_internal), (&mut self.boxes, 2 * n * refit::STRIDE)] {
             words.clear();
             words.resize_with(len, AtomicU32::default);
@@ -80,33 +73,41 @@ impl Tree {
     pub fn self_pairs(&mut self, threads: &Threads, boxes: &[Aabb<f32>], out: &mut Vec<Pair>) {
         self.build(threads, boxes);
         let n = if boxes.len() < 2 { 0 } else { boxes.len() };
-        self.collect(threads, n, out, |i, sink| traverse::half(i, &self.nodes, &self.branches, sink));
+        self.collect(threads, n, out, |i, pairs| {
+            let leaf = self.nodes[self.branches.len() + i];
+            self.visit(&leaf.aabb(), i as u32, |other| pairs.push(Pair::ordered(leaf.left, other)));
+        });
     }
 
-    /// Pairs of a loose box of `a` with a box of the tree over `b`.
+    /// Pairs of a loose box of `a` with a box of the tree over `b` (Tian and Wan, section 1.2).
     pub fn pairs(&mut self, threads: &Threads, a: &[Aabb<f32>], b: &[Aabb<f32>], out: &mut Vec<Pair>) {
         self.build(threads, b);
-        self.collect(threads, a.len(), out, |i, sink| match b {
+        self.collect(threads, a.len(), out, |i, pairs| match b {
             [] => {}
-            [only] => {
-                if only.overlaps(&a[i]) {
-                    sink.push(Pair { a: i as u32, b: 0 });
-                }
-            }
-            _ => traverse::against(i as u32, &a[i], &self.nodes, &self.branches, sink),
+            [only] => pairs.extend(only.overlaps(&a[i]).then_some(Pair { a: i as u32, b: 0 })),
+            _ => self.visit(&a[i], NONE, |other| pairs.push(Pair { a: i as u32, b: other })),
         });
+    }
+
+    /// All leaves after leaf `after` that overlap `query`.
+    fn visit(&self, query: &Aabb<f32>, after: u32, mut found: impl FnMut(u32)) {
+        let mut walk = Walk::new();
+        while walk.goes_on {
+            let ids = walk.step(query, &self.nodes, &self.branches, self.branches.len() as u32, after);
+            ids.into_iter().filter(|&id| id != NONE).for_each(&mut found);
+        }
     }
 
     /// Runs queries `0 .. n` in chunks and joins their pairs in the order of chunks.
-    fn collect(&self, threads: &Threads, n: usize, out: &mut Vec<Pair>, query: impl Fn(usize, &mut ListSink) + Sync) {
-        let mut chunks: Vec<ListSink> = (0..n.div_ceil(CHUNK)).map(|_| ListSink(Vec::new())).collect();
-        threads.each(&mut chunks, |k, sink| {
+    fn collect(&self, threads: &Threads, n: usize, out: &mut Vec<Pair>, query: impl Fn(usize, &mut Vec<Pair>) + Sync) {
+        let mut chunks: Vec<Vec<Pair>> = vec![Vec::new(); n.div_ceil(CHUNK)];
+        threads.each(&mut chunks, |k, pairs| {
             for i in k * CHUNK..((k + 1) * CHUNK).min(n) {
-                query(i, sink);
+                query(i, pairs);
             }
         });
         out.clear();
-        chunks.iter().for_each(|chunk| out.extend_from_slice(&chunk.0));
+        chunks.iter().for_each(|chunk| out.extend_from_slice(chunk));
     }
 }
 

@@ -1,4 +1,4 @@
-struct type_10 {
+struct type_11 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -17,46 +17,52 @@ struct type_10 {
     member_15: u32,
     member_16: u32,
     member_17: u32,
-    member_18: array<array<u32, 4>, 8>,
+    member_18: array<array<u32, 2>, 3>,
+    member_19: array<u32, 2>,
+    member_20: array<array<u32, 4>, 8>,
 }
 
-struct type_12 {
-    member: type_10,
+struct type_13 {
+    member: type_11,
 }
 
-struct type_16 {
+struct type_17 {
     member: array<u32>,
 }
 
-struct type_20 {
+struct type_21 {
     member: array<array<u32, 2>>,
 }
 
-struct type_26 {
-    member: i32,
-    member_1: i32,
-}
-
 struct type_27 {
-    member: u32,
+    member: i32,
     member_1: i32,
 }
 
 struct type_28 {
     member: u32,
+    member_1: i32,
+}
+
+struct type_29 {
+    member: u32,
     member_1: u32,
 }
 
-struct type_35 {
+struct type_40 {
+    member: array<array<f64, 3>>,
+}
+
+struct type_43 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
 }
 
-struct type_38 {
-    member: array<type_35>,
+struct type_46 {
+    member: array<type_43>,
 }
 
-struct type_45 {
+struct type_54 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -64,37 +70,28 @@ struct type_45 {
     member_4: array<u32, 2>,
 }
 
-struct type_46 {
+struct type_55 {
     member: u32,
     member_1: array<u32, 2>,
     member_2: bool,
 }
 
-struct type_51 {
+struct type_59 {
     member: array<f64, 3>,
     member_1: f64,
     member_2: f64,
 }
 
-struct type_53 {
+struct type_61 {
     member: f64,
     member_1: f64,
 }
 
-struct type_61 {
+struct type_69 {
     member: array<array<f64, 3>, 2>,
     member_1: array<array<f64, 3>, 2>,
     member_2: array<array<f64, 3>, 2>,
     member_3: f64,
-}
-
-struct type_63 {
-    member: array<f64, 3>,
-    member_1: array<f64, 3>,
-}
-
-struct type_66 {
-    member: array<type_63>,
 }
 
 struct type_72 {
@@ -116,18 +113,18 @@ var<private> id_1: vec3<u32>;
 var<private> n_1: vec3<u32>;
 var<private> lane_1: u32;
 @group(0) @binding(0) 
-var<storage> params: type_12;
+var<storage> params: type_13;
 @group(0) @binding(1) 
-var<storage> paths: type_38;
+var<storage> paths: type_46;
 @group(0) @binding(6) 
 var<storage, read_write> earliest: type_77;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(2) 
-var<storage> wide: type_66;
+var<storage> wide: type_40;
 @group(0) @binding(3) 
-var<storage> elements: type_20;
+var<storage> elements: type_21;
 @group(0) @binding(4) 
-var<storage> input: type_16;
+var<storage> input: type_17;
 @group(0) @binding(5) 
 var<storage, read_write> contacts: type_77;
 
@@ -140,10 +137,10 @@ fn function_1() {
     var local: array<array<f64, 3>, 4>;
     var local_1: array<array<f64, 3>, 4>;
     var local_2: array<array<f64, 3>, 4>;
-    var local_3: type_51;
-    var local_4: type_51;
-    var local_5: type_51;
-    var local_6: array<type_53, 4>;
+    var local_3: type_59;
+    var local_4: type_59;
+    var local_5: type_59;
+    var local_6: array<type_61, 4>;
     var local_7: array<f64, 4>;
     var local_8: array<f64, 2>;
     var local_9: array<f64, 4>;
@@ -157,394 +154,383 @@ fn function_1() {
     var local_17: array<array<f64, 3>, 4>;
     var local_18: array<array<f32, 3>, 4>;
     var local_19: array<array<f32, 3>, 4>;
-    var local_20: type_61;
+    var local_20: type_69;
     var phi_232_: u32;
     var phi_248_: u32;
     var phi_269_: u32;
     var phi_270_: u32;
-    var phi_273_: type_28;
-    var phi_274_: type_28;
-    var phi_297_: type_28;
-    var phi_640_: type_28;
-    var phi_641_: type_28;
-    var phi_664_: type_28;
-    var phi_520_: type_28;
-    var phi_521_: type_28;
-    var phi_544_: type_28;
-    var phi_554_: type_28;
-    var phi_555_: type_28;
-    var phi_578_: type_28;
-    var phi_1121_: f64;
-    var phi_1128_: f64;
-    var phi_1133_: f64;
-    var phi_1140_: f64;
-    var phi_1145_: f64;
-    var phi_1158_: f64;
-    var phi_1165_: f64;
-    var phi_1170_: f64;
-    var phi_1177_: f64;
-    var phi_1182_: f64;
-    var phi_1187_: f64;
-    var phi_1204_: f64;
-    var phi_1211_: f64;
-    var phi_1216_: f64;
-    var phi_1223_: f64;
-    var phi_1228_: f64;
-    var phi_1242_: f64;
-    var phi_1249_: f64;
-    var phi_1254_: f64;
-    var phi_1261_: f64;
-    var phi_1266_: f64;
-    var phi_1271_: f64;
-    var phi_1288_: f64;
-    var phi_1295_: f64;
-    var phi_1300_: f64;
-    var phi_1307_: f64;
-    var phi_1312_: f64;
-    var phi_1326_: f64;
-    var phi_1333_: f64;
-    var phi_1338_: f64;
-    var phi_1345_: f64;
-    var phi_1350_: f64;
-    var phi_1355_: f64;
-    var phi_1392_: f64;
-    var phi_1398_: f64;
-    var phi_1405_: f64;
-    var phi_1412_: f64;
-    var phi_1418_: f64;
-    var phi_1425_: f64;
-    var phi_1431_: f64;
-    var phi_1437_: f64;
-    var phi_1443_: f64;
-    var phi_1450_: f64;
-    var phi_1457_: f64;
-    var phi_1485_: f64;
-    var phi_1490_: f64;
-    var phi_1495_: f64;
-    var phi_1500_: f64;
-    var phi_1505_: f64;
-    var phi_1510_: f64;
+    var phi_273_: type_29;
+    var phi_274_: type_29;
+    var phi_297_: type_29;
+    var phi_640_: type_29;
+    var phi_641_: type_29;
+    var phi_664_: type_29;
+    var phi_520_: type_29;
+    var phi_521_: type_29;
+    var phi_544_: type_29;
+    var phi_554_: type_29;
+    var phi_555_: type_29;
+    var phi_578_: type_29;
+    var phi_1132_: f64;
+    var phi_1139_: f64;
+    var phi_1144_: f64;
+    var phi_1151_: f64;
+    var phi_1156_: f64;
+    var phi_1169_: f64;
+    var phi_1176_: f64;
+    var phi_1181_: f64;
+    var phi_1188_: f64;
+    var phi_1193_: f64;
+    var phi_1198_: f64;
+    var phi_1215_: f64;
+    var phi_1222_: f64;
+    var phi_1227_: f64;
+    var phi_1234_: f64;
+    var phi_1239_: f64;
+    var phi_1253_: f64;
+    var phi_1260_: f64;
+    var phi_1265_: f64;
+    var phi_1272_: f64;
+    var phi_1277_: f64;
+    var phi_1282_: f64;
+    var phi_1299_: f64;
+    var phi_1306_: f64;
+    var phi_1311_: f64;
+    var phi_1318_: f64;
+    var phi_1323_: f64;
+    var phi_1337_: f64;
+    var phi_1344_: f64;
+    var phi_1349_: f64;
+    var phi_1356_: f64;
+    var phi_1361_: f64;
+    var phi_1366_: f64;
+    var phi_1403_: f64;
+    var phi_1409_: f64;
+    var phi_1416_: f64;
+    var phi_1423_: f64;
+    var phi_1429_: f64;
+    var phi_1436_: f64;
+    var phi_1442_: f64;
+    var phi_1448_: f64;
+    var phi_1454_: f64;
+    var phi_1461_: f64;
+    var phi_1468_: f64;
+    var phi_1496_: f64;
+    var phi_1501_: f64;
+    var phi_1506_: f64;
+    var phi_1511_: f64;
+    var phi_1516_: f64;
     var phi_1521_: f64;
-    var phi_4078_: f64;
-    var phi_4084_: f64;
+    var phi_1532_: f64;
     var phi_4089_: f64;
     var phi_4095_: f64;
-    var phi_4101_: f64;
+    var phi_4100_: f64;
     var phi_4106_: f64;
-    var phi_4111_: f64;
-    var phi_4121_: bool;
-    var phi_4128_: f64;
-    var phi_4136_: f64;
-    var phi_4179_: type_26;
-    var phi_4182_: f64;
-    var phi_4203_: bool;
-    var phi_4209_: type_27;
-    var phi_4180_: type_26;
-    var phi_4223_: type_27;
-    var phi_4183_: f64;
+    var phi_4112_: f64;
+    var phi_4117_: f64;
+    var phi_4122_: f64;
+    var phi_4132_: bool;
+    var phi_4139_: f64;
+    var phi_4147_: f64;
+    var phi_4190_: type_27;
+    var phi_4193_: f64;
+    var phi_4214_: bool;
+    var phi_4220_: type_28;
+    var phi_4191_: type_27;
+    var phi_4234_: type_28;
+    var phi_4194_: f64;
     var local_21: f64;
-    var phi_4172_: f64;
-    var phi_4236_: f64;
-    var phi_4242_: f64;
-    var phi_4267_: type_28;
-    var phi_4270_: u32;
-    var phi_4268_: type_28;
-    var phi_4293_: type_28;
-    var phi_4337_: u32;
-    var phi_4338_: u32;
-    var phi_4271_: u32;
-    var phi_4339_: u32;
-    var phi_4359_: type_28;
-    var phi_4360_: type_28;
-    var phi_4383_: type_28;
-    var phi_4437_: f64;
-    var phi_4444_: f64;
-    var phi_4456_: bool;
-    var phi_4457_: bool;
-    var phi_4458_: bool;
-    var phi_4459_: bool;
-    var phi_4463_: bool;
-    var phi_4475_: type_73;
-    var phi_4476_: type_73;
-    var phi_4477_: bool;
-    var phi_4478_: type_73;
-    var phi_4479_: bool;
-    var phi_4492_: f64;
-    var phi_4505_: type_28;
-    var phi_4508_: f64;
-    var phi_4510_: f64;
-    var phi_4512_: f64;
-    var phi_4506_: type_28;
-    var phi_4535_: type_28;
-    var phi_4562_: f64;
-    var phi_4563_: f64;
-    var phi_4591_: f64;
-    var phi_4607_: f64;
-    var phi_4614_: bool;
-    var phi_4615_: bool;
-    var phi_4616_: bool;
-    var phi_4622_: f64;
-    var phi_4623_: f64;
-    var phi_4624_: bool;
-    var phi_4509_: f64;
-    var phi_4511_: f64;
-    var phi_4513_: f64;
-    var phi_4625_: f64;
+    var phi_4183_: f64;
+    var phi_4247_: f64;
+    var phi_4253_: f64;
+    var phi_4278_: type_29;
+    var phi_4281_: u32;
+    var phi_4279_: type_29;
+    var phi_4304_: type_29;
+    var phi_4348_: u32;
+    var phi_4349_: u32;
+    var phi_4282_: u32;
+    var phi_4350_: u32;
+    var phi_4370_: type_29;
+    var phi_4371_: type_29;
+    var phi_4394_: type_29;
+    var phi_4448_: f64;
+    var phi_4455_: f64;
+    var phi_4467_: bool;
+    var phi_4468_: bool;
+    var phi_4469_: bool;
+    var phi_4470_: bool;
+    var phi_4474_: bool;
+    var phi_4486_: type_73;
+    var phi_4487_: type_73;
+    var phi_4488_: bool;
+    var phi_4489_: type_73;
+    var phi_4490_: bool;
+    var phi_4503_: f64;
+    var phi_4516_: type_29;
+    var phi_4519_: f64;
+    var phi_4521_: f64;
+    var phi_4523_: f64;
+    var phi_4517_: type_29;
+    var phi_4546_: type_29;
+    var phi_4573_: f64;
+    var phi_4574_: f64;
+    var phi_4602_: f64;
+    var phi_4618_: f64;
+    var phi_4625_: bool;
     var phi_4626_: bool;
     var phi_4627_: bool;
+    var phi_4633_: f64;
+    var phi_4634_: f64;
+    var phi_4635_: bool;
+    var phi_4520_: f64;
+    var phi_4522_: f64;
+    var phi_4524_: f64;
+    var phi_4636_: f64;
+    var phi_4637_: bool;
+    var phi_4638_: bool;
     var local_22: bool;
-    var phi_4631_: f64;
-    var phi_4632_: f64;
-    var phi_4640_: type_28;
+    var phi_4642_: f64;
     var phi_4643_: f64;
-    var phi_4641_: type_28;
-    var phi_4666_: type_28;
-    var phi_4709_: f64;
-    var phi_4719_: f64;
-    var phi_4729_: bool;
-    var phi_4731_: bool;
-    var phi_4736_: f64;
-    var phi_4737_: bool;
-    var phi_4738_: f64;
-    var phi_4739_: bool;
+    var phi_4651_: type_29;
+    var phi_4654_: f64;
+    var phi_4652_: type_29;
+    var phi_4677_: type_29;
+    var phi_4720_: f64;
+    var phi_4730_: f64;
     var phi_4740_: bool;
-    var phi_4741_: bool;
-    var phi_4742_: f64;
-    var phi_4644_: f64;
-    var phi_4743_: bool;
-    var phi_4744_: bool;
-    var phi_4745_: bool;
-    var phi_4746_: bool;
-    var local_23: bool;
+    var phi_4742_: bool;
+    var phi_4747_: f64;
+    var phi_4748_: bool;
+    var phi_4749_: f64;
     var phi_4750_: bool;
     var phi_4751_: bool;
+    var phi_4752_: bool;
+    var phi_4753_: f64;
+    var phi_4655_: f64;
+    var phi_4754_: bool;
     var phi_4755_: bool;
-    var phi_4759_: f64;
-    var phi_4760_: f64;
-    var phi_4762_: type_73;
-    var phi_4793_: f64;
-    var phi_4800_: f64;
-    var phi_4805_: f64;
-    var phi_4812_: f64;
-    var phi_4817_: f64;
-    var phi_4830_: f64;
-    var phi_4837_: f64;
-    var phi_4842_: f64;
-    var phi_4849_: f64;
-    var phi_4854_: f64;
-    var phi_4859_: f64;
-    var phi_4918_: f64;
-    var phi_4924_: f64;
+    var phi_4756_: bool;
+    var phi_4757_: bool;
+    var local_23: bool;
+    var phi_4761_: bool;
+    var phi_4762_: bool;
+    var phi_4766_: bool;
+    var phi_4770_: f64;
+    var phi_4771_: f64;
+    var phi_4773_: type_73;
+    var phi_4804_: f64;
+    var phi_4811_: f64;
+    var phi_4816_: f64;
+    var phi_4823_: f64;
+    var phi_4828_: f64;
+    var phi_4841_: f64;
+    var phi_4848_: f64;
+    var phi_4853_: f64;
+    var phi_4860_: f64;
+    var phi_4865_: f64;
+    var phi_4870_: f64;
     var phi_4929_: f64;
     var phi_4935_: f64;
     var phi_4940_: f64;
-    var phi_4954_: f64;
-    var phi_4960_: f64;
+    var phi_4946_: f64;
+    var phi_4951_: f64;
     var phi_4965_: f64;
     var phi_4971_: f64;
     var phi_4976_: f64;
-    var phi_5002_: f64;
-    var phi_5009_: f64;
-    var phi_5014_: f64;
-    var phi_5021_: f64;
-    var phi_5026_: f64;
-    var phi_5039_: f64;
-    var phi_5046_: f64;
-    var phi_5051_: f64;
-    var phi_5058_: f64;
-    var phi_5063_: f64;
-    var phi_5068_: f64;
-    var phi_5127_: f64;
-    var phi_5133_: f64;
+    var phi_4982_: f64;
+    var phi_4987_: f64;
+    var phi_5013_: f64;
+    var phi_5020_: f64;
+    var phi_5025_: f64;
+    var phi_5032_: f64;
+    var phi_5037_: f64;
+    var phi_5050_: f64;
+    var phi_5057_: f64;
+    var phi_5062_: f64;
+    var phi_5069_: f64;
+    var phi_5074_: f64;
+    var phi_5079_: f64;
     var phi_5138_: f64;
     var phi_5144_: f64;
     var phi_5149_: f64;
-    var phi_5163_: f64;
-    var phi_5169_: f64;
+    var phi_5155_: f64;
+    var phi_5160_: f64;
     var phi_5174_: f64;
     var phi_5180_: f64;
     var phi_5185_: f64;
-    var phi_5211_: f64;
-    var phi_5218_: f64;
-    var phi_5223_: f64;
-    var phi_5230_: f64;
-    var phi_5235_: f64;
-    var phi_5248_: f64;
-    var phi_5255_: f64;
-    var phi_5260_: f64;
-    var phi_5267_: f64;
-    var phi_5272_: f64;
-    var phi_5277_: f64;
-    var phi_5336_: f64;
-    var phi_5342_: f64;
+    var phi_5191_: f64;
+    var phi_5196_: f64;
+    var phi_5222_: f64;
+    var phi_5229_: f64;
+    var phi_5234_: f64;
+    var phi_5241_: f64;
+    var phi_5246_: f64;
+    var phi_5259_: f64;
+    var phi_5266_: f64;
+    var phi_5271_: f64;
+    var phi_5278_: f64;
+    var phi_5283_: f64;
+    var phi_5288_: f64;
     var phi_5347_: f64;
     var phi_5353_: f64;
     var phi_5358_: f64;
-    var phi_5372_: f64;
-    var phi_5378_: f64;
+    var phi_5364_: f64;
+    var phi_5369_: f64;
     var phi_5383_: f64;
     var phi_5389_: f64;
     var phi_5394_: f64;
-    var phi_5443_: f64;
-    var phi_5449_: f64;
-    var phi_5477_: f64;
-    var phi_5483_: f64;
-    var phi_5488_: u32;
-    var phi_5489_: u32;
-    var phi_5459_: f64;
-    var phi_5465_: f64;
-    var phi_5470_: u32;
-    var phi_5471_: u32;
-    var phi_5490_: u32;
-    var phi_5491_: u32;
-    var phi_5562_: f64;
-    var phi_5574_: f64;
-    var phi_5713_: f64;
-    var phi_5719_: f64;
-    var phi_5726_: f64;
-    var phi_5770_: type_28;
-    var phi_5773_: bool;
-    var phi_5771_: type_28;
-    var phi_5796_: type_28;
-    var phi_5823_: bool;
-    var phi_5824_: bool;
-    var phi_5774_: bool;
-    var phi_5825_: bool;
-    var phi_5826_: bool;
+    var phi_5400_: f64;
+    var phi_5405_: f64;
+    var phi_5454_: f64;
+    var phi_5460_: f64;
+    var phi_5488_: f64;
+    var phi_5494_: f64;
+    var phi_5499_: u32;
+    var phi_5500_: u32;
+    var phi_5470_: f64;
+    var phi_5476_: f64;
+    var phi_5481_: u32;
+    var phi_5482_: u32;
+    var phi_5501_: u32;
+    var phi_5502_: u32;
+    var phi_5573_: f64;
+    var phi_5585_: f64;
+    var phi_5724_: f64;
+    var phi_5730_: f64;
+    var phi_5737_: f64;
+    var phi_5781_: type_29;
+    var phi_5784_: bool;
+    var phi_5782_: type_29;
+    var phi_5807_: type_29;
+    var phi_5834_: bool;
+    var phi_5835_: bool;
+    var phi_5785_: bool;
+    var phi_5836_: bool;
+    var phi_5837_: bool;
     var local_24: bool;
-    var phi_5830_: bool;
+    var phi_5841_: bool;
     var local_25: bool;
-    var phi_5837_: u32;
-    var phi_5838_: u32;
-    var phi_5839_: bool;
-    var phi_5840_: u32;
-    var phi_5841_: u32;
-    var phi_5842_: bool;
-    var phi_5846_: u32;
-    var phi_5867_: bool;
-    var phi_5868_: bool;
-    var phi_5869_: bool;
-    var phi_6066_: f64;
-    var phi_6073_: f64;
-    var phi_6078_: f64;
-    var phi_6085_: f64;
-    var phi_6090_: f64;
-    var phi_6103_: f64;
-    var phi_6110_: f64;
-    var phi_6115_: f64;
-    var phi_6122_: f64;
-    var phi_6127_: f64;
-    var phi_6132_: f64;
-    var phi_6149_: f64;
-    var phi_6156_: f64;
-    var phi_6161_: f64;
-    var phi_6168_: f64;
-    var phi_6173_: f64;
-    var phi_6187_: f64;
-    var phi_6194_: f64;
-    var phi_6199_: f64;
-    var phi_6206_: f64;
-    var phi_6211_: f64;
-    var phi_6216_: f64;
-    var phi_6233_: f64;
-    var phi_6240_: f64;
-    var phi_6245_: f64;
-    var phi_6252_: f64;
-    var phi_6257_: f64;
-    var phi_6271_: f64;
-    var phi_6278_: f64;
-    var phi_6283_: f64;
-    var phi_6290_: f64;
-    var phi_6295_: f64;
-    var phi_6300_: f64;
-    var phi_6320_: type_28;
-    var phi_6323_: f64;
-    var phi_6321_: type_28;
-    var phi_6346_: type_28;
-    var phi_6502_: bool;
-    var phi_6503_: bool;
-    var phi_6504_: bool;
-    var phi_6505_: bool;
-    var phi_6506_: bool;
-    var phi_6507_: bool;
-    var phi_6511_: bool;
-    var phi_6551_: array<f64, 3>;
-    var phi_6552_: bool;
-    var phi_6553_: array<f64, 3>;
-    var phi_6554_: bool;
-    var phi_6587_: f64;
-    var phi_6589_: f64;
-    var phi_6619_: f64;
-    var phi_6621_: f64;
-    var phi_6651_: f64;
-    var phi_6653_: f64;
-    var phi_6686_: f64;
-    var phi_6688_: f64;
-    var phi_6843_: type_28;
-    var phi_6846_: array<f64, 3>;
-    var phi_6844_: type_28;
-    var phi_6869_: type_28;
-    var phi_6936_: array<f64, 3>;
-    var phi_6847_: array<f64, 3>;
-    var phi_6937_: array<f64, 3>;
-    var phi_6944_: f64;
-    var phi_6951_: f64;
-    var phi_6959_: f64;
-    var phi_7004_: type_26;
-    var phi_7007_: f64;
-    var phi_7028_: bool;
-    var phi_7034_: type_27;
-    var phi_7005_: type_26;
-    var phi_7048_: type_27;
-    var phi_7008_: f64;
+    var phi_5848_: u32;
+    var phi_5849_: u32;
+    var phi_5850_: bool;
+    var phi_5851_: u32;
+    var phi_5852_: u32;
+    var phi_5853_: bool;
+    var phi_5857_: u32;
+    var phi_5878_: bool;
+    var phi_5879_: bool;
+    var phi_5880_: bool;
+    var phi_6077_: f64;
+    var phi_6084_: f64;
+    var phi_6089_: f64;
+    var phi_6096_: f64;
+    var phi_6101_: f64;
+    var phi_6114_: f64;
+    var phi_6121_: f64;
+    var phi_6126_: f64;
+    var phi_6133_: f64;
+    var phi_6138_: f64;
+    var phi_6143_: f64;
+    var phi_6160_: f64;
+    var phi_6167_: f64;
+    var phi_6172_: f64;
+    var phi_6179_: f64;
+    var phi_6184_: f64;
+    var phi_6198_: f64;
+    var phi_6205_: f64;
+    var phi_6210_: f64;
+    var phi_6217_: f64;
+    var phi_6222_: f64;
+    var phi_6227_: f64;
+    var phi_6244_: f64;
+    var phi_6251_: f64;
+    var phi_6256_: f64;
+    var phi_6263_: f64;
+    var phi_6268_: f64;
+    var phi_6282_: f64;
+    var phi_6289_: f64;
+    var phi_6294_: f64;
+    var phi_6301_: f64;
+    var phi_6306_: f64;
+    var phi_6311_: f64;
+    var phi_6331_: type_29;
+    var phi_6334_: f64;
+    var phi_6332_: type_29;
+    var phi_6357_: type_29;
+    var phi_6513_: bool;
+    var phi_6514_: bool;
+    var phi_6515_: bool;
+    var phi_6516_: bool;
+    var phi_6517_: bool;
+    var phi_6518_: bool;
+    var phi_6522_: bool;
+    var phi_6562_: array<f64, 3>;
+    var phi_6563_: bool;
+    var phi_6564_: array<f64, 3>;
+    var phi_6565_: bool;
+    var phi_6598_: f64;
+    var phi_6600_: f64;
+    var phi_6630_: f64;
+    var phi_6632_: f64;
+    var phi_6662_: f64;
+    var phi_6664_: f64;
+    var phi_6697_: f64;
+    var phi_6699_: f64;
+    var phi_6854_: type_29;
+    var phi_6857_: array<f64, 3>;
+    var phi_6855_: type_29;
+    var phi_6880_: type_29;
+    var phi_6947_: array<f64, 3>;
+    var phi_6858_: array<f64, 3>;
+    var phi_6948_: array<f64, 3>;
+    var phi_6955_: f64;
+    var phi_6962_: f64;
+    var phi_6970_: f64;
+    var phi_7015_: type_27;
+    var phi_7018_: f64;
+    var phi_7039_: bool;
+    var phi_7045_: type_28;
+    var phi_7016_: type_27;
+    var phi_7059_: type_28;
+    var phi_7019_: f64;
     var local_26: f64;
-    var phi_6997_: f64;
-    var phi_7061_: f64;
-    var phi_7074_: type_28;
-    var phi_7077_: f64;
-    var phi_7075_: type_28;
-    var phi_7100_: type_28;
-    var phi_7151_: f64;
-    var phi_7157_: f64;
-    var phi_7171_: bool;
-    var phi_7172_: bool;
-    var phi_7206_: f64;
-    var phi_7207_: f64;
-    var phi_7208_: f64;
-    var phi_7209_: bool;
-    var phi_7213_: bool;
-    var phi_7214_: f64;
-    var phi_7215_: bool;
-    var phi_7216_: bool;
-    var phi_7217_: bool;
+    var phi_7008_: f64;
+    var phi_7072_: f64;
+    var phi_7085_: type_29;
+    var phi_7088_: f64;
+    var phi_7086_: type_29;
+    var phi_7111_: type_29;
+    var phi_7162_: f64;
+    var phi_7168_: f64;
+    var phi_7182_: bool;
+    var phi_7183_: bool;
+    var phi_7217_: f64;
     var phi_7218_: f64;
-    var phi_7219_: bool;
+    var phi_7219_: f64;
     var phi_7220_: bool;
-    var phi_7221_: bool;
-    var phi_7078_: f64;
-    var phi_7222_: bool;
-    var phi_7223_: bool;
     var phi_7224_: bool;
-    var phi_7225_: bool;
+    var phi_7225_: f64;
+    var phi_7226_: bool;
+    var phi_7227_: bool;
+    var phi_7228_: bool;
+    var phi_7229_: f64;
+    var phi_7230_: bool;
+    var phi_7231_: bool;
+    var phi_7232_: bool;
+    var phi_7089_: f64;
+    var phi_7233_: bool;
+    var phi_7234_: bool;
+    var phi_7235_: bool;
+    var phi_7236_: bool;
     var local_27: bool;
     var local_28: f64;
     var local_29: f64;
     var local_30: f64;
-    var phi_7243_: bool;
-    var phi_7244_: bool;
-    var phi_7245_: bool;
-    var phi_7246_: bool;
-    var phi_7247_: bool;
-    var phi_7248_: bool;
-    var phi_7249_: bool;
-    var phi_7250_: bool;
-    var phi_7251_: bool;
-    var phi_7252_: bool;
-    var phi_7253_: bool;
     var phi_7254_: bool;
     var phi_7255_: bool;
-    var phi_7256_: f64;
-    var phi_7257_: f64;
+    var phi_7256_: bool;
+    var phi_7257_: bool;
     var phi_7258_: bool;
     var phi_7259_: bool;
     var phi_7260_: bool;
@@ -552,20 +538,19 @@ fn function_1() {
     var phi_7262_: bool;
     var phi_7263_: bool;
     var phi_7264_: bool;
-    var phi_7265_: f64;
-    var phi_7266_: f64;
-    var phi_7267_: bool;
-    var phi_7268_: bool;
+    var phi_7265_: bool;
+    var phi_7266_: bool;
+    var phi_7267_: f64;
+    var phi_7268_: f64;
     var phi_7269_: bool;
     var phi_7270_: bool;
     var phi_7271_: bool;
     var phi_7272_: bool;
     var phi_7273_: bool;
     var phi_7274_: bool;
-    var phi_7275_: f64;
-    var phi_6324_: f64;
-    var phi_7276_: bool;
-    var phi_7277_: bool;
+    var phi_7275_: bool;
+    var phi_7276_: f64;
+    var phi_7277_: f64;
     var phi_7278_: bool;
     var phi_7279_: bool;
     var phi_7280_: bool;
@@ -573,16 +558,20 @@ fn function_1() {
     var phi_7282_: bool;
     var phi_7283_: bool;
     var phi_7284_: bool;
-    var local_31: bool;
-    var phi_7289_: type_72;
+    var phi_7285_: bool;
+    var phi_7286_: f64;
+    var phi_6335_: f64;
+    var phi_7287_: bool;
+    var phi_7288_: bool;
+    var phi_7289_: bool;
     var phi_7290_: bool;
     var phi_7291_: bool;
     var phi_7292_: bool;
     var phi_7293_: bool;
     var phi_7294_: bool;
     var phi_7295_: bool;
-    var phi_7296_: bool;
-    var phi_7300_: f64;
+    var local_31: bool;
+    var phi_7300_: type_72;
     var phi_7301_: bool;
     var phi_7302_: bool;
     var phi_7303_: bool;
@@ -590,201 +579,198 @@ fn function_1() {
     var phi_7305_: bool;
     var phi_7306_: bool;
     var phi_7307_: bool;
-    var phi_7312_: type_72;
+    var phi_7311_: f64;
+    var phi_7312_: bool;
     var phi_7313_: bool;
     var phi_7314_: bool;
     var phi_7315_: bool;
     var phi_7316_: bool;
     var phi_7317_: bool;
     var phi_7318_: bool;
-    var local_32: f64;
     var phi_7323_: type_72;
     var phi_7324_: bool;
     var phi_7325_: bool;
     var phi_7326_: bool;
     var phi_7327_: bool;
     var phi_7328_: bool;
-    var local_33: f64;
-    var phi_7333_: type_72;
-    var phi_7334_: bool;
+    var phi_7329_: bool;
+    var local_32: f64;
+    var phi_7334_: type_72;
     var phi_7335_: bool;
     var phi_7336_: bool;
     var phi_7337_: bool;
-    var local_34: f64;
-    var phi_7342_: type_72;
-    var phi_7343_: bool;
-    var phi_7344_: bool;
+    var phi_7338_: bool;
+    var phi_7339_: bool;
+    var local_33: f64;
+    var phi_7344_: type_72;
     var phi_7345_: bool;
     var phi_7346_: bool;
-    var phi_7350_: type_72;
-    var phi_7351_: bool;
-    var phi_7352_: bool;
-    var phi_7353_: bool;
+    var phi_7347_: bool;
+    var phi_7348_: bool;
+    var local_34: f64;
+    var phi_7353_: type_72;
+    var phi_7354_: bool;
+    var phi_7355_: bool;
+    var phi_7356_: bool;
     var phi_7357_: bool;
-    var phi_7358_: bool;
+    var phi_7361_: type_72;
     var phi_7362_: bool;
     var phi_7363_: bool;
-    var phi_7367_: bool;
+    var phi_7364_: bool;
     var phi_7368_: bool;
-    var local_35: f64;
-    var phi_7373_: type_72;
+    var phi_7369_: bool;
+    var phi_7373_: bool;
     var phi_7374_: bool;
-    var phi_7378_: type_72;
+    var phi_7378_: bool;
+    var phi_7379_: bool;
+    var local_35: f64;
+    var phi_7384_: type_72;
     var phi_7385_: bool;
-    var phi_7386_: f64;
-    var phi_7387_: bool;
-    var phi_7388_: bool;
-    var phi_7389_: bool;
-    var phi_7390_: f64;
-    var phi_7391_: bool;
-    var phi_7392_: bool;
-    var phi_7393_: bool;
-    var phi_7394_: f64;
-    var phi_7395_: bool;
+    var phi_7389_: type_72;
     var phi_7396_: bool;
-    var phi_7397_: bool;
+    var phi_7397_: f64;
     var phi_7398_: bool;
+    var phi_7399_: bool;
+    var phi_7400_: bool;
+    var phi_7401_: f64;
     var phi_7402_: bool;
     var phi_7403_: bool;
     var phi_7404_: bool;
     var phi_7405_: f64;
-    var phi_7406_: type_73;
+    var phi_7406_: bool;
     var phi_7407_: bool;
     var phi_7408_: bool;
     var phi_7409_: bool;
-    var phi_7410_: bool;
+    var phi_7413_: bool;
+    var phi_7414_: bool;
+    var phi_7415_: bool;
+    var phi_7416_: f64;
+    var phi_7417_: type_73;
+    var phi_7418_: bool;
+    var phi_7419_: bool;
+    var phi_7420_: bool;
+    var phi_7421_: bool;
     var local_36: bool;
-    var phi_7415_: type_72;
-    var phi_7416_: bool;
-    var phi_7417_: bool;
+    var phi_7426_: type_72;
+    var phi_7427_: bool;
+    var phi_7428_: bool;
     var local_37: f64;
-    var phi_7422_: type_72;
-    var phi_7423_: bool;
+    var phi_7433_: type_72;
+    var phi_7434_: bool;
     var local_38: type_73;
-    var phi_7429_: type_72;
-    var phi_7430_: bool;
-    var phi_7434_: type_72;
-    var phi_1724_: f64;
-    var phi_1731_: f64;
-    var phi_1736_: f64;
-    var phi_1743_: f64;
-    var phi_1748_: f64;
-    var phi_1761_: f64;
-    var phi_1768_: f64;
-    var phi_1773_: f64;
-    var phi_1780_: f64;
-    var phi_1785_: f64;
-    var phi_1790_: f64;
-    var phi_1807_: f64;
-    var phi_1814_: f64;
-    var phi_1819_: f64;
-    var phi_1826_: f64;
-    var phi_1831_: f64;
-    var phi_1845_: f64;
-    var phi_1852_: f64;
-    var phi_1857_: f64;
-    var phi_1864_: f64;
-    var phi_1869_: f64;
-    var phi_1874_: f64;
-    var phi_1891_: f64;
-    var phi_1898_: f64;
-    var phi_1903_: f64;
-    var phi_1910_: f64;
-    var phi_1915_: f64;
-    var phi_1929_: f64;
-    var phi_1936_: f64;
-    var phi_1941_: f64;
-    var phi_1948_: f64;
-    var phi_1953_: f64;
-    var phi_1958_: f64;
-    var phi_1978_: type_28;
-    var phi_1981_: f64;
-    var phi_1979_: type_28;
-    var phi_2004_: type_28;
-    var phi_2160_: bool;
-    var phi_2161_: bool;
-    var phi_2162_: bool;
-    var phi_2163_: bool;
-    var phi_2164_: bool;
-    var phi_2165_: bool;
-    var phi_2169_: bool;
-    var phi_2209_: array<f64, 3>;
-    var phi_2210_: bool;
-    var phi_2211_: array<f64, 3>;
-    var phi_2212_: bool;
-    var phi_2245_: f64;
-    var phi_2247_: f64;
-    var phi_2277_: f64;
-    var phi_2279_: f64;
-    var phi_2309_: f64;
-    var phi_2311_: f64;
-    var phi_2344_: f64;
-    var phi_2346_: f64;
-    var phi_2501_: type_28;
-    var phi_2504_: array<f64, 3>;
-    var phi_2502_: type_28;
-    var phi_2527_: type_28;
-    var phi_2594_: array<f64, 3>;
-    var phi_2505_: array<f64, 3>;
-    var phi_2595_: array<f64, 3>;
-    var phi_2602_: f64;
-    var phi_2609_: f64;
-    var phi_2617_: f64;
-    var phi_2662_: type_26;
-    var phi_2665_: f64;
-    var phi_2686_: bool;
-    var phi_2692_: type_27;
-    var phi_2663_: type_26;
-    var phi_2706_: type_27;
-    var phi_2666_: f64;
+    var phi_7440_: type_72;
+    var phi_7441_: bool;
+    var phi_7445_: type_72;
+    var phi_1735_: f64;
+    var phi_1742_: f64;
+    var phi_1747_: f64;
+    var phi_1754_: f64;
+    var phi_1759_: f64;
+    var phi_1772_: f64;
+    var phi_1779_: f64;
+    var phi_1784_: f64;
+    var phi_1791_: f64;
+    var phi_1796_: f64;
+    var phi_1801_: f64;
+    var phi_1818_: f64;
+    var phi_1825_: f64;
+    var phi_1830_: f64;
+    var phi_1837_: f64;
+    var phi_1842_: f64;
+    var phi_1856_: f64;
+    var phi_1863_: f64;
+    var phi_1868_: f64;
+    var phi_1875_: f64;
+    var phi_1880_: f64;
+    var phi_1885_: f64;
+    var phi_1902_: f64;
+    var phi_1909_: f64;
+    var phi_1914_: f64;
+    var phi_1921_: f64;
+    var phi_1926_: f64;
+    var phi_1940_: f64;
+    var phi_1947_: f64;
+    var phi_1952_: f64;
+    var phi_1959_: f64;
+    var phi_1964_: f64;
+    var phi_1969_: f64;
+    var phi_1989_: type_29;
+    var phi_1992_: f64;
+    var phi_1990_: type_29;
+    var phi_2015_: type_29;
+    var phi_2171_: bool;
+    var phi_2172_: bool;
+    var phi_2173_: bool;
+    var phi_2174_: bool;
+    var phi_2175_: bool;
+    var phi_2176_: bool;
+    var phi_2180_: bool;
+    var phi_2220_: array<f64, 3>;
+    var phi_2221_: bool;
+    var phi_2222_: array<f64, 3>;
+    var phi_2223_: bool;
+    var phi_2256_: f64;
+    var phi_2258_: f64;
+    var phi_2288_: f64;
+    var phi_2290_: f64;
+    var phi_2320_: f64;
+    var phi_2322_: f64;
+    var phi_2355_: f64;
+    var phi_2357_: f64;
+    var phi_2512_: type_29;
+    var phi_2515_: array<f64, 3>;
+    var phi_2513_: type_29;
+    var phi_2538_: type_29;
+    var phi_2605_: array<f64, 3>;
+    var phi_2516_: array<f64, 3>;
+    var phi_2606_: array<f64, 3>;
+    var phi_2613_: f64;
+    var phi_2620_: f64;
+    var phi_2628_: f64;
+    var phi_2673_: type_27;
+    var phi_2676_: f64;
+    var phi_2697_: bool;
+    var phi_2703_: type_28;
+    var phi_2674_: type_27;
+    var phi_2717_: type_28;
+    var phi_2677_: f64;
     var local_39: f64;
-    var phi_2655_: f64;
-    var phi_2719_: f64;
-    var phi_2732_: type_28;
-    var phi_2735_: f64;
-    var phi_2733_: type_28;
-    var phi_2758_: type_28;
-    var phi_2809_: f64;
-    var phi_2815_: f64;
-    var phi_2829_: bool;
-    var phi_2830_: bool;
-    var phi_2864_: f64;
-    var phi_2865_: f64;
-    var phi_2866_: f64;
-    var phi_2867_: bool;
-    var phi_2871_: bool;
-    var phi_2872_: f64;
-    var phi_2873_: bool;
-    var phi_2874_: bool;
-    var phi_2875_: bool;
+    var phi_2666_: f64;
+    var phi_2730_: f64;
+    var phi_2743_: type_29;
+    var phi_2746_: f64;
+    var phi_2744_: type_29;
+    var phi_2769_: type_29;
+    var phi_2820_: f64;
+    var phi_2826_: f64;
+    var phi_2840_: bool;
+    var phi_2841_: bool;
+    var phi_2875_: f64;
     var phi_2876_: f64;
-    var phi_2877_: bool;
+    var phi_2877_: f64;
     var phi_2878_: bool;
-    var phi_2879_: bool;
-    var phi_2736_: f64;
-    var phi_2880_: bool;
-    var phi_2881_: bool;
     var phi_2882_: bool;
-    var phi_2883_: bool;
+    var phi_2883_: f64;
+    var phi_2884_: bool;
+    var phi_2885_: bool;
+    var phi_2886_: bool;
+    var phi_2887_: f64;
+    var phi_2888_: bool;
+    var phi_2889_: bool;
+    var phi_2890_: bool;
+    var phi_2747_: f64;
+    var phi_2891_: bool;
+    var phi_2892_: bool;
+    var phi_2893_: bool;
+    var phi_2894_: bool;
     var local_40: bool;
     var local_41: f64;
     var local_42: f64;
     var local_43: f64;
-    var phi_2901_: bool;
-    var phi_2902_: bool;
-    var phi_2903_: bool;
-    var phi_2904_: bool;
-    var phi_2905_: bool;
-    var phi_2906_: bool;
-    var phi_2907_: bool;
-    var phi_2908_: bool;
-    var phi_2909_: bool;
-    var phi_2910_: bool;
-    var phi_2911_: bool;
     var phi_2912_: bool;
     var phi_2913_: bool;
-    var phi_2914_: f64;
-    var phi_2915_: f64;
+    var phi_2914_: bool;
+    var phi_2915_: bool;
     var phi_2916_: bool;
     var phi_2917_: bool;
     var phi_2918_: bool;
@@ -792,20 +778,19 @@ fn function_1() {
     var phi_2920_: bool;
     var phi_2921_: bool;
     var phi_2922_: bool;
-    var phi_2923_: f64;
-    var phi_2924_: f64;
-    var phi_2925_: bool;
-    var phi_2926_: bool;
+    var phi_2923_: bool;
+    var phi_2924_: bool;
+    var phi_2925_: f64;
+    var phi_2926_: f64;
     var phi_2927_: bool;
     var phi_2928_: bool;
     var phi_2929_: bool;
     var phi_2930_: bool;
     var phi_2931_: bool;
     var phi_2932_: bool;
-    var phi_2933_: f64;
-    var phi_1982_: f64;
-    var phi_2934_: bool;
-    var phi_2935_: bool;
+    var phi_2933_: bool;
+    var phi_2934_: f64;
+    var phi_2935_: f64;
     var phi_2936_: bool;
     var phi_2937_: bool;
     var phi_2938_: bool;
@@ -813,16 +798,20 @@ fn function_1() {
     var phi_2940_: bool;
     var phi_2941_: bool;
     var phi_2942_: bool;
-    var local_44: bool;
-    var phi_2947_: type_72;
+    var phi_2943_: bool;
+    var phi_2944_: f64;
+    var phi_1993_: f64;
+    var phi_2945_: bool;
+    var phi_2946_: bool;
+    var phi_2947_: bool;
     var phi_2948_: bool;
     var phi_2949_: bool;
     var phi_2950_: bool;
     var phi_2951_: bool;
     var phi_2952_: bool;
     var phi_2953_: bool;
-    var phi_2954_: bool;
-    var phi_2958_: f64;
+    var local_44: bool;
+    var phi_2958_: type_72;
     var phi_2959_: bool;
     var phi_2960_: bool;
     var phi_2961_: bool;
@@ -830,138 +819,146 @@ fn function_1() {
     var phi_2963_: bool;
     var phi_2964_: bool;
     var phi_2965_: bool;
-    var phi_2970_: type_72;
+    var phi_2969_: f64;
+    var phi_2970_: bool;
     var phi_2971_: bool;
     var phi_2972_: bool;
     var phi_2973_: bool;
     var phi_2974_: bool;
     var phi_2975_: bool;
     var phi_2976_: bool;
-    var local_45: f64;
     var phi_2981_: type_72;
     var phi_2982_: bool;
     var phi_2983_: bool;
     var phi_2984_: bool;
     var phi_2985_: bool;
     var phi_2986_: bool;
-    var local_46: f64;
-    var phi_2991_: type_72;
-    var phi_2992_: bool;
+    var phi_2987_: bool;
+    var local_45: f64;
+    var phi_2992_: type_72;
     var phi_2993_: bool;
     var phi_2994_: bool;
     var phi_2995_: bool;
-    var local_47: f64;
-    var phi_3000_: type_72;
-    var phi_3001_: bool;
-    var phi_3002_: bool;
+    var phi_2996_: bool;
+    var phi_2997_: bool;
+    var local_46: f64;
+    var phi_3002_: type_72;
     var phi_3003_: bool;
     var phi_3004_: bool;
-    var phi_3008_: type_72;
-    var phi_3009_: bool;
-    var phi_3010_: bool;
-    var phi_3011_: bool;
+    var phi_3005_: bool;
+    var phi_3006_: bool;
+    var local_47: f64;
+    var phi_3011_: type_72;
+    var phi_3012_: bool;
+    var phi_3013_: bool;
+    var phi_3014_: bool;
     var phi_3015_: bool;
-    var phi_3016_: bool;
+    var phi_3019_: type_72;
     var phi_3020_: bool;
     var phi_3021_: bool;
-    var phi_3025_: bool;
+    var phi_3022_: bool;
     var phi_3026_: bool;
-    var local_48: f64;
-    var phi_3031_: type_72;
+    var phi_3027_: bool;
+    var phi_3031_: bool;
     var phi_3032_: bool;
-    var phi_3036_: type_72;
-    var phi_3050_: type_28;
-    var phi_3051_: type_28;
-    var phi_3074_: type_28;
-    var phi_3095_: f64;
-    var phi_3245_: bool;
-    var phi_3246_: bool;
-    var phi_3247_: bool;
-    var phi_3248_: bool;
-    var phi_3249_: bool;
-    var phi_3250_: bool;
-    var phi_3254_: bool;
-    var phi_3294_: array<f64, 3>;
-    var phi_3295_: bool;
-    var phi_3296_: array<f64, 3>;
-    var phi_3297_: bool;
-    var phi_3330_: f64;
-    var phi_3332_: f64;
-    var phi_3362_: f64;
-    var phi_3364_: f64;
-    var phi_3394_: f64;
-    var phi_3396_: f64;
-    var phi_3429_: f64;
-    var phi_3431_: f64;
-    var phi_3586_: type_28;
-    var phi_3589_: array<f64, 3>;
-    var phi_3587_: type_28;
-    var phi_3612_: type_28;
-    var phi_3679_: array<f64, 3>;
-    var phi_3590_: array<f64, 3>;
-    var phi_3680_: array<f64, 3>;
-    var phi_3712_: type_26;
-    var phi_3715_: f64;
-    var phi_3736_: bool;
-    var phi_3742_: type_27;
-    var phi_3713_: type_26;
-    var phi_3756_: type_27;
-    var phi_3716_: f64;
+    var phi_3036_: bool;
+    var phi_3037_: bool;
+    var local_48: f64;
+    var phi_3042_: type_72;
+    var phi_3043_: bool;
+    var phi_3047_: type_72;
+    var phi_3061_: type_29;
+    var phi_3062_: type_29;
+    var phi_3085_: type_29;
+    var phi_3106_: f64;
+    var phi_3256_: bool;
+    var phi_3257_: bool;
+    var phi_3258_: bool;
+    var phi_3259_: bool;
+    var phi_3260_: bool;
+    var phi_3261_: bool;
+    var phi_3265_: bool;
+    var phi_3305_: array<f64, 3>;
+    var phi_3306_: bool;
+    var phi_3307_: array<f64, 3>;
+    var phi_3308_: bool;
+    var phi_3341_: f64;
+    var phi_3343_: f64;
+    var phi_3373_: f64;
+    var phi_3375_: f64;
+    var phi_3405_: f64;
+    var phi_3407_: f64;
+    var phi_3440_: f64;
+    var phi_3442_: f64;
+    var phi_3597_: type_29;
+    var phi_3600_: array<f64, 3>;
+    var phi_3598_: type_29;
+    var phi_3623_: type_29;
+    var phi_3690_: array<f64, 3>;
+    var phi_3601_: array<f64, 3>;
+    var phi_3691_: array<f64, 3>;
+    var phi_3723_: type_27;
+    var phi_3726_: f64;
+    var phi_3747_: bool;
+    var phi_3753_: type_28;
+    var phi_3724_: type_27;
+    var phi_3767_: type_28;
+    var phi_3727_: f64;
     var local_49: f64;
-    var phi_3705_: f64;
-    var phi_3769_: f64;
-    var phi_3787_: f64;
-    var phi_3794_: f64;
-    var phi_3799_: f64;
-    var phi_3806_: f64;
-    var phi_3811_: f64;
-    var phi_3824_: f64;
-    var phi_3831_: f64;
-    var phi_3836_: f64;
-    var phi_3843_: f64;
-    var phi_3848_: f64;
-    var phi_3853_: f64;
-    var phi_3870_: f64;
-    var phi_3877_: f64;
-    var phi_3882_: f64;
-    var phi_3889_: f64;
-    var phi_3894_: f64;
-    var phi_3908_: f64;
-    var phi_3915_: f64;
-    var phi_3920_: f64;
-    var phi_3927_: f64;
-    var phi_3932_: f64;
-    var phi_3937_: f64;
-    var phi_3954_: f64;
-    var phi_3961_: f64;
-    var phi_3966_: f64;
-    var phi_3973_: f64;
-    var phi_3978_: f64;
-    var phi_3992_: f64;
-    var phi_3999_: f64;
-    var phi_4004_: f64;
-    var phi_4011_: f64;
-    var phi_4016_: f64;
-    var phi_4021_: f64;
-    var phi_4045_: bool;
-    var phi_4046_: bool;
-    var phi_4047_: bool;
+    var phi_3716_: f64;
+    var phi_3780_: f64;
+    var phi_3798_: f64;
+    var phi_3805_: f64;
+    var phi_3810_: f64;
+    var phi_3817_: f64;
+    var phi_3822_: f64;
+    var phi_3835_: f64;
+    var phi_3842_: f64;
+    var phi_3847_: f64;
+    var phi_3854_: f64;
+    var phi_3859_: f64;
+    var phi_3864_: f64;
+    var phi_3881_: f64;
+    var phi_3888_: f64;
+    var phi_3893_: f64;
+    var phi_3900_: f64;
+    var phi_3905_: f64;
+    var phi_3919_: f64;
+    var phi_3926_: f64;
+    var phi_3931_: f64;
+    var phi_3938_: f64;
+    var phi_3943_: f64;
+    var phi_3948_: f64;
+    var phi_3965_: f64;
+    var phi_3972_: f64;
+    var phi_3977_: f64;
+    var phi_3984_: f64;
+    var phi_3989_: f64;
+    var phi_4003_: f64;
+    var phi_4010_: f64;
+    var phi_4015_: f64;
+    var phi_4022_: f64;
+    var phi_4027_: f64;
+    var phi_4032_: f64;
+    var phi_4056_: bool;
+    var phi_4057_: bool;
+    var phi_4058_: bool;
     var local_50: bool;
-    var phi_4052_: type_72;
-    var phi_4053_: bool;
-    var phi_4058_: type_72;
-    var phi_4059_: bool;
-    var phi_4061_: type_72;
-    var phi_4062_: type_72;
-    var phi_4063_: bool;
-    var phi_4067_: type_72;
-    var phi_7438_: type_72;
-    var phi_7439_: type_72;
-    var phi_7452_: type_46;
-    var phi_7475_: u32;
-    var phi_7479_: type_45;
-    var phi_7480_: bool;
-    var phi_7498_: u32;
+    var phi_4063_: type_72;
+    var phi_4064_: bool;
+    var phi_4069_: type_72;
+    var phi_4070_: bool;
+    var phi_4072_: type_72;
+    var phi_4073_: type_72;
+    var phi_4074_: bool;
+    var phi_4078_: type_72;
+    var phi_7449_: type_72;
+    var phi_7450_: type_72;
+    var phi_7463_: type_55;
+    var phi_7486_: u32;
+    var phi_7490_: type_54;
+    var phi_7491_: bool;
+    var phi_7509_: u32;
     var local_51: u32;
     var local_52: f64;
     var local_53: f64;
@@ -1042,15 +1039,15 @@ fn function_1() {
         phi_270_ = 0u;
     }
     let _e157 = phi_270_;
-    phi_273_ = type_28(0u, _e157);
+    phi_273_ = type_29(0u, _e157);
     loop {
         let _e160 = phi_273_;
         if (_e160.member < _e160.member_1) {
-            phi_274_ = type_28((_e160.member + 1u), _e160.member_1);
-            phi_297_ = type_28(1u, _e160.member);
+            phi_274_ = type_29((_e160.member + 1u), _e160.member_1);
+            phi_297_ = type_29(1u, _e160.member);
         } else {
             phi_274_ = _e160;
-            phi_297_ = type_28(0u, type_28().member_1);
+            phi_297_ = type_29(0u, type_29().member_1);
         }
         let _e174 = phi_274_;
         let _e176 = phi_297_;
@@ -1075,100 +1072,100 @@ fn function_1() {
                 local_17[3u] = array<f64, 3>(0.0lf, 0.0lf, 0.0lf);
                 let _e214 = params.member.member_1;
                 if ((_e214 & 8u) != 0u) {
-                    let _e260 = paths.member[_e197[0]];
-                    let _e262 = paths.member[_e197[1]];
-                    let _e268 = paths.member[_e199[0]];
-                    let _e270 = paths.member[_e199[1]];
-                    local_18 = array<array<f32, 3>, 4>(array<f32, 3>(_e260.member[0], _e260.member[1], _e260.member[2]), array<f32, 3>(_e262.member[0], _e262.member[1], _e262.member[2]), array<f32, 3>(_e268.member[0], _e268.member[1], _e268.member[2]), array<f32, 3>(_e270.member[0], _e270.member[1], _e270.member[2]));
-                    local_19 = array<array<f32, 3>, 4>(array<f32, 3>(_e260.member_1[0], _e260.member_1[1], _e260.member_1[2]), array<f32, 3>(_e262.member_1[0], _e262.member_1[1], _e262.member_1[2]), array<f32, 3>(_e268.member_1[0], _e268.member_1[1], _e268.member_1[2]), array<f32, 3>(_e270.member_1[0], _e270.member_1[1], _e270.member_1[2]));
-                    phi_520_ = type_28(0u, 4u);
+                    let _e264 = paths.member[_e197[0]];
+                    let _e266 = paths.member[_e197[1]];
+                    let _e272 = paths.member[_e199[0]];
+                    let _e274 = paths.member[_e199[1]];
+                    local_18 = array<array<f32, 3>, 4>(array<f32, 3>(_e264.member[0], _e264.member[1], _e264.member[2]), array<f32, 3>(_e266.member[0], _e266.member[1], _e266.member[2]), array<f32, 3>(_e272.member[0], _e272.member[1], _e272.member[2]), array<f32, 3>(_e274.member[0], _e274.member[1], _e274.member[2]));
+                    local_19 = array<array<f32, 3>, 4>(array<f32, 3>(_e264.member_1[0], _e264.member_1[1], _e264.member_1[2]), array<f32, 3>(_e266.member_1[0], _e266.member_1[1], _e266.member_1[2]), array<f32, 3>(_e272.member_1[0], _e272.member_1[1], _e272.member_1[2]), array<f32, 3>(_e274.member_1[0], _e274.member_1[1], _e274.member_1[2]));
+                    phi_520_ = type_29(0u, 4u);
                     loop {
-                        let _e310 = phi_520_;
-                        if (_e310.member < _e310.member_1) {
-                            phi_521_ = type_28((_e310.member + 1u), _e310.member_1);
-                            phi_544_ = type_28(1u, _e310.member);
+                        let _e314 = phi_520_;
+                        if (_e314.member < _e314.member_1) {
+                            phi_521_ = type_29((_e314.member + 1u), _e314.member_1);
+                            phi_544_ = type_29(1u, _e314.member);
                         } else {
-                            phi_521_ = _e310;
-                            phi_544_ = type_28(0u, type_28().member_1);
+                            phi_521_ = _e314;
+                            phi_544_ = type_29(0u, type_29().member_1);
                         }
-                        let _e324 = phi_521_;
-                        let _e326 = phi_544_;
-                        let _e330 = (bitcast<i32>(_e326.member) != 0i);
-                        if _e330 {
-                            phi_554_ = type_28(0u, 3u);
+                        let _e328 = phi_521_;
+                        let _e330 = phi_544_;
+                        let _e334 = (bitcast<i32>(_e330.member) != 0i);
+                        if _e334 {
+                            phi_554_ = type_29(0u, 3u);
                             loop {
-                                let _e332 = phi_554_;
-                                if (_e332.member < _e332.member_1) {
-                                    phi_555_ = type_28((_e332.member + 1u), _e332.member_1);
-                                    phi_578_ = type_28(1u, _e332.member);
+                                let _e336 = phi_554_;
+                                if (_e336.member < _e336.member_1) {
+                                    phi_555_ = type_29((_e336.member + 1u), _e336.member_1);
+                                    phi_578_ = type_29(1u, _e336.member);
                                 } else {
-                                    phi_555_ = _e332;
-                                    phi_578_ = type_28(0u, type_28().member_1);
+                                    phi_555_ = _e336;
+                                    phi_578_ = type_29(0u, type_29().member_1);
                                 }
-                                let _e346 = phi_555_;
-                                let _e348 = phi_578_;
-                                let _e352 = (bitcast<i32>(_e348.member) != 0i);
-                                if _e352 {
-                                    if (_e326.member_1 < 4u) {
+                                let _e350 = phi_555_;
+                                let _e352 = phi_578_;
+                                let _e356 = (bitcast<i32>(_e352.member) != 0i);
+                                if _e356 {
+                                    if (_e330.member_1 < 4u) {
                                     } else {
                                         return;
                                     }
-                                    if (_e348.member_1 < 3u) {
+                                    if (_e352.member_1 < 3u) {
                                     } else {
                                         return;
                                     }
-                                    let _e357 = local_18[_e326.member_1][_e348.member_1];
-                                    if (_e326.member_1 < 4u) {
+                                    let _e361 = local_18[_e330.member_1][_e352.member_1];
+                                    if (_e330.member_1 < 4u) {
                                     } else {
                                         return;
                                     }
-                                    if (_e348.member_1 < 3u) {
+                                    if (_e352.member_1 < 3u) {
                                     } else {
                                         return;
                                     }
-                                    local_16[_e326.member_1][_e348.member_1] = f64(_e357);
-                                    if (_e326.member_1 < 4u) {
+                                    local_16[_e330.member_1][_e352.member_1] = f64(_e361);
+                                    if (_e330.member_1 < 4u) {
                                     } else {
                                         return;
                                     }
-                                    if (_e348.member_1 < 3u) {
+                                    if (_e352.member_1 < 3u) {
                                     } else {
                                         return;
                                     }
-                                    let _e367 = local_19[_e326.member_1][_e348.member_1];
-                                    if (_e326.member_1 < 4u) {
+                                    let _e371 = local_19[_e330.member_1][_e352.member_1];
+                                    if (_e330.member_1 < 4u) {
                                     } else {
                                         return;
                                     }
-                                    if (_e348.member_1 < 3u) {
+                                    if (_e352.member_1 < 3u) {
                                     } else {
                                         return;
                                     }
-                                    local_17[_e326.member_1][_e348.member_1] = f64(_e367);
+                                    local_17[_e330.member_1][_e352.member_1] = f64(_e371);
                                 }
                                 continue;
                                 continuing {
-                                    phi_554_ = _e346;
-                                    break if !(_e352);
+                                    phi_554_ = _e350;
+                                    break if !(_e356);
                                 }
                             }
                         }
                         continue;
                         continuing {
-                            phi_520_ = _e324;
-                            break if !(_e330);
+                            phi_520_ = _e328;
+                            break if !(_e334);
                         }
                     }
                 } else {
-                    phi_640_ = type_28(0u, 4u);
+                    phi_640_ = type_29(0u, 4u);
                     loop {
                         let _e218 = phi_640_;
                         if (_e218.member < _e218.member_1) {
-                            phi_641_ = type_28((_e218.member + 1u), _e218.member_1);
-                            phi_664_ = type_28(1u, _e218.member);
+                            phi_641_ = type_29((_e218.member + 1u), _e218.member_1);
+                            phi_664_ = type_29(1u, _e218.member);
                         } else {
                             phi_641_ = _e218;
-                            phi_664_ = type_28(0u, type_28().member_1);
+                            phi_664_ = type_29(0u, type_29().member_1);
                         }
                         let _e232 = phi_641_;
                         let _e234 = phi_664_;
@@ -1180,16 +1177,18 @@ fn function_1() {
                             }
                             let _e241 = local_15[_e234.member_1];
                             let _e243 = wide.member[_e241];
+                            let _e246 = params.member.member[0u];
+                            let _e249 = wide.member[(_e246 + _e241)];
                             if (_e234.member_1 < 4u) {
                             } else {
                                 return;
                             }
-                            local_16[_e234.member_1] = array<f64, 3>(_e243.member[0], _e243.member[1], _e243.member[2]);
+                            local_16[_e234.member_1] = array<f64, 3>(_e243[0], _e243[1], _e243[2]);
                             if (_e234.member_1 < 4u) {
                             } else {
                                 return;
                             }
-                            local_17[_e234.member_1] = array<f64, 3>(_e243.member_1[0], _e243.member_1[1], _e243.member_1[2]);
+                            local_17[_e234.member_1] = array<f64, 3>(_e249[0], _e249[1], _e249[2]);
                         }
                         continue;
                         continuing {
@@ -1198,1254 +1197,1219 @@ fn function_1() {
                         }
                     }
                 }
-                let _e375 = local_16;
-                let _e392 = local_17;
-                local_20 = type_61(array<array<f64, 3>, 2>(array<f64, 3>((_e375[2][0] - _e375[0][0]), (_e375[2][1] - _e375[0][1]), (_e375[2][2] - _e375[0][2])), array<f64, 3>((_e392[2][0] - _e392[0][0]), (_e392[2][1] - _e392[0][1]), (_e392[2][2] - _e392[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e375[1][0] - _e375[0][0]), (_e375[1][1] - _e375[0][1]), (_e375[1][2] - _e375[0][2])), array<f64, 3>((_e392[1][0] - _e392[0][0]), (_e392[1][1] - _e392[0][1]), (_e392[1][2] - _e392[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e375[2][0] - _e375[3][0]), (_e375[2][1] - _e375[3][1]), (_e375[2][2] - _e375[3][2])), array<f64, 3>((_e392[2][0] - _e392[3][0]), (_e392[2][1] - _e392[3][1]), (_e392[2][2] - _e392[3][2]))), (0.0lf + 0.0lf));
-                let _e439 = params.member.member_7;
-                let _e446 = bitcast<f64>(((u64(_e439[1]) * 4294967296lu) + u64(_e439[0])));
-                let _e447 = f64(0f);
-                let _e450 = local_20.member_1[0u];
-                let _e456 = local_20.member_2[0u];
-                let _e462 = ((_e450[1] * _e456[2]) - (_e450[2] * _e456[1]));
-                let _e465 = ((_e450[2] * _e456[0]) - (_e450[0] * _e456[2]));
-                let _e468 = ((_e450[0] * _e456[1]) - (_e450[1] * _e456[0]));
-                let _e471 = local_20.member_1[1u];
-                let _e477 = local_20.member_2[1u];
-                let _e483 = ((_e471[1] * _e477[2]) - (_e471[2] * _e477[1]));
-                let _e486 = ((_e471[2] * _e477[0]) - (_e471[0] * _e477[2]));
-                let _e489 = ((_e471[0] * _e477[1]) - (_e471[1] * _e477[0]));
-                let _e492 = local_20.member_1[0u];
-                let _e498 = local_20.member_2[1u];
-                let _e513 = local_20.member_1[1u];
-                let _e519 = local_20.member_2[0u];
-                let _e532 = (((_e492[1] * _e498[2]) - (_e492[2] * _e498[1])) + ((_e513[1] * _e519[2]) - (_e513[2] * _e519[1])));
-                let _e533 = (((_e492[2] * _e498[0]) - (_e492[0] * _e498[2])) + ((_e513[2] * _e519[0]) - (_e513[0] * _e519[2])));
-                let _e534 = (((_e492[0] * _e498[1]) - (_e492[1] * _e498[0])) + ((_e513[0] * _e519[1]) - (_e513[1] * _e519[0])));
-                let _e537 = local_20.member[0u];
-                let _e545 = (((_e537[0] * _e462) + (_e537[1] * _e465)) + (_e537[2] * _e468));
-                let _e548 = local_20.member[1u];
-                let _e559 = local_20.member[0u];
-                let _e568 = ((((_e548[0] * _e462) + (_e548[1] * _e465)) + (_e548[2] * _e468)) + (((_e559[0] * _e532) + (_e559[1] * _e533)) + (_e559[2] * _e534)));
-                let _e571 = local_20.member[0u];
-                let _e582 = local_20.member[1u];
-                let _e591 = ((((_e571[0] * _e483) + (_e571[1] * _e486)) + (_e571[2] * _e489)) + (((_e582[0] * _e532) + (_e582[1] * _e533)) + (_e582[2] * _e534)));
-                let _e594 = local_20.member[1u];
-                let _e602 = (((_e594[0] * _e483) + (_e594[1] * _e486)) + (_e594[2] * _e489));
-                let _e605 = local_20.member[0u];
-                if (_e605[0] < 0.0lf) {
-                    phi_1121_ = -(_e605[0]);
+                let _e379 = local_16;
+                let _e396 = local_17;
+                local_20 = type_69(array<array<f64, 3>, 2>(array<f64, 3>((_e379[2][0] - _e379[0][0]), (_e379[2][1] - _e379[0][1]), (_e379[2][2] - _e379[0][2])), array<f64, 3>((_e396[2][0] - _e396[0][0]), (_e396[2][1] - _e396[0][1]), (_e396[2][2] - _e396[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e379[1][0] - _e379[0][0]), (_e379[1][1] - _e379[0][1]), (_e379[1][2] - _e379[0][2])), array<f64, 3>((_e396[1][0] - _e396[0][0]), (_e396[1][1] - _e396[0][1]), (_e396[1][2] - _e396[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e379[2][0] - _e379[3][0]), (_e379[2][1] - _e379[3][1]), (_e379[2][2] - _e379[3][2])), array<f64, 3>((_e396[2][0] - _e396[3][0]), (_e396[2][1] - _e396[3][1]), (_e396[2][2] - _e396[3][2]))), (0.0lf + 0.0lf));
+                let _e443 = params.member.member_7;
+                let _e450 = bitcast<f64>(((u64(_e443[1]) * 4294967296lu) + u64(_e443[0])));
+                let _e451 = f64(0f);
+                let _e454 = local_20.member_1[0u];
+                let _e460 = local_20.member_2[0u];
+                let _e466 = ((_e454[1] * _e460[2]) - (_e454[2] * _e460[1]));
+                let _e469 = ((_e454[2] * _e460[0]) - (_e454[0] * _e460[2]));
+                let _e472 = ((_e454[0] * _e460[1]) - (_e454[1] * _e460[0]));
+                let _e475 = local_20.member_1[1u];
+                let _e481 = local_20.member_2[1u];
+                let _e487 = ((_e475[1] * _e481[2]) - (_e475[2] * _e481[1]));
+                let _e490 = ((_e475[2] * _e481[0]) - (_e475[0] * _e481[2]));
+                let _e493 = ((_e475[0] * _e481[1]) - (_e475[1] * _e481[0]));
+                let _e496 = local_20.member_1[0u];
+                let _e502 = local_20.member_2[1u];
+                let _e517 = local_20.member_1[1u];
+                let _e523 = local_20.member_2[0u];
+                let _e536 = (((_e496[1] * _e502[2]) - (_e496[2] * _e502[1])) + ((_e517[1] * _e523[2]) - (_e517[2] * _e523[1])));
+                let _e537 = (((_e496[2] * _e502[0]) - (_e496[0] * _e502[2])) + ((_e517[2] * _e523[0]) - (_e517[0] * _e523[2])));
+                let _e538 = (((_e496[0] * _e502[1]) - (_e496[1] * _e502[0])) + ((_e517[0] * _e523[1]) - (_e517[1] * _e523[0])));
+                let _e541 = local_20.member[0u];
+                let _e549 = (((_e541[0] * _e466) + (_e541[1] * _e469)) + (_e541[2] * _e472));
+                let _e552 = local_20.member[1u];
+                let _e563 = local_20.member[0u];
+                let _e572 = ((((_e552[0] * _e466) + (_e552[1] * _e469)) + (_e552[2] * _e472)) + (((_e563[0] * _e536) + (_e563[1] * _e537)) + (_e563[2] * _e538)));
+                let _e575 = local_20.member[0u];
+                let _e586 = local_20.member[1u];
+                let _e595 = ((((_e575[0] * _e487) + (_e575[1] * _e490)) + (_e575[2] * _e493)) + (((_e586[0] * _e536) + (_e586[1] * _e537)) + (_e586[2] * _e538)));
+                let _e598 = local_20.member[1u];
+                let _e606 = (((_e598[0] * _e487) + (_e598[1] * _e490)) + (_e598[2] * _e493));
+                let _e609 = local_20.member[0u];
+                if (_e609[0] < 0.0lf) {
+                    phi_1132_ = -(_e609[0]);
                 } else {
-                    phi_1121_ = _e605[0];
+                    phi_1132_ = _e609[0];
                 }
-                let _e612 = phi_1121_;
-                if (_e605[1] < 0.0lf) {
-                    phi_1128_ = -(_e605[1]);
+                let _e616 = phi_1132_;
+                if (_e609[1] < 0.0lf) {
+                    phi_1139_ = -(_e609[1]);
                 } else {
-                    phi_1128_ = _e605[1];
+                    phi_1139_ = _e609[1];
                 }
-                let _e616 = phi_1128_;
-                if (_e612 > _e616) {
-                    phi_1133_ = _e612;
+                let _e620 = phi_1139_;
+                if (_e616 > _e620) {
+                    phi_1144_ = _e616;
                 } else {
-                    phi_1133_ = _e616;
+                    phi_1144_ = _e620;
                 }
-                let _e619 = phi_1133_;
-                if (_e605[2] < 0.0lf) {
-                    phi_1140_ = -(_e605[2]);
+                let _e623 = phi_1144_;
+                if (_e609[2] < 0.0lf) {
+                    phi_1151_ = -(_e609[2]);
                 } else {
-                    phi_1140_ = _e605[2];
+                    phi_1151_ = _e609[2];
                 }
-                let _e623 = phi_1140_;
-                if (_e619 > _e623) {
-                    phi_1145_ = _e619;
+                let _e627 = phi_1151_;
+                if (_e623 > _e627) {
+                    phi_1156_ = _e623;
                 } else {
-                    phi_1145_ = _e623;
+                    phi_1156_ = _e627;
                 }
-                let _e626 = phi_1145_;
-                let _e629 = local_20.member[1u];
-                if (_e629[0] < 0.0lf) {
-                    phi_1158_ = -(_e629[0]);
+                let _e630 = phi_1156_;
+                let _e633 = local_20.member[1u];
+                if (_e633[0] < 0.0lf) {
+                    phi_1169_ = -(_e633[0]);
                 } else {
-                    phi_1158_ = _e629[0];
+                    phi_1169_ = _e633[0];
                 }
-                let _e636 = phi_1158_;
-                if (_e629[1] < 0.0lf) {
-                    phi_1165_ = -(_e629[1]);
+                let _e640 = phi_1169_;
+                if (_e633[1] < 0.0lf) {
+                    phi_1176_ = -(_e633[1]);
                 } else {
-                    phi_1165_ = _e629[1];
+                    phi_1176_ = _e633[1];
                 }
-                let _e640 = phi_1165_;
-                if (_e636 > _e640) {
-                    phi_1170_ = _e636;
+                let _e644 = phi_1176_;
+                if (_e640 > _e644) {
+                    phi_1181_ = _e640;
                 } else {
-                    phi_1170_ = _e640;
+                    phi_1181_ = _e644;
                 }
-                let _e643 = phi_1170_;
-                if (_e629[2] < 0.0lf) {
-                    phi_1177_ = -(_e629[2]);
+                let _e647 = phi_1181_;
+                if (_e633[2] < 0.0lf) {
+                    phi_1188_ = -(_e633[2]);
                 } else {
-                    phi_1177_ = _e629[2];
+                    phi_1188_ = _e633[2];
                 }
-                let _e647 = phi_1177_;
-                if (_e643 > _e647) {
-                    phi_1182_ = _e643;
+                let _e651 = phi_1188_;
+                if (_e647 > _e651) {
+                    phi_1193_ = _e647;
                 } else {
-                    phi_1182_ = _e647;
+                    phi_1193_ = _e651;
                 }
-                let _e650 = phi_1182_;
-                if (_e626 > _e650) {
-                    phi_1187_ = _e626;
+                let _e654 = phi_1193_;
+                if (_e630 > _e654) {
+                    phi_1198_ = _e630;
                 } else {
-                    phi_1187_ = _e650;
+                    phi_1198_ = _e654;
                 }
-                let _e653 = phi_1187_;
-                let _e655 = local_20.member_3;
-                let _e656 = (_e653 + _e655);
-                let _e659 = local_20.member_1[0u];
-                if (_e659[0] < 0.0lf) {
-                    phi_1204_ = -(_e659[0]);
+                let _e657 = phi_1198_;
+                let _e659 = local_20.member_3;
+                let _e660 = (_e657 + _e659);
+                let _e663 = local_20.member_1[0u];
+                if (_e663[0] < 0.0lf) {
+                    phi_1215_ = -(_e663[0]);
                 } else {
-                    phi_1204_ = _e659[0];
+                    phi_1215_ = _e663[0];
                 }
-                let _e666 = phi_1204_;
-                if (_e659[1] < 0.0lf) {
-                    phi_1211_ = -(_e659[1]);
+                let _e670 = phi_1215_;
+                if (_e663[1] < 0.0lf) {
+                    phi_1222_ = -(_e663[1]);
                 } else {
-                    phi_1211_ = _e659[1];
+                    phi_1222_ = _e663[1];
                 }
-                let _e670 = phi_1211_;
-                if (_e666 > _e670) {
-                    phi_1216_ = _e666;
+                let _e674 = phi_1222_;
+                if (_e670 > _e674) {
+                    phi_1227_ = _e670;
                 } else {
-                    phi_1216_ = _e670;
+                    phi_1227_ = _e674;
                 }
-                let _e673 = phi_1216_;
-                if (_e659[2] < 0.0lf) {
-                    phi_1223_ = -(_e659[2]);
+                let _e677 = phi_1227_;
+                if (_e663[2] < 0.0lf) {
+                    phi_1234_ = -(_e663[2]);
                 } else {
-                    phi_1223_ = _e659[2];
+                    phi_1234_ = _e663[2];
                 }
-                let _e677 = phi_1223_;
-                if (_e673 > _e677) {
-                    phi_1228_ = _e673;
+                let _e681 = phi_1234_;
+                if (_e677 > _e681) {
+                    phi_1239_ = _e677;
                 } else {
-                    phi_1228_ = _e677;
+                    phi_1239_ = _e681;
                 }
-                let _e680 = phi_1228_;
-                let _e683 = local_20.member_1[1u];
-                if (_e683[0] < 0.0lf) {
-                    phi_1242_ = -(_e683[0]);
+                let _e684 = phi_1239_;
+                let _e687 = local_20.member_1[1u];
+                if (_e687[0] < 0.0lf) {
+                    phi_1253_ = -(_e687[0]);
                 } else {
-                    phi_1242_ = _e683[0];
+                    phi_1253_ = _e687[0];
                 }
-                let _e690 = phi_1242_;
-                if (_e683[1] < 0.0lf) {
-                    phi_1249_ = -(_e683[1]);
+                let _e694 = phi_1253_;
+                if (_e687[1] < 0.0lf) {
+                    phi_1260_ = -(_e687[1]);
                 } else {
-                    phi_1249_ = _e683[1];
+                    phi_1260_ = _e687[1];
                 }
-                let _e694 = phi_1249_;
-                if (_e690 > _e694) {
-                    phi_1254_ = _e690;
+                let _e698 = phi_1260_;
+                if (_e694 > _e698) {
+                    phi_1265_ = _e694;
                 } else {
-                    phi_1254_ = _e694;
+                    phi_1265_ = _e698;
                 }
-                let _e697 = phi_1254_;
-                if (_e683[2] < 0.0lf) {
-                    phi_1261_ = -(_e683[2]);
+                let _e701 = phi_1265_;
+                if (_e687[2] < 0.0lf) {
+                    phi_1272_ = -(_e687[2]);
                 } else {
-                    phi_1261_ = _e683[2];
+                    phi_1272_ = _e687[2];
                 }
-                let _e701 = phi_1261_;
-                if (_e697 > _e701) {
-                    phi_1266_ = _e697;
+                let _e705 = phi_1272_;
+                if (_e701 > _e705) {
+                    phi_1277_ = _e701;
                 } else {
-                    phi_1266_ = _e701;
+                    phi_1277_ = _e705;
                 }
-                let _e704 = phi_1266_;
-                if (_e680 > _e704) {
-                    phi_1271_ = _e680;
+                let _e708 = phi_1277_;
+                if (_e684 > _e708) {
+                    phi_1282_ = _e684;
                 } else {
-                    phi_1271_ = _e704;
+                    phi_1282_ = _e708;
                 }
-                let _e707 = phi_1271_;
-                let _e709 = local_20.member_3;
-                let _e710 = (_e707 + _e709);
-                let _e713 = local_20.member_2[0u];
-                if (_e713[0] < 0.0lf) {
-                    phi_1288_ = -(_e713[0]);
+                let _e711 = phi_1282_;
+                let _e713 = local_20.member_3;
+                let _e714 = (_e711 + _e713);
+                let _e717 = local_20.member_2[0u];
+                if (_e717[0] < 0.0lf) {
+                    phi_1299_ = -(_e717[0]);
                 } else {
-                    phi_1288_ = _e713[0];
+                    phi_1299_ = _e717[0];
                 }
-                let _e720 = phi_1288_;
-                if (_e713[1] < 0.0lf) {
-                    phi_1295_ = -(_e713[1]);
+                let _e724 = phi_1299_;
+                if (_e717[1] < 0.0lf) {
+                    phi_1306_ = -(_e717[1]);
                 } else {
-                    phi_1295_ = _e713[1];
+                    phi_1306_ = _e717[1];
                 }
-                let _e724 = phi_1295_;
-                if (_e720 > _e724) {
-                    phi_1300_ = _e720;
+                let _e728 = phi_1306_;
+                if (_e724 > _e728) {
+                    phi_1311_ = _e724;
                 } else {
-                    phi_1300_ = _e724;
+                    phi_1311_ = _e728;
                 }
-                let _e727 = phi_1300_;
-                if (_e713[2] < 0.0lf) {
-                    phi_1307_ = -(_e713[2]);
+                let _e731 = phi_1311_;
+                if (_e717[2] < 0.0lf) {
+                    phi_1318_ = -(_e717[2]);
                 } else {
-                    phi_1307_ = _e713[2];
+                    phi_1318_ = _e717[2];
                 }
-                let _e731 = phi_1307_;
-                if (_e727 > _e731) {
-                    phi_1312_ = _e727;
+                let _e735 = phi_1318_;
+                if (_e731 > _e735) {
+                    phi_1323_ = _e731;
                 } else {
-                    phi_1312_ = _e731;
+                    phi_1323_ = _e735;
                 }
-                let _e734 = phi_1312_;
-                let _e737 = local_20.member_2[1u];
-                if (_e737[0] < 0.0lf) {
-                    phi_1326_ = -(_e737[0]);
+                let _e738 = phi_1323_;
+                let _e741 = local_20.member_2[1u];
+                if (_e741[0] < 0.0lf) {
+                    phi_1337_ = -(_e741[0]);
                 } else {
-                    phi_1326_ = _e737[0];
+                    phi_1337_ = _e741[0];
                 }
-                let _e744 = phi_1326_;
-                if (_e737[1] < 0.0lf) {
-                    phi_1333_ = -(_e737[1]);
+                let _e748 = phi_1337_;
+                if (_e741[1] < 0.0lf) {
+                    phi_1344_ = -(_e741[1]);
                 } else {
-                    phi_1333_ = _e737[1];
+                    phi_1344_ = _e741[1];
                 }
-                let _e748 = phi_1333_;
-                if (_e744 > _e748) {
-                    phi_1338_ = _e744;
+                let _e752 = phi_1344_;
+                if (_e748 > _e752) {
+                    phi_1349_ = _e748;
                 } else {
-                    phi_1338_ = _e748;
+                    phi_1349_ = _e752;
                 }
-                let _e751 = phi_1338_;
-                if (_e737[2] < 0.0lf) {
-                    phi_1345_ = -(_e737[2]);
+                let _e755 = phi_1349_;
+                if (_e741[2] < 0.0lf) {
+                    phi_1356_ = -(_e741[2]);
                 } else {
-                    phi_1345_ = _e737[2];
+                    phi_1356_ = _e741[2];
                 }
-                let _e755 = phi_1345_;
-                if (_e751 > _e755) {
-                    phi_1350_ = _e751;
+                let _e759 = phi_1356_;
+                if (_e755 > _e759) {
+                    phi_1361_ = _e755;
                 } else {
-                    phi_1350_ = _e755;
+                    phi_1361_ = _e759;
                 }
-                let _e758 = phi_1350_;
-                if (_e734 > _e758) {
-                    phi_1355_ = _e734;
+                let _e762 = phi_1361_;
+                if (_e738 > _e762) {
+                    phi_1366_ = _e738;
                 } else {
-                    phi_1355_ = _e758;
+                    phi_1366_ = _e762;
                 }
-                let _e761 = phi_1355_;
-                let _e763 = local_20.member_3;
-                let _e764 = (_e761 + _e763);
-                let _e765 = f64(1f);
-                let _e766 = f64(8f);
-                let _e768 = ((_e710 * _e766) * _e764);
-                let _e776 = local_20.member_3;
-                if (_e462 < 0.0lf) {
-                    phi_1392_ = -(_e462);
+                let _e765 = phi_1366_;
+                let _e767 = local_20.member_3;
+                let _e768 = (_e765 + _e767);
+                let _e769 = f64(1f);
+                let _e770 = f64(8f);
+                let _e772 = ((_e714 * _e770) * _e768);
+                let _e780 = local_20.member_3;
+                if (_e466 < 0.0lf) {
+                    phi_1403_ = -(_e466);
                 } else {
-                    phi_1392_ = _e462;
+                    phi_1403_ = _e466;
                 }
-                let _e796 = phi_1392_;
-                if (_e465 < 0.0lf) {
-                    phi_1398_ = -(_e465);
+                let _e800 = phi_1403_;
+                if (_e469 < 0.0lf) {
+                    phi_1409_ = -(_e469);
                 } else {
-                    phi_1398_ = _e465;
+                    phi_1409_ = _e469;
                 }
-                let _e800 = phi_1398_;
-                if (_e468 < 0.0lf) {
-                    phi_1405_ = -(_e468);
+                let _e804 = phi_1409_;
+                if (_e472 < 0.0lf) {
+                    phi_1416_ = -(_e472);
                 } else {
-                    phi_1405_ = _e468;
+                    phi_1416_ = _e472;
                 }
-                let _e805 = phi_1405_;
-                let _e806 = ((_e796 + _e800) + _e805);
-                if (_e483 < 0.0lf) {
-                    phi_1412_ = -(_e483);
+                let _e809 = phi_1416_;
+                let _e810 = ((_e800 + _e804) + _e809);
+                if (_e487 < 0.0lf) {
+                    phi_1423_ = -(_e487);
                 } else {
-                    phi_1412_ = _e483;
+                    phi_1423_ = _e487;
                 }
-                let _e810 = phi_1412_;
-                if (_e486 < 0.0lf) {
-                    phi_1418_ = -(_e486);
+                let _e814 = phi_1423_;
+                if (_e490 < 0.0lf) {
+                    phi_1429_ = -(_e490);
                 } else {
-                    phi_1418_ = _e486;
+                    phi_1429_ = _e490;
                 }
-                let _e814 = phi_1418_;
-                if (_e489 < 0.0lf) {
-                    phi_1425_ = -(_e489);
+                let _e818 = phi_1429_;
+                if (_e493 < 0.0lf) {
+                    phi_1436_ = -(_e493);
                 } else {
-                    phi_1425_ = _e489;
+                    phi_1436_ = _e493;
                 }
-                let _e819 = phi_1425_;
-                let _e820 = ((_e810 + _e814) + _e819);
-                if (_e806 > _e820) {
-                    phi_1431_ = _e806;
+                let _e823 = phi_1436_;
+                let _e824 = ((_e814 + _e818) + _e823);
+                if (_e810 > _e824) {
+                    phi_1442_ = _e810;
                 } else {
-                    phi_1431_ = _e820;
+                    phi_1442_ = _e824;
                 }
-                let _e823 = phi_1431_;
-                if (_e532 < 0.0lf) {
-                    phi_1437_ = -(_e532);
+                let _e827 = phi_1442_;
+                if (_e536 < 0.0lf) {
+                    phi_1448_ = -(_e536);
                 } else {
-                    phi_1437_ = _e532;
+                    phi_1448_ = _e536;
                 }
-                let _e827 = phi_1437_;
-                if (_e533 < 0.0lf) {
-                    phi_1443_ = -(_e533);
+                let _e831 = phi_1448_;
+                if (_e537 < 0.0lf) {
+                    phi_1454_ = -(_e537);
                 } else {
-                    phi_1443_ = _e533;
+                    phi_1454_ = _e537;
                 }
-                let _e831 = phi_1443_;
-                if (_e534 < 0.0lf) {
-                    phi_1450_ = -(_e534);
+                let _e835 = phi_1454_;
+                if (_e538 < 0.0lf) {
+                    phi_1461_ = -(_e538);
                 } else {
-                    phi_1450_ = _e534;
+                    phi_1461_ = _e538;
                 }
-                let _e836 = phi_1450_;
-                let _e838 = (((_e827 + _e831) + _e836) * f64(0.5f));
-                if (_e823 > _e838) {
-                    phi_1457_ = _e823;
+                let _e840 = phi_1461_;
+                let _e842 = (((_e831 + _e835) + _e840) * f64(0.5f));
+                if (_e827 > _e842) {
+                    phi_1468_ = _e827;
                 } else {
-                    phi_1457_ = _e838;
+                    phi_1468_ = _e842;
                 }
-                let _e841 = phi_1457_;
-                let _e847 = local_20.member_3;
-                let _e861 = (((((_e656 * _e766) * _e768) * (1.1102230246251565e-16lf * f64((490f / 64f)))) + ((_e776 * f64(19f)) * ((_e656 * (_e710 + _e764)) + (_e710 * _e764)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e765 + _e656) * ((_e765 + _e710) * (_e765 + _e764)))));
-                let _e862 = f64(3f);
-                let _e863 = (_e545 * _e862);
-                let _e864 = (_e602 * _e862);
-                if (_e863 < _e864) {
-                    phi_1485_ = _e863;
+                let _e845 = phi_1468_;
+                let _e851 = local_20.member_3;
+                let _e865 = (((((_e660 * _e770) * _e772) * (1.1102230246251565e-16lf * f64((490f / 64f)))) + ((_e780 * f64(19f)) * ((_e660 * (_e714 + _e768)) + (_e714 * _e768)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e769 + _e660) * ((_e769 + _e714) * (_e769 + _e768)))));
+                let _e866 = f64(3f);
+                let _e867 = (_e549 * _e866);
+                let _e868 = (_e606 * _e866);
+                if (_e867 < _e868) {
+                    phi_1496_ = _e867;
                 } else {
-                    phi_1485_ = _e864;
+                    phi_1496_ = _e868;
                 }
-                let _e867 = phi_1485_;
-                if (_e568 < _e591) {
-                    phi_1490_ = _e568;
+                let _e871 = phi_1496_;
+                if (_e572 < _e595) {
+                    phi_1501_ = _e572;
                 } else {
-                    phi_1490_ = _e591;
+                    phi_1501_ = _e595;
                 }
-                let _e870 = phi_1490_;
-                if (_e867 < _e870) {
-                    phi_1495_ = _e867;
+                let _e874 = phi_1501_;
+                if (_e871 < _e874) {
+                    phi_1506_ = _e871;
                 } else {
-                    phi_1495_ = _e870;
+                    phi_1506_ = _e874;
                 }
-                let _e873 = phi_1495_;
-                if (_e863 > _e864) {
-                    phi_1500_ = _e863;
+                let _e877 = phi_1506_;
+                if (_e867 > _e868) {
+                    phi_1511_ = _e867;
                 } else {
-                    phi_1500_ = _e864;
+                    phi_1511_ = _e868;
                 }
-                let _e876 = phi_1500_;
-                if (_e568 > _e591) {
-                    phi_1505_ = _e568;
+                let _e880 = phi_1511_;
+                if (_e572 > _e595) {
+                    phi_1516_ = _e572;
                 } else {
-                    phi_1505_ = _e591;
+                    phi_1516_ = _e595;
                 }
-                let _e879 = phi_1505_;
-                if (_e876 > _e879) {
-                    phi_1510_ = _e876;
+                let _e883 = phi_1516_;
+                if (_e880 > _e883) {
+                    phi_1521_ = _e880;
                 } else {
-                    phi_1510_ = _e879;
+                    phi_1521_ = _e883;
                 }
-                let _e882 = phi_1510_;
-                let _e888 = -(_e882);
-                if (_e873 > _e888) {
-                    phi_1521_ = _e873;
+                let _e886 = phi_1521_;
+                let _e892 = -(_e886);
+                if (_e877 > _e892) {
+                    phi_1532_ = _e877;
                 } else {
-                    phi_1521_ = _e888;
+                    phi_1532_ = _e892;
                 }
-                let _e891 = phi_1521_;
-                if ((_e891 - (_e861 + ((_e446 * (((_e841 + (_e768 * (1.1102230246251565e-16lf * f64(4f)))) + ((_e847 * f64(6f)) * (_e710 + _e764))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e765 + _e710) * (_e765 + _e764))))) * f64((3f * 1.0001f))))) > _e447) {
-                    phi_7439_ = type_72(0u, type_72().member_1);
+                let _e895 = phi_1532_;
+                if ((_e895 - (_e865 + ((_e450 * (((_e845 + (_e772 * (1.1102230246251565e-16lf * f64(4f)))) + ((_e851 * f64(6f)) * (_e714 + _e768))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e769 + _e714) * (_e769 + _e768))))) * f64((3f * 1.0001f))))) > _e451) {
+                    phi_7450_ = type_72(0u, type_72().member_1);
                 } else {
-                    if (_e446 > _e447) {
-                        let _e3308 = f64(1f);
-                        let _e3312 = local_20.member[0u];
-                        let _e3318 = local_20.member_1[0u];
-                        let _e3324 = local_20.member_2[0u];
-                        let _e3328 = (_e3312[0] - _e3318[0]);
-                        let _e3329 = (_e3312[1] - _e3318[1]);
-                        let _e3330 = (_e3312[2] - _e3318[2]);
-                        local_12 = array<array<f64, 3>, 4>(_e3312, array<f64, 3>(_e3328, _e3329, _e3330), array<f64, 3>((_e3312[0] - _e3324[0]), (_e3312[1] - _e3324[1]), (_e3312[2] - _e3324[2])), array<f64, 3>((_e3328 - _e3324[0]), (_e3329 - _e3324[1]), (_e3330 - _e3324[2])));
-                        let _e3343 = local_20.member[1u];
-                        let _e3349 = local_20.member_1[1u];
-                        let _e3355 = local_20.member_2[1u];
-                        let _e3359 = (_e3343[0] - _e3349[0]);
-                        let _e3360 = (_e3343[1] - _e3349[1]);
-                        let _e3361 = (_e3343[2] - _e3349[2]);
-                        local_13 = array<array<f64, 3>, 4>(_e3343, array<f64, 3>(_e3359, _e3360, _e3361), array<f64, 3>((_e3343[0] - _e3355[0]), (_e3343[1] - _e3355[1]), (_e3343[2] - _e3355[2])), array<f64, 3>((_e3359 - _e3355[0]), (_e3360 - _e3355[1]), (_e3361 - _e3355[2])));
-                        let _e3374 = local_20.member[0u];
-                        if (_e3374[0] < 0.0lf) {
-                            phi_1724_ = -(_e3374[0]);
+                    if (_e450 > _e451) {
+                        let _e3312 = f64(1f);
+                        let _e3316 = local_20.member[0u];
+                        let _e3322 = local_20.member_1[0u];
+                        let _e3328 = local_20.member_2[0u];
+                        let _e3332 = (_e3316[0] - _e3322[0]);
+                        let _e3333 = (_e3316[1] - _e3322[1]);
+                        let _e3334 = (_e3316[2] - _e3322[2]);
+                        local_12 = array<array<f64, 3>, 4>(_e3316, array<f64, 3>(_e3332, _e3333, _e3334), array<f64, 3>((_e3316[0] - _e3328[0]), (_e3316[1] - _e3328[1]), (_e3316[2] - _e3328[2])), array<f64, 3>((_e3332 - _e3328[0]), (_e3333 - _e3328[1]), (_e3334 - _e3328[2])));
+                        let _e3347 = local_20.member[1u];
+                        let _e3353 = local_20.member_1[1u];
+                        let _e3359 = local_20.member_2[1u];
+                        let _e3363 = (_e3347[0] - _e3353[0]);
+                        let _e3364 = (_e3347[1] - _e3353[1]);
+                        let _e3365 = (_e3347[2] - _e3353[2]);
+                        local_13 = array<array<f64, 3>, 4>(_e3347, array<f64, 3>(_e3363, _e3364, _e3365), array<f64, 3>((_e3347[0] - _e3359[0]), (_e3347[1] - _e3359[1]), (_e3347[2] - _e3359[2])), array<f64, 3>((_e3363 - _e3359[0]), (_e3364 - _e3359[1]), (_e3365 - _e3359[2])));
+                        let _e3378 = local_20.member[0u];
+                        if (_e3378[0] < 0.0lf) {
+                            phi_1735_ = -(_e3378[0]);
                         } else {
-                            phi_1724_ = _e3374[0];
+                            phi_1735_ = _e3378[0];
                         }
-                        let _e3381 = phi_1724_;
-                        if (_e3374[1] < 0.0lf) {
-                            phi_1731_ = -(_e3374[1]);
+                        let _e3385 = phi_1735_;
+                        if (_e3378[1] < 0.0lf) {
+                            phi_1742_ = -(_e3378[1]);
                         } else {
-                            phi_1731_ = _e3374[1];
+                            phi_1742_ = _e3378[1];
                         }
-                        let _e3385 = phi_1731_;
-                        if (_e3381 > _e3385) {
-                            phi_1736_ = _e3381;
+                        let _e3389 = phi_1742_;
+                        if (_e3385 > _e3389) {
+                            phi_1747_ = _e3385;
                         } else {
-                            phi_1736_ = _e3385;
+                            phi_1747_ = _e3389;
                         }
-                        let _e3388 = phi_1736_;
-                        if (_e3374[2] < 0.0lf) {
-                            phi_1743_ = -(_e3374[2]);
+                        let _e3392 = phi_1747_;
+                        if (_e3378[2] < 0.0lf) {
+                            phi_1754_ = -(_e3378[2]);
                         } else {
-                            phi_1743_ = _e3374[2];
+                            phi_1754_ = _e3378[2];
                         }
-                        let _e3392 = phi_1743_;
-                        if (_e3388 > _e3392) {
-                            phi_1748_ = _e3388;
+                        let _e3396 = phi_1754_;
+                        if (_e3392 > _e3396) {
+                            phi_1759_ = _e3392;
                         } else {
-                            phi_1748_ = _e3392;
+                            phi_1759_ = _e3396;
                         }
-                        let _e3395 = phi_1748_;
-                        let _e3398 = local_20.member[1u];
-                        if (_e3398[0] < 0.0lf) {
-                            phi_1761_ = -(_e3398[0]);
+                        let _e3399 = phi_1759_;
+                        let _e3402 = local_20.member[1u];
+                        if (_e3402[0] < 0.0lf) {
+                            phi_1772_ = -(_e3402[0]);
                         } else {
-                            phi_1761_ = _e3398[0];
+                            phi_1772_ = _e3402[0];
                         }
-                        let _e3405 = phi_1761_;
-                        if (_e3398[1] < 0.0lf) {
-                            phi_1768_ = -(_e3398[1]);
+                        let _e3409 = phi_1772_;
+                        if (_e3402[1] < 0.0lf) {
+                            phi_1779_ = -(_e3402[1]);
                         } else {
-                            phi_1768_ = _e3398[1];
+                            phi_1779_ = _e3402[1];
                         }
-                        let _e3409 = phi_1768_;
-                        if (_e3405 > _e3409) {
-                            phi_1773_ = _e3405;
+                        let _e3413 = phi_1779_;
+                        if (_e3409 > _e3413) {
+                            phi_1784_ = _e3409;
                         } else {
-                            phi_1773_ = _e3409;
+                            phi_1784_ = _e3413;
                         }
-                        let _e3412 = phi_1773_;
-                        if (_e3398[2] < 0.0lf) {
-                            phi_1780_ = -(_e3398[2]);
+                        let _e3416 = phi_1784_;
+                        if (_e3402[2] < 0.0lf) {
+                            phi_1791_ = -(_e3402[2]);
                         } else {
-                            phi_1780_ = _e3398[2];
+                            phi_1791_ = _e3402[2];
                         }
-                        let _e3416 = phi_1780_;
-                        if (_e3412 > _e3416) {
-                            phi_1785_ = _e3412;
+                        let _e3420 = phi_1791_;
+                        if (_e3416 > _e3420) {
+                            phi_1796_ = _e3416;
                         } else {
-                            phi_1785_ = _e3416;
+                            phi_1796_ = _e3420;
                         }
-                        let _e3419 = phi_1785_;
-                        if (_e3395 > _e3419) {
-                            phi_1790_ = _e3395;
+                        let _e3423 = phi_1796_;
+                        if (_e3399 > _e3423) {
+                            phi_1801_ = _e3399;
                         } else {
-                            phi_1790_ = _e3419;
+                            phi_1801_ = _e3423;
                         }
-                        let _e3422 = phi_1790_;
-                        let _e3424 = local_20.member_3;
-                        let _e3428 = local_20.member_1[0u];
-                        if (_e3428[0] < 0.0lf) {
-                            phi_1807_ = -(_e3428[0]);
+                        let _e3426 = phi_1801_;
+                        let _e3428 = local_20.member_3;
+                        let _e3432 = local_20.member_1[0u];
+                        if (_e3432[0] < 0.0lf) {
+                            phi_1818_ = -(_e3432[0]);
                         } else {
-                            phi_1807_ = _e3428[0];
+                            phi_1818_ = _e3432[0];
                         }
-                        let _e3435 = phi_1807_;
-                        if (_e3428[1] < 0.0lf) {
-                            phi_1814_ = -(_e3428[1]);
+                        let _e3439 = phi_1818_;
+                        if (_e3432[1] < 0.0lf) {
+                            phi_1825_ = -(_e3432[1]);
                         } else {
-                            phi_1814_ = _e3428[1];
+                            phi_1825_ = _e3432[1];
                         }
-                        let _e3439 = phi_1814_;
-                        if (_e3435 > _e3439) {
-                            phi_1819_ = _e3435;
+                        let _e3443 = phi_1825_;
+                        if (_e3439 > _e3443) {
+                            phi_1830_ = _e3439;
                         } else {
-                            phi_1819_ = _e3439;
+                            phi_1830_ = _e3443;
                         }
-                        let _e3442 = phi_1819_;
-                        if (_e3428[2] < 0.0lf) {
-                            phi_1826_ = -(_e3428[2]);
+                        let _e3446 = phi_1830_;
+                        if (_e3432[2] < 0.0lf) {
+                            phi_1837_ = -(_e3432[2]);
                         } else {
-                            phi_1826_ = _e3428[2];
+                            phi_1837_ = _e3432[2];
                         }
-                        let _e3446 = phi_1826_;
-                        if (_e3442 > _e3446) {
-                            phi_1831_ = _e3442;
+                        let _e3450 = phi_1837_;
+                        if (_e3446 > _e3450) {
+                            phi_1842_ = _e3446;
                         } else {
-                            phi_1831_ = _e3446;
+                            phi_1842_ = _e3450;
                         }
-                        let _e3449 = phi_1831_;
-                        let _e3452 = local_20.member_1[1u];
-                        if (_e3452[0] < 0.0lf) {
-                            phi_1845_ = -(_e3452[0]);
+                        let _e3453 = phi_1842_;
+                        let _e3456 = local_20.member_1[1u];
+                        if (_e3456[0] < 0.0lf) {
+                            phi_1856_ = -(_e3456[0]);
                         } else {
-                            phi_1845_ = _e3452[0];
+                            phi_1856_ = _e3456[0];
                         }
-                        let _e3459 = phi_1845_;
-                        if (_e3452[1] < 0.0lf) {
-                            phi_1852_ = -(_e3452[1]);
+                        let _e3463 = phi_1856_;
+                        if (_e3456[1] < 0.0lf) {
+                            phi_1863_ = -(_e3456[1]);
                         } else {
-                            phi_1852_ = _e3452[1];
+                            phi_1863_ = _e3456[1];
                         }
-                        let _e3463 = phi_1852_;
-                        if (_e3459 > _e3463) {
-                            phi_1857_ = _e3459;
+                        let _e3467 = phi_1863_;
+                        if (_e3463 > _e3467) {
+                            phi_1868_ = _e3463;
                         } else {
-                            phi_1857_ = _e3463;
+                            phi_1868_ = _e3467;
                         }
-                        let _e3466 = phi_1857_;
-                        if (_e3452[2] < 0.0lf) {
-                            phi_1864_ = -(_e3452[2]);
+                        let _e3470 = phi_1868_;
+                        if (_e3456[2] < 0.0lf) {
+                            phi_1875_ = -(_e3456[2]);
                         } else {
-                            phi_1864_ = _e3452[2];
+                            phi_1875_ = _e3456[2];
                         }
-                        let _e3470 = phi_1864_;
-                        if (_e3466 > _e3470) {
-                            phi_1869_ = _e3466;
+                        let _e3474 = phi_1875_;
+                        if (_e3470 > _e3474) {
+                            phi_1880_ = _e3470;
                         } else {
-                            phi_1869_ = _e3470;
+                            phi_1880_ = _e3474;
                         }
-                        let _e3473 = phi_1869_;
-                        if (_e3449 > _e3473) {
-                            phi_1874_ = _e3449;
+                        let _e3477 = phi_1880_;
+                        if (_e3453 > _e3477) {
+                            phi_1885_ = _e3453;
                         } else {
-                            phi_1874_ = _e3473;
+                            phi_1885_ = _e3477;
                         }
-                        let _e3476 = phi_1874_;
-                        let _e3478 = local_20.member_3;
-                        let _e3482 = local_20.member_2[0u];
-                        if (_e3482[0] < 0.0lf) {
-                            phi_1891_ = -(_e3482[0]);
+                        let _e3480 = phi_1885_;
+                        let _e3482 = local_20.member_3;
+                        let _e3486 = local_20.member_2[0u];
+                        if (_e3486[0] < 0.0lf) {
+                            phi_1902_ = -(_e3486[0]);
                         } else {
-                            phi_1891_ = _e3482[0];
+                            phi_1902_ = _e3486[0];
                         }
-                        let _e3489 = phi_1891_;
-                        if (_e3482[1] < 0.0lf) {
-                            phi_1898_ = -(_e3482[1]);
+                        let _e3493 = phi_1902_;
+                        if (_e3486[1] < 0.0lf) {
+                            phi_1909_ = -(_e3486[1]);
                         } else {
-                            phi_1898_ = _e3482[1];
+                            phi_1909_ = _e3486[1];
                         }
-                        let _e3493 = phi_1898_;
-                        if (_e3489 > _e3493) {
-                            phi_1903_ = _e3489;
+                        let _e3497 = phi_1909_;
+                        if (_e3493 > _e3497) {
+                            phi_1914_ = _e3493;
                         } else {
-                            phi_1903_ = _e3493;
+                            phi_1914_ = _e3497;
                         }
-                        let _e3496 = phi_1903_;
-                        if (_e3482[2] < 0.0lf) {
-                            phi_1910_ = -(_e3482[2]);
+                        let _e3500 = phi_1914_;
+                        if (_e3486[2] < 0.0lf) {
+                            phi_1921_ = -(_e3486[2]);
                         } else {
-                            phi_1910_ = _e3482[2];
+                            phi_1921_ = _e3486[2];
                         }
-                        let _e3500 = phi_1910_;
-                        if (_e3496 > _e3500) {
-                            phi_1915_ = _e3496;
+                        let _e3504 = phi_1921_;
+                        if (_e3500 > _e3504) {
+                            phi_1926_ = _e3500;
                         } else {
-                            phi_1915_ = _e3500;
+                            phi_1926_ = _e3504;
                         }
-                        let _e3503 = phi_1915_;
-                        let _e3506 = local_20.member_2[1u];
-                        if (_e3506[0] < 0.0lf) {
-                            phi_1929_ = -(_e3506[0]);
+                        let _e3507 = phi_1926_;
+                        let _e3510 = local_20.member_2[1u];
+                        if (_e3510[0] < 0.0lf) {
+                            phi_1940_ = -(_e3510[0]);
                         } else {
-                            phi_1929_ = _e3506[0];
+                            phi_1940_ = _e3510[0];
                         }
-                        let _e3513 = phi_1929_;
-                        if (_e3506[1] < 0.0lf) {
-                            phi_1936_ = -(_e3506[1]);
+                        let _e3517 = phi_1940_;
+                        if (_e3510[1] < 0.0lf) {
+                            phi_1947_ = -(_e3510[1]);
                         } else {
-                            phi_1936_ = _e3506[1];
+                            phi_1947_ = _e3510[1];
                         }
-                        let _e3517 = phi_1936_;
-                        if (_e3513 > _e3517) {
-                            phi_1941_ = _e3513;
+                        let _e3521 = phi_1947_;
+                        if (_e3517 > _e3521) {
+                            phi_1952_ = _e3517;
                         } else {
-                            phi_1941_ = _e3517;
+                            phi_1952_ = _e3521;
                         }
-                        let _e3520 = phi_1941_;
-                        if (_e3506[2] < 0.0lf) {
-                            phi_1948_ = -(_e3506[2]);
+                        let _e3524 = phi_1952_;
+                        if (_e3510[2] < 0.0lf) {
+                            phi_1959_ = -(_e3510[2]);
                         } else {
-                            phi_1948_ = _e3506[2];
+                            phi_1959_ = _e3510[2];
                         }
-                        let _e3524 = phi_1948_;
-                        if (_e3520 > _e3524) {
-                            phi_1953_ = _e3520;
+                        let _e3528 = phi_1959_;
+                        if (_e3524 > _e3528) {
+                            phi_1964_ = _e3524;
                         } else {
-                            phi_1953_ = _e3524;
+                            phi_1964_ = _e3528;
                         }
-                        let _e3527 = phi_1953_;
-                        if (_e3503 > _e3527) {
-                            phi_1958_ = _e3503;
+                        let _e3531 = phi_1964_;
+                        if (_e3507 > _e3531) {
+                            phi_1969_ = _e3507;
                         } else {
-                            phi_1958_ = _e3527;
+                            phi_1969_ = _e3531;
                         }
-                        let _e3530 = phi_1958_;
-                        let _e3532 = local_20.member_3;
-                        let _e3540 = local_20.member_3;
-                        phi_1978_ = type_28(0u, 48u);
-                        phi_1981_ = f64(0f);
+                        let _e3534 = phi_1969_;
+                        let _e3536 = local_20.member_3;
+                        let _e3544 = local_20.member_3;
+                        phi_1989_ = type_29(0u, 48u);
+                        phi_1992_ = f64(0f);
                         loop {
-                            let _e3549 = phi_1978_;
-                            let _e3551 = phi_1981_;
-                            local_87 = _e3551;
-                            local_45 = _e3551;
-                            local_46 = _e3551;
-                            local_47 = _e3551;
-                            local_48 = _e3551;
-                            if (_e3549.member < _e3549.member_1) {
-                                phi_1979_ = type_28((_e3549.member + 1u), _e3549.member_1);
-                                phi_2004_ = type_28(1u, _e3549.member);
+                            let _e3553 = phi_1989_;
+                            let _e3555 = phi_1992_;
+                            local_87 = _e3555;
+                            local_45 = _e3555;
+                            local_46 = _e3555;
+                            local_47 = _e3555;
+                            local_48 = _e3555;
+                            if (_e3553.member < _e3553.member_1) {
+                                phi_1990_ = type_29((_e3553.member + 1u), _e3553.member_1);
+                                phi_2015_ = type_29(1u, _e3553.member);
                             } else {
-                                phi_1979_ = _e3549;
-                                phi_2004_ = type_28(0u, type_28().member_1);
+                                phi_1990_ = _e3553;
+                                phi_2015_ = type_29(0u, type_29().member_1);
                             }
-                            let _e3565 = phi_1979_;
-                            let _e3567 = phi_2004_;
-                            if (bitcast<i32>(_e3567.member) != 0i) {
-                                let _e3573 = local_20.member[0u];
-                                let _e3579 = local_20.member[1u];
-                                let _e3589 = (_e3573[0] + ((_e3579[0] - _e3573[0]) * _e3551));
-                                let _e3590 = (_e3573[1] + ((_e3579[1] - _e3573[1]) * _e3551));
-                                let _e3591 = (_e3573[2] + ((_e3579[2] - _e3573[2]) * _e3551));
-                                let _e3594 = local_20.member_1[0u];
-                                let _e3600 = local_20.member_1[1u];
-                                let _e3610 = (_e3594[0] + ((_e3600[0] - _e3594[0]) * _e3551));
-                                let _e3611 = (_e3594[1] + ((_e3600[1] - _e3594[1]) * _e3551));
-                                let _e3612 = (_e3594[2] + ((_e3600[2] - _e3594[2]) * _e3551));
-                                let _e3615 = local_20.member_2[0u];
-                                let _e3621 = local_20.member_2[1u];
-                                let _e3631 = (_e3615[0] + ((_e3621[0] - _e3615[0]) * _e3551));
-                                let _e3632 = (_e3615[1] + ((_e3621[1] - _e3615[1]) * _e3551));
-                                let _e3633 = (_e3615[2] + ((_e3621[2] - _e3615[2]) * _e3551));
-                                let _e3638 = (((_e3610 * _e3610) + (_e3611 * _e3611)) + (_e3612 * _e3612));
-                                let _e3643 = (((_e3610 * _e3631) + (_e3611 * _e3632)) + (_e3612 * _e3633));
-                                let _e3648 = (((_e3631 * _e3631) + (_e3632 * _e3632)) + (_e3633 * _e3633));
-                                let _e3653 = (((_e3589 * _e3610) + (_e3590 * _e3611)) + (_e3591 * _e3612));
-                                let _e3658 = (((_e3589 * _e3631) + (_e3590 * _e3632)) + (_e3591 * _e3633));
-                                let _e3661 = ((_e3638 * _e3648) - (_e3643 * _e3643));
-                                let _e3662 = f64(0f);
-                                let _e3663 = f64(1f);
-                                let _e3667 = (((_e3653 * _e3648) - (_e3658 * _e3643)) / _e3661);
-                                let _e3671 = (((_e3658 * _e3638) - (_e3653 * _e3643)) / _e3661);
-                                if (_e3667 >= _e3662) {
-                                    if (_e3671 >= _e3662) {
-                                        if (_e3667 <= _e3663) {
-                                            phi_2160_ = (_e3671 <= _e3663);
-                                            phi_2161_ = false;
+                            let _e3569 = phi_1990_;
+                            let _e3571 = phi_2015_;
+                            if (bitcast<i32>(_e3571.member) != 0i) {
+                                let _e3577 = local_20.member[0u];
+                                let _e3583 = local_20.member[1u];
+                                let _e3593 = (_e3577[0] + ((_e3583[0] - _e3577[0]) * _e3555));
+                                let _e3594 = (_e3577[1] + ((_e3583[1] - _e3577[1]) * _e3555));
+                                let _e3595 = (_e3577[2] + ((_e3583[2] - _e3577[2]) * _e3555));
+                                let _e3598 = local_20.member_1[0u];
+                                let _e3604 = local_20.member_1[1u];
+                                let _e3614 = (_e3598[0] + ((_e3604[0] - _e3598[0]) * _e3555));
+                                let _e3615 = (_e3598[1] + ((_e3604[1] - _e3598[1]) * _e3555));
+                                let _e3616 = (_e3598[2] + ((_e3604[2] - _e3598[2]) * _e3555));
+                                let _e3619 = local_20.member_2[0u];
+                                let _e3625 = local_20.member_2[1u];
+                                let _e3635 = (_e3619[0] + ((_e3625[0] - _e3619[0]) * _e3555));
+                                let _e3636 = (_e3619[1] + ((_e3625[1] - _e3619[1]) * _e3555));
+                                let _e3637 = (_e3619[2] + ((_e3625[2] - _e3619[2]) * _e3555));
+                                let _e3642 = (((_e3614 * _e3614) + (_e3615 * _e3615)) + (_e3616 * _e3616));
+                                let _e3647 = (((_e3614 * _e3635) + (_e3615 * _e3636)) + (_e3616 * _e3637));
+                                let _e3652 = (((_e3635 * _e3635) + (_e3636 * _e3636)) + (_e3637 * _e3637));
+                                let _e3657 = (((_e3593 * _e3614) + (_e3594 * _e3615)) + (_e3595 * _e3616));
+                                let _e3662 = (((_e3593 * _e3635) + (_e3594 * _e3636)) + (_e3595 * _e3637));
+                                let _e3665 = ((_e3642 * _e3652) - (_e3647 * _e3647));
+                                let _e3666 = f64(0f);
+                                let _e3667 = f64(1f);
+                                let _e3671 = (((_e3657 * _e3652) - (_e3662 * _e3647)) / _e3665);
+                                let _e3675 = (((_e3662 * _e3642) - (_e3657 * _e3647)) / _e3665);
+                                if (_e3671 >= _e3666) {
+                                    if (_e3675 >= _e3666) {
+                                        if (_e3671 <= _e3667) {
+                                            phi_2171_ = (_e3675 <= _e3667);
+                                            phi_2172_ = false;
                                         } else {
-                                            phi_2160_ = bool();
-                                            phi_2161_ = true;
+                                            phi_2171_ = bool();
+                                            phi_2172_ = true;
                                         }
-                                        let _e3677 = phi_2160_;
-                                        let _e3679 = phi_2161_;
-                                        phi_2162_ = _e3677;
-                                        phi_2163_ = _e3679;
+                                        let _e3681 = phi_2171_;
+                                        let _e3683 = phi_2172_;
+                                        phi_2173_ = _e3681;
+                                        phi_2174_ = _e3683;
                                     } else {
-                                        phi_2162_ = bool();
-                                        phi_2163_ = true;
+                                        phi_2173_ = bool();
+                                        phi_2174_ = true;
                                     }
-                                    let _e3681 = phi_2162_;
-                                    let _e3683 = phi_2163_;
-                                    phi_2164_ = _e3681;
-                                    phi_2165_ = _e3683;
+                                    let _e3685 = phi_2173_;
+                                    let _e3687 = phi_2174_;
+                                    phi_2175_ = _e3685;
+                                    phi_2176_ = _e3687;
                                 } else {
-                                    phi_2164_ = bool();
-                                    phi_2165_ = true;
+                                    phi_2175_ = bool();
+                                    phi_2176_ = true;
                                 }
-                                let _e3685 = phi_2164_;
-                                let _e3687 = phi_2165_;
-                                if _e3687 {
-                                    phi_2169_ = false;
+                                let _e3689 = phi_2175_;
+                                let _e3691 = phi_2176_;
+                                if _e3691 {
+                                    phi_2180_ = false;
                                 } else {
-                                    phi_2169_ = _e3685;
+                                    phi_2180_ = _e3689;
                                 }
-                                let _e3689 = phi_2169_;
-                                if (_e3661 > _e3662) {
-                                    if _e3689 {
-                                        phi_2209_ = array<f64, 3>((_e3589 - ((_e3610 * _e3667) + (_e3631 * _e3671))), (_e3590 - ((_e3611 * _e3667) + (_e3632 * _e3671))), (_e3591 - ((_e3612 * _e3667) + (_e3633 * _e3671))));
-                                        phi_2210_ = false;
+                                let _e3693 = phi_2180_;
+                                if (_e3665 > _e3666) {
+                                    if _e3693 {
+                                        phi_2220_ = array<f64, 3>((_e3593 - ((_e3614 * _e3671) + (_e3635 * _e3675))), (_e3594 - ((_e3615 * _e3671) + (_e3636 * _e3675))), (_e3595 - ((_e3616 * _e3671) + (_e3637 * _e3675))));
+                                        phi_2221_ = false;
                                     } else {
-                                        phi_2209_ = array<f64, 3>();
-                                        phi_2210_ = true;
+                                        phi_2220_ = array<f64, 3>();
+                                        phi_2221_ = true;
                                     }
-                                    let _e3705 = phi_2209_;
-                                    let _e3707 = phi_2210_;
-                                    phi_2211_ = _e3705;
-                                    phi_2212_ = _e3707;
+                                    let _e3709 = phi_2220_;
+                                    let _e3711 = phi_2221_;
+                                    phi_2222_ = _e3709;
+                                    phi_2223_ = _e3711;
                                 } else {
-                                    phi_2211_ = array<f64, 3>();
-                                    phi_2212_ = true;
+                                    phi_2222_ = array<f64, 3>();
+                                    phi_2223_ = true;
                                 }
-                                let _e3709 = phi_2211_;
-                                let _e3711 = phi_2212_;
-                                if _e3711 {
-                                    let _e3712 = (_e3589 - _e3610);
-                                    let _e3713 = (_e3590 - _e3611);
-                                    let _e3714 = (_e3591 - _e3612);
-                                    let _e3725 = ((((_e3589 * _e3610) + (_e3590 * _e3611)) + (_e3591 * _e3612)) / (((_e3610 * _e3610) + (_e3611 * _e3611)) + (_e3612 * _e3612)));
-                                    if (_e3725 > f64(0f)) {
-                                        if (_e3725 < f64(1f)) {
-                                            phi_2245_ = _e3725;
+                                let _e3713 = phi_2222_;
+                                let _e3715 = phi_2223_;
+                                if _e3715 {
+                                    let _e3716 = (_e3593 - _e3614);
+                                    let _e3717 = (_e3594 - _e3615);
+                                    let _e3718 = (_e3595 - _e3616);
+                                    let _e3729 = ((((_e3593 * _e3614) + (_e3594 * _e3615)) + (_e3595 * _e3616)) / (((_e3614 * _e3614) + (_e3615 * _e3615)) + (_e3616 * _e3616)));
+                                    if (_e3729 > f64(0f)) {
+                                        if (_e3729 < f64(1f)) {
+                                            phi_2256_ = _e3729;
                                         } else {
-                                            phi_2245_ = f64(1f);
+                                            phi_2256_ = f64(1f);
                                         }
-                                        let _e3733 = phi_2245_;
-                                        phi_2247_ = _e3733;
+                                        let _e3737 = phi_2256_;
+                                        phi_2258_ = _e3737;
                                     } else {
-                                        phi_2247_ = f64(0f);
+                                        phi_2258_ = f64(0f);
                                     }
-                                    let _e3735 = phi_2247_;
-                                    let _e3752 = ((((_e3589 * _e3631) + (_e3590 * _e3632)) + (_e3591 * _e3633)) / (((_e3631 * _e3631) + (_e3632 * _e3632)) + (_e3633 * _e3633)));
-                                    if (_e3752 > f64(0f)) {
-                                        if (_e3752 < f64(1f)) {
-                                            phi_2277_ = _e3752;
+                                    let _e3739 = phi_2258_;
+                                    let _e3756 = ((((_e3593 * _e3635) + (_e3594 * _e3636)) + (_e3595 * _e3637)) / (((_e3635 * _e3635) + (_e3636 * _e3636)) + (_e3637 * _e3637)));
+                                    if (_e3756 > f64(0f)) {
+                                        if (_e3756 < f64(1f)) {
+                                            phi_2288_ = _e3756;
                                         } else {
-                                            phi_2277_ = f64(1f);
+                                            phi_2288_ = f64(1f);
                                         }
-                                        let _e3760 = phi_2277_;
-                                        phi_2279_ = _e3760;
+                                        let _e3764 = phi_2288_;
+                                        phi_2290_ = _e3764;
                                     } else {
-                                        phi_2279_ = f64(0f);
+                                        phi_2290_ = f64(0f);
                                     }
-                                    let _e3762 = phi_2279_;
-                                    let _e3779 = ((((_e3712 * _e3631) + (_e3713 * _e3632)) + (_e3714 * _e3633)) / (((_e3631 * _e3631) + (_e3632 * _e3632)) + (_e3633 * _e3633)));
-                                    if (_e3779 > f64(0f)) {
-                                        if (_e3779 < f64(1f)) {
-                                            phi_2309_ = _e3779;
+                                    let _e3766 = phi_2290_;
+                                    let _e3783 = ((((_e3716 * _e3635) + (_e3717 * _e3636)) + (_e3718 * _e3637)) / (((_e3635 * _e3635) + (_e3636 * _e3636)) + (_e3637 * _e3637)));
+                                    if (_e3783 > f64(0f)) {
+                                        if (_e3783 < f64(1f)) {
+                                            phi_2320_ = _e3783;
                                         } else {
-                                            phi_2309_ = f64(1f);
+                                            phi_2320_ = f64(1f);
                                         }
-                                        let _e3787 = phi_2309_;
-                                        phi_2311_ = _e3787;
+                                        let _e3791 = phi_2320_;
+                                        phi_2322_ = _e3791;
                                     } else {
-                                        phi_2311_ = f64(0f);
+                                        phi_2322_ = f64(0f);
                                     }
-                                    let _e3789 = phi_2311_;
-                                    let _e3796 = (_e3589 - _e3631);
-                                    let _e3797 = (_e3590 - _e3632);
-                                    let _e3798 = (_e3591 - _e3633);
-                                    let _e3809 = ((((_e3796 * _e3610) + (_e3797 * _e3611)) + (_e3798 * _e3612)) / (((_e3610 * _e3610) + (_e3611 * _e3611)) + (_e3612 * _e3612)));
-                                    if (_e3809 > f64(0f)) {
-                                        if (_e3809 < f64(1f)) {
-                                            phi_2344_ = _e3809;
+                                    let _e3793 = phi_2322_;
+                                    let _e3800 = (_e3593 - _e3635);
+                                    let _e3801 = (_e3594 - _e3636);
+                                    let _e3802 = (_e3595 - _e3637);
+                                    let _e3813 = ((((_e3800 * _e3614) + (_e3801 * _e3615)) + (_e3802 * _e3616)) / (((_e3614 * _e3614) + (_e3615 * _e3615)) + (_e3616 * _e3616)));
+                                    if (_e3813 > f64(0f)) {
+                                        if (_e3813 < f64(1f)) {
+                                            phi_2355_ = _e3813;
                                         } else {
-                                            phi_2344_ = f64(1f);
+                                            phi_2355_ = f64(1f);
                                         }
-                                        let _e3817 = phi_2344_;
-                                        phi_2346_ = _e3817;
+                                        let _e3821 = phi_2355_;
+                                        phi_2357_ = _e3821;
                                     } else {
-                                        phi_2346_ = f64(0f);
+                                        phi_2357_ = f64(0f);
                                     }
-                                    let _e3819 = phi_2346_;
-                                    local_11[0u] = array<f64, 3>((_e3589 - (_e3610 * _e3735)), (_e3590 - (_e3611 * _e3735)), (_e3591 - (_e3612 * _e3735)));
-                                    local_11[1u] = array<f64, 3>((_e3589 - (_e3631 * _e3762)), (_e3590 - (_e3632 * _e3762)), (_e3591 - (_e3633 * _e3762)));
-                                    local_11[2u] = array<f64, 3>((_e3712 - (_e3631 * _e3789)), (_e3713 - (_e3632 * _e3789)), (_e3714 - (_e3633 * _e3789)));
-                                    local_11[3u] = array<f64, 3>((_e3796 - (_e3610 * _e3819)), (_e3797 - (_e3611 * _e3819)), (_e3798 - (_e3612 * _e3819)));
-                                    let _e3835 = local_11[0u];
-                                    phi_2501_ = type_28(1u, 4u);
-                                    phi_2504_ = array<f64, 3>(_e3835[0], _e3835[1], _e3835[2]);
+                                    let _e3823 = phi_2357_;
+                                    local_11[0u] = array<f64, 3>((_e3593 - (_e3614 * _e3739)), (_e3594 - (_e3615 * _e3739)), (_e3595 - (_e3616 * _e3739)));
+                                    local_11[1u] = array<f64, 3>((_e3593 - (_e3635 * _e3766)), (_e3594 - (_e3636 * _e3766)), (_e3595 - (_e3637 * _e3766)));
+                                    local_11[2u] = array<f64, 3>((_e3716 - (_e3635 * _e3793)), (_e3717 - (_e3636 * _e3793)), (_e3718 - (_e3637 * _e3793)));
+                                    local_11[3u] = array<f64, 3>((_e3800 - (_e3614 * _e3823)), (_e3801 - (_e3615 * _e3823)), (_e3802 - (_e3616 * _e3823)));
+                                    let _e3839 = local_11[0u];
+                                    phi_2512_ = type_29(1u, 4u);
+                                    phi_2515_ = array<f64, 3>(_e3839[0], _e3839[1], _e3839[2]);
                                     loop {
-                                        let _e3841 = phi_2501_;
-                                        let _e3843 = phi_2504_;
-                                        local_74 = _e3843;
-                                        if (_e3841.member < _e3841.member_1) {
-                                            phi_2502_ = type_28((_e3841.member + 1u), _e3841.member_1);
-                                            phi_2527_ = type_28(1u, _e3841.member);
+                                        let _e3845 = phi_2512_;
+                                        let _e3847 = phi_2515_;
+                                        local_74 = _e3847;
+                                        if (_e3845.member < _e3845.member_1) {
+                                            phi_2513_ = type_29((_e3845.member + 1u), _e3845.member_1);
+                                            phi_2538_ = type_29(1u, _e3845.member);
                                         } else {
-                                            phi_2502_ = _e3841;
-                                            phi_2527_ = type_28(0u, type_28().member_1);
+                                            phi_2513_ = _e3845;
+                                            phi_2538_ = type_29(0u, type_29().member_1);
                                         }
-                                        let _e3857 = phi_2502_;
-                                        let _e3859 = phi_2527_;
-                                        let _e3863 = (bitcast<i32>(_e3859.member) != 0i);
-                                        if _e3863 {
-                                            if (_e3859.member_1 < 4u) {
+                                        let _e3861 = phi_2513_;
+                                        let _e3863 = phi_2538_;
+                                        let _e3867 = (bitcast<i32>(_e3863.member) != 0i);
+                                        if _e3867 {
+                                            if (_e3863.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3866 = local_11[_e3859.member_1];
-                                            if (_e3859.member_1 < 4u) {
+                                            let _e3870 = local_11[_e3863.member_1];
+                                            if (_e3863.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3872 = local_11[_e3859.member_1];
-                                            if ((((_e3866[0] * _e3872[0]) + (_e3866[1] * _e3872[1])) + (_e3866[2] * _e3872[2])) < (((_e3843[0] * _e3843[0]) + (_e3843[1] * _e3843[1])) + (_e3843[2] * _e3843[2]))) {
-                                                if (_e3859.member_1 < 4u) {
+                                            let _e3876 = local_11[_e3863.member_1];
+                                            if ((((_e3870[0] * _e3876[0]) + (_e3870[1] * _e3876[1])) + (_e3870[2] * _e3876[2])) < (((_e3847[0] * _e3847[0]) + (_e3847[1] * _e3847[1])) + (_e3847[2] * _e3847[2]))) {
+                                                if (_e3863.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e3895 = local_11[_e3859.member_1];
-                                                phi_2594_ = array<f64, 3>(_e3895[0], _e3895[1], _e3895[2]);
+                                                let _e3899 = local_11[_e3863.member_1];
+                                                phi_2605_ = array<f64, 3>(_e3899[0], _e3899[1], _e3899[2]);
                                             } else {
-                                                phi_2594_ = _e3843;
+                                                phi_2605_ = _e3847;
                                             }
-                                            let _e3901 = phi_2594_;
-                                            phi_2505_ = _e3901;
+                                            let _e3905 = phi_2605_;
+                                            phi_2516_ = _e3905;
                                         } else {
-                                            phi_2505_ = array<f64, 3>();
+                                            phi_2516_ = array<f64, 3>();
                                         }
-                                        let _e3903 = phi_2505_;
+                                        let _e3907 = phi_2516_;
                                         continue;
                                         continuing {
-                                            phi_2501_ = _e3857;
-                                            phi_2504_ = _e3903;
-                                            break if !(_e3863);
+                                            phi_2512_ = _e3861;
+                                            phi_2515_ = _e3907;
+                                            break if !(_e3867);
                                         }
                                     }
-                                    let _e5717 = local_74;
-                                    phi_2595_ = _e5717;
+                                    let _e5721 = local_74;
+                                    phi_2606_ = _e5721;
                                 } else {
-                                    phi_2595_ = _e3709;
+                                    phi_2606_ = _e3713;
                                 }
-                                let _e3906 = phi_2595_;
-                                if (_e3906[0] < 0.0lf) {
-                                    phi_2602_ = -(_e3906[0]);
+                                let _e3910 = phi_2606_;
+                                if (_e3910[0] < 0.0lf) {
+                                    phi_2613_ = -(_e3910[0]);
                                 } else {
-                                    phi_2602_ = _e3906[0];
+                                    phi_2613_ = _e3910[0];
                                 }
-                                let _e3911 = phi_2602_;
-                                if (_e3906[1] < 0.0lf) {
-                                    phi_2609_ = -(_e3906[1]);
+                                let _e3915 = phi_2613_;
+                                if (_e3910[1] < 0.0lf) {
+                                    phi_2620_ = -(_e3910[1]);
                                 } else {
-                                    phi_2609_ = _e3906[1];
+                                    phi_2620_ = _e3910[1];
                                 }
-                                let _e3916 = phi_2609_;
-                                if (_e3906[2] < 0.0lf) {
-                                    phi_2617_ = -(_e3906[2]);
+                                let _e3920 = phi_2620_;
+                                if (_e3910[2] < 0.0lf) {
+                                    phi_2628_ = -(_e3910[2]);
                                 } else {
-                                    phi_2617_ = _e3906[2];
+                                    phi_2628_ = _e3910[2];
                                 }
-                                let _e3922 = phi_2617_;
-                                let _e3923 = ((_e3911 + _e3916) + _e3922);
-                                if (_e3923 > f64(0f)) {
-                                    if ((bitcast<u64>(_e3923) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                        let _e3929 = (f64(1f) / _e3923);
-                                        let _e3931 = (_e3906[0] * _e3929);
-                                        let _e3933 = (_e3906[1] * _e3929);
-                                        let _e3935 = (_e3906[2] * _e3929);
-                                        let _e3940 = (((_e3931 * _e3931) + (_e3933 * _e3933)) + (_e3935 * _e3935));
-                                        if (_e3940 <= 2.2250738585072014e-308lf) {
-                                            if (_e3940 > 0.0lf) {
-                                                phi_2655_ = (1.464336215552873e-154lf * 2.0lf);
+                                let _e3926 = phi_2628_;
+                                let _e3927 = ((_e3915 + _e3920) + _e3926);
+                                if (_e3927 > f64(0f)) {
+                                    if ((bitcast<u64>(_e3927) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                        let _e3933 = (f64(1f) / _e3927);
+                                        let _e3935 = (_e3910[0] * _e3933);
+                                        let _e3937 = (_e3910[1] * _e3933);
+                                        let _e3939 = (_e3910[2] * _e3933);
+                                        let _e3944 = (((_e3935 * _e3935) + (_e3937 * _e3937)) + (_e3939 * _e3939));
+                                        if (_e3944 <= 2.2250738585072014e-308lf) {
+                                            if (_e3944 > 0.0lf) {
+                                                phi_2666_ = (1.464336215552873e-154lf * 2.0lf);
                                             } else {
-                                                phi_2655_ = 0.0lf;
+                                                phi_2666_ = 0.0lf;
                                             }
-                                            let _e3998 = phi_2655_;
-                                            phi_2719_ = _e3998;
+                                            let _e4002 = phi_2666_;
+                                            phi_2730_ = _e4002;
                                         } else {
-                                            phi_2662_ = type_26(0i, 5i);
-                                            phi_2665_ = bitcast<f64>(((bitcast<u64>(_e3940) / 2lu) + 2303426169912950784lu));
+                                            phi_2673_ = type_27(0i, 5i);
+                                            phi_2676_ = bitcast<f64>(((bitcast<u64>(_e3944) / 2lu) + 2303426169912950784lu));
                                             loop {
-                                                let _e3947 = phi_2662_;
-                                                let _e3949 = phi_2665_;
-                                                local_39 = _e3949;
-                                                if (_e3947.member < _e3947.member_1) {
-                                                    let _e3957 = (_e3947.member + 1i);
-                                                    if ((false == (_e3957 > _e3947.member)) != false) {
-                                                        phi_2686_ = true;
+                                                let _e3951 = phi_2673_;
+                                                let _e3953 = phi_2676_;
+                                                local_39 = _e3953;
+                                                if (_e3951.member < _e3951.member_1) {
+                                                    let _e3961 = (_e3951.member + 1i);
+                                                    if ((false == (_e3961 > _e3951.member)) != false) {
+                                                        phi_2697_ = true;
                                                     } else {
-                                                        phi_2686_ = false;
+                                                        phi_2697_ = false;
                                                     }
-                                                    let _e3962 = phi_2686_;
-                                                    if _e3962 {
-                                                        phi_2692_ = type_27(0u, type_27().member_1);
+                                                    let _e3966 = phi_2697_;
+                                                    if _e3966 {
+                                                        phi_2703_ = type_28(0u, type_28().member_1);
                                                     } else {
-                                                        phi_2692_ = type_27(1u, _e3957);
+                                                        phi_2703_ = type_28(1u, _e3961);
                                                     }
-                                                    let _e3968 = phi_2692_;
-                                                    if (bitcast<i32>(_e3968.member) != 0i) {
+                                                    let _e3972 = phi_2703_;
+                                                    if (bitcast<i32>(_e3972.member) != 0i) {
                                                     } else {
                                                         return;
                                                     }
-                                                    phi_2663_ = type_26(_e3968.member_1, _e3947.member_1);
-                                                    phi_2706_ = type_27(1u, _e3947.member);
+                                                    phi_2674_ = type_27(_e3972.member_1, _e3951.member_1);
+                                                    phi_2717_ = type_28(1u, _e3951.member);
                                                 } else {
-                                                    phi_2663_ = _e3947;
-                                                    phi_2706_ = type_27(0u, type_27().member_1);
+                                                    phi_2674_ = _e3951;
+                                                    phi_2717_ = type_28(0u, type_28().member_1);
                                                 }
-                                                let _e3978 = phi_2663_;
-                                                let _e3980 = phi_2706_;
-                                                let _e3983 = (bitcast<i32>(_e3980.member) != 0i);
-                                                if _e3983 {
-                                                    phi_2666_ = (0.5lf * (_e3949 + (_e3940 / _e3949)));
+                                                let _e3982 = phi_2674_;
+                                                let _e3984 = phi_2717_;
+                                                let _e3987 = (bitcast<i32>(_e3984.member) != 0i);
+                                                if _e3987 {
+                                                    phi_2677_ = (0.5lf * (_e3953 + (_e3944 / _e3953)));
                                                 } else {
-                                                    phi_2666_ = f64();
+                                                    phi_2677_ = f64();
                                                 }
-                                                let _e3988 = phi_2666_;
+                                                let _e3992 = phi_2677_;
                                                 continue;
                                                 continuing {
-                                                    phi_2662_ = _e3978;
-                                                    phi_2665_ = _e3988;
-                                                    break if !(_e3983);
+                                                    phi_2673_ = _e3982;
+                                                    phi_2676_ = _e3992;
+                                                    break if !(_e3987);
                                                 }
                                             }
-                                            let _e3993 = local_39;
-                                            phi_2719_ = (_e3993 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                            let _e3997 = local_39;
+                                            phi_2730_ = (_e3997 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                         }
-                                        let _e4000 = phi_2719_;
-                                        phi_2732_ = type_28(0u, 4u);
-                                        phi_2735_ = f64(2f);
+                                        let _e4004 = phi_2730_;
+                                        phi_2743_ = type_29(0u, 4u);
+                                        phi_2746_ = f64(2f);
                                         loop {
-                                            let _e4012 = phi_2732_;
-                                            let _e4014 = phi_2735_;
-                                            local_41 = _e4014;
-                                            local_42 = _e4014;
-                                            local_43 = _e4014;
-                                            local_77 = _e4014;
-                                            local_78 = _e4014;
-                                            if (_e4012.member < _e4012.member_1) {
-                                                phi_2733_ = type_28((_e4012.member + 1u), _e4012.member_1);
-                                                phi_2758_ = type_28(1u, _e4012.member);
+                                            let _e4016 = phi_2743_;
+                                            let _e4018 = phi_2746_;
+                                            local_41 = _e4018;
+                                            local_42 = _e4018;
+                                            local_43 = _e4018;
+                                            local_77 = _e4018;
+                                            local_78 = _e4018;
+                                            if (_e4016.member < _e4016.member_1) {
+                                                phi_2744_ = type_29((_e4016.member + 1u), _e4016.member_1);
+                                                phi_2769_ = type_29(1u, _e4016.member);
                                             } else {
-                                                phi_2733_ = _e4012;
-                                                phi_2758_ = type_28(0u, type_28().member_1);
+                                                phi_2744_ = _e4016;
+                                                phi_2769_ = type_29(0u, type_29().member_1);
                                             }
-                                            let _e4028 = phi_2733_;
-                                            let _e4030 = phi_2758_;
-                                            if (bitcast<i32>(_e4030.member) != 0i) {
-                                                if (_e4030.member_1 < 4u) {
+                                            let _e4032 = phi_2744_;
+                                            let _e4034 = phi_2769_;
+                                            if (bitcast<i32>(_e4034.member) != 0i) {
+                                                if (_e4034.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e4037 = local_12[_e4030.member_1];
-                                                let _e4045 = (((_e3931 * _e4037[0]) + (_e3933 * _e4037[1])) + (_e3935 * _e4037[2]));
-                                                if (_e4030.member_1 < 4u) {
+                                                let _e4041 = local_12[_e4034.member_1];
+                                                let _e4049 = (((_e3935 * _e4041[0]) + (_e3937 * _e4041[1])) + (_e3939 * _e4041[2]));
+                                                if (_e4034.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e4048 = local_13[_e4030.member_1];
-                                                let _e4056 = (((_e3931 * _e4048[0]) + (_e3933 * _e4048[1])) + (_e3935 * _e4048[2]));
-                                                if (_e4045 < 0.0lf) {
-                                                    phi_2809_ = -(_e4045);
+                                                let _e4052 = local_13[_e4034.member_1];
+                                                let _e4060 = (((_e3935 * _e4052[0]) + (_e3937 * _e4052[1])) + (_e3939 * _e4052[2]));
+                                                if (_e4049 < 0.0lf) {
+                                                    phi_2820_ = -(_e4049);
                                                 } else {
-                                                    phi_2809_ = _e4045;
+                                                    phi_2820_ = _e4049;
                                                 }
-                                                let _e4060 = phi_2809_;
-                                                if (_e4056 < 0.0lf) {
-                                                    phi_2815_ = -(_e4056);
+                                                let _e4064 = phi_2820_;
+                                                if (_e4060 < 0.0lf) {
+                                                    phi_2826_ = -(_e4060);
                                                 } else {
-                                                    phi_2815_ = _e4056;
+                                                    phi_2826_ = _e4060;
                                                 }
-                                                let _e4064 = phi_2815_;
-                                                let _e4069 = (((((((((_e3422 + _e3424) + (_e3476 + _e3478)) + (_e3530 + _e3532)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3540 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e446 * _e4000) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e4060 + _e4064) * (1.1102230246251565e-16lf * f64(8f))));
-                                                if (_e4045 > _e4069) {
-                                                    if (_e4056 > _e4069) {
-                                                        phi_2829_ = false;
+                                                let _e4068 = phi_2826_;
+                                                let _e4073 = (((((((((_e3426 + _e3428) + (_e3480 + _e3482)) + (_e3534 + _e3536)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3544 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e450 * _e4004) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e4064 + _e4068) * (1.1102230246251565e-16lf * f64(8f))));
+                                                if (_e4049 > _e4073) {
+                                                    if (_e4060 > _e4073) {
+                                                        phi_2840_ = false;
                                                     } else {
-                                                        phi_2829_ = true;
+                                                        phi_2840_ = true;
                                                     }
-                                                    let _e4073 = phi_2829_;
-                                                    phi_2830_ = _e4073;
+                                                    let _e4077 = phi_2840_;
+                                                    phi_2841_ = _e4077;
                                                 } else {
-                                                    phi_2830_ = true;
+                                                    phi_2841_ = true;
                                                 }
-                                                let _e4075 = phi_2830_;
-                                                if _e4075 {
-                                                    if ((_e4045 + ((_e4056 - _e4045) * _e3551)) > _e4069) {
-                                                        if (_e4056 < _e4045) {
-                                                            let _e4084 = ((_e4045 - _e4056) <= (f64(0.25f) / 2.2250738585072014e-308lf));
-                                                            if _e4084 {
-                                                                let _e4092 = (((_e4045 - _e4069) / (_e4045 - _e4056)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                if (_e4014 < _e4092) {
-                                                                    phi_2864_ = _e4014;
+                                                let _e4079 = phi_2841_;
+                                                if _e4079 {
+                                                    if ((_e4049 + ((_e4060 - _e4049) * _e3555)) > _e4073) {
+                                                        if (_e4060 < _e4049) {
+                                                            let _e4088 = ((_e4049 - _e4060) <= (f64(0.25f) / 2.2250738585072014e-308lf));
+                                                            if _e4088 {
+                                                                let _e4096 = (((_e4049 - _e4073) / (_e4049 - _e4060)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                if (_e4018 < _e4096) {
+                                                                    phi_2875_ = _e4018;
                                                                 } else {
-                                                                    phi_2864_ = _e4092;
+                                                                    phi_2875_ = _e4096;
                                                                 }
-                                                                let _e4095 = phi_2864_;
-                                                                phi_2865_ = _e4095;
+                                                                let _e4099 = phi_2875_;
+                                                                phi_2876_ = _e4099;
                                                             } else {
-                                                                phi_2865_ = f64();
+                                                                phi_2876_ = f64();
                                                             }
-                                                            let _e4097 = phi_2865_;
-                                                            phi_2866_ = _e4097;
-                                                            phi_2867_ = _e4084;
+                                                            let _e4101 = phi_2876_;
+                                                            phi_2877_ = _e4101;
+                                                            phi_2878_ = _e4088;
                                                         } else {
-                                                            phi_2866_ = _e4014;
-                                                            phi_2867_ = true;
+                                                            phi_2877_ = _e4018;
+                                                            phi_2878_ = true;
                                                         }
-                                                        let _e4099 = phi_2866_;
-                                                        let _e4101 = phi_2867_;
-                                                        if _e4101 {
-                                                            phi_2871_ = false;
+                                                        let _e4103 = phi_2877_;
+                                                        let _e4105 = phi_2878_;
+                                                        if _e4105 {
+                                                            phi_2882_ = false;
                                                         } else {
-                                                            phi_2871_ = true;
+                                                            phi_2882_ = true;
                                                         }
-                                                        let _e4103 = phi_2871_;
-                                                        phi_2872_ = _e4099;
-                                                        phi_2873_ = _e4101;
-                                                        phi_2874_ = _e4103;
-                                                        phi_2875_ = false;
+                                                        let _e4107 = phi_2882_;
+                                                        phi_2883_ = _e4103;
+                                                        phi_2884_ = _e4105;
+                                                        phi_2885_ = _e4107;
+                                                        phi_2886_ = false;
                                                     } else {
-                                                        phi_2872_ = f64();
-                                                        phi_2873_ = false;
-                                                        phi_2874_ = false;
-                                                        phi_2875_ = true;
+                                                        phi_2883_ = f64();
+                                                        phi_2884_ = false;
+                                                        phi_2885_ = false;
+                                                        phi_2886_ = true;
                                                     }
-                                                    let _e4105 = phi_2872_;
-                                                    let _e4107 = phi_2873_;
-                                                    let _e4109 = phi_2874_;
-                                                    let _e4111 = phi_2875_;
-                                                    phi_2876_ = _e4105;
-                                                    phi_2877_ = _e4107;
-                                                    phi_2878_ = _e4109;
-                                                    phi_2879_ = _e4111;
+                                                    let _e4109 = phi_2883_;
+                                                    let _e4111 = phi_2884_;
+                                                    let _e4113 = phi_2885_;
+                                                    let _e4115 = phi_2886_;
+                                                    phi_2887_ = _e4109;
+                                                    phi_2888_ = _e4111;
+                                                    phi_2889_ = _e4113;
+                                                    phi_2890_ = _e4115;
                                                 } else {
-                                                    phi_2876_ = _e4014;
-                                                    phi_2877_ = true;
-                                                    phi_2878_ = false;
-                                                    phi_2879_ = false;
+                                                    phi_2887_ = _e4018;
+                                                    phi_2888_ = true;
+                                                    phi_2889_ = false;
+                                                    phi_2890_ = false;
                                                 }
-                                                let _e4113 = phi_2876_;
-                                                let _e4115 = phi_2877_;
-                                                let _e4117 = phi_2878_;
-                                                let _e4119 = phi_2879_;
-                                                phi_2736_ = _e4113;
-                                                phi_2880_ = _e4115;
-                                                phi_2881_ = false;
-                                                phi_2882_ = _e4117;
-                                                phi_2883_ = _e4119;
+                                                let _e4117 = phi_2887_;
+                                                let _e4119 = phi_2888_;
+                                                let _e4121 = phi_2889_;
+                                                let _e4123 = phi_2890_;
+                                                phi_2747_ = _e4117;
+                                                phi_2891_ = _e4119;
+                                                phi_2892_ = false;
+                                                phi_2893_ = _e4121;
+                                                phi_2894_ = _e4123;
                                             } else {
-                                                phi_2736_ = f64();
-                                                phi_2880_ = false;
-                                                phi_2881_ = true;
-                                                phi_2882_ = false;
-                                                phi_2883_ = false;
+                                                phi_2747_ = f64();
+                                                phi_2891_ = false;
+                                                phi_2892_ = true;
+                                                phi_2893_ = false;
+                                                phi_2894_ = false;
                                             }
-                                            let _e4121 = phi_2736_;
-                                            let _e4123 = phi_2880_;
-                                            let _e4125 = phi_2881_;
-                                            let _e4127 = phi_2882_;
-                                            let _e4129 = phi_2883_;
-                                            local_40 = _e4125;
-                                            local_75 = _e4127;
-                                            local_76 = _e4129;
+                                            let _e4125 = phi_2747_;
+                                            let _e4127 = phi_2891_;
+                                            let _e4129 = phi_2892_;
+                                            let _e4131 = phi_2893_;
+                                            let _e4133 = phi_2894_;
+                                            local_40 = _e4129;
+                                            local_75 = _e4131;
+                                            local_76 = _e4133;
                                             continue;
                                             continuing {
-                                                phi_2732_ = _e4028;
-                                                phi_2735_ = _e4121;
-                                                break if !(_e4123);
+                                                phi_2743_ = _e4032;
+                                                phi_2746_ = _e4125;
+                                                break if !(_e4127);
                                             }
                                         }
-                                        let _e4132 = local_40;
-                                        if _e4132 {
-                                            let _e4134 = local_41;
-                                            let _e4135 = (_e4134 > _e3308);
-                                            if _e4135 {
-                                                phi_2905_ = false;
-                                                phi_2906_ = false;
-                                                phi_2907_ = false;
+                                        let _e4136 = local_40;
+                                        if _e4136 {
+                                            let _e4138 = local_41;
+                                            let _e4139 = (_e4138 > _e3312);
+                                            if _e4139 {
+                                                phi_2916_ = false;
+                                                phi_2917_ = false;
+                                                phi_2918_ = false;
                                             } else {
-                                                let _e4137 = local_42;
-                                                if (_e4137 > _e3551) {
-                                                    let _e4140 = local_43;
-                                                    let _e4143 = ((_e4140 - _e3551) < f64(0.00000000023283064f));
-                                                    if _e4143 {
-                                                        phi_2901_ = false;
+                                                let _e4141 = local_42;
+                                                if (_e4141 > _e3555) {
+                                                    let _e4144 = local_43;
+                                                    let _e4147 = ((_e4144 - _e3555) < f64(0.00000000023283064f));
+                                                    if _e4147 {
+                                                        phi_2912_ = false;
                                                     } else {
-                                                        phi_2901_ = true;
+                                                        phi_2912_ = true;
                                                     }
-                                                    let _e4145 = phi_2901_;
-                                                    phi_2902_ = _e4145;
-                                                    phi_2903_ = _e4143;
-                                                    phi_2904_ = false;
+                                                    let _e4149 = phi_2912_;
+                                                    phi_2913_ = _e4149;
+                                                    phi_2914_ = _e4147;
+                                                    phi_2915_ = false;
                                                 } else {
-                                                    phi_2902_ = false;
-                                                    phi_2903_ = false;
-                                                    phi_2904_ = true;
+                                                    phi_2913_ = false;
+                                                    phi_2914_ = false;
+                                                    phi_2915_ = true;
                                                 }
-                                                let _e4147 = phi_2902_;
-                                                let _e4149 = phi_2903_;
-                                                let _e4151 = phi_2904_;
-                                                phi_2905_ = _e4147;
-                                                phi_2906_ = _e4149;
-                                                phi_2907_ = _e4151;
+                                                let _e4151 = phi_2913_;
+                                                let _e4153 = phi_2914_;
+                                                let _e4155 = phi_2915_;
+                                                phi_2916_ = _e4151;
+                                                phi_2917_ = _e4153;
+                                                phi_2918_ = _e4155;
                                             }
-                                            let _e4153 = phi_2905_;
-                                            let _e4155 = phi_2906_;
-                                            let _e4157 = phi_2907_;
-                                            phi_2908_ = _e4153;
-                                            phi_2909_ = _e4135;
-                                            phi_2910_ = _e4155;
-                                            phi_2911_ = _e4157;
-                                            phi_2912_ = false;
-                                            phi_2913_ = false;
+                                            let _e4157 = phi_2916_;
+                                            let _e4159 = phi_2917_;
+                                            let _e4161 = phi_2918_;
+                                            phi_2919_ = _e4157;
+                                            phi_2920_ = _e4139;
+                                            phi_2921_ = _e4159;
+                                            phi_2922_ = _e4161;
+                                            phi_2923_ = false;
+                                            phi_2924_ = false;
                                         } else {
-                                            phi_2908_ = false;
-                                            phi_2909_ = false;
-                                            phi_2910_ = false;
-                                            phi_2911_ = false;
-                                            let _e5774 = local_75;
-                                            phi_2912_ = _e5774;
-                                            let _e5777 = local_76;
-                                            phi_2913_ = _e5777;
+                                            phi_2919_ = false;
+                                            phi_2920_ = false;
+                                            phi_2921_ = false;
+                                            phi_2922_ = false;
+                                            let _e5778 = local_75;
+                                            phi_2923_ = _e5778;
+                                            let _e5781 = local_76;
+                                            phi_2924_ = _e5781;
                                         }
-                                        let _e4159 = phi_2908_;
-                                        let _e4161 = phi_2909_;
-                                        let _e4163 = phi_2910_;
-                                        let _e4165 = phi_2911_;
-                                        let _e4167 = phi_2912_;
-                                        let _e4169 = phi_2913_;
-                                        let _e5780 = local_77;
-                                        phi_2914_ = _e5780;
-                                        let _e5783 = local_78;
-                                        phi_2915_ = _e5783;
-                                        phi_2916_ = _e4159;
-                                        phi_2917_ = _e4161;
-                                        phi_2918_ = _e4163;
-                                        phi_2919_ = _e4165;
-                                        phi_2920_ = _e4167;
-                                        phi_2921_ = _e4169;
-                                        phi_2922_ = false;
+                                        let _e4163 = phi_2919_;
+                                        let _e4165 = phi_2920_;
+                                        let _e4167 = phi_2921_;
+                                        let _e4169 = phi_2922_;
+                                        let _e4171 = phi_2923_;
+                                        let _e4173 = phi_2924_;
+                                        let _e5784 = local_77;
+                                        phi_2925_ = _e5784;
+                                        let _e5787 = local_78;
+                                        phi_2926_ = _e5787;
+                                        phi_2927_ = _e4163;
+                                        phi_2928_ = _e4165;
+                                        phi_2929_ = _e4167;
+                                        phi_2930_ = _e4169;
+                                        phi_2931_ = _e4171;
+                                        phi_2932_ = _e4173;
+                                        phi_2933_ = false;
                                     } else {
-                                        phi_2914_ = f64();
-                                        phi_2915_ = f64();
-                                        phi_2916_ = false;
-                                        phi_2917_ = false;
-                                        phi_2918_ = false;
-                                        phi_2919_ = false;
-                                        phi_2920_ = false;
-                                        phi_2921_ = false;
-                                        phi_2922_ = true;
+                                        phi_2925_ = f64();
+                                        phi_2926_ = f64();
+                                        phi_2927_ = false;
+                                        phi_2928_ = false;
+                                        phi_2929_ = false;
+                                        phi_2930_ = false;
+                                        phi_2931_ = false;
+                                        phi_2932_ = false;
+                                        phi_2933_ = true;
                                     }
-                                    let _e4171 = phi_2914_;
-                                    let _e4173 = phi_2915_;
-                                    let _e4175 = phi_2916_;
-                                    let _e4177 = phi_2917_;
-                                    let _e4179 = phi_2918_;
-                                    let _e4181 = phi_2919_;
-                                    let _e4183 = phi_2920_;
-                                    let _e4185 = phi_2921_;
-                                    let _e4187 = phi_2922_;
-                                    phi_2923_ = _e4171;
-                                    phi_2924_ = _e4173;
-                                    phi_2925_ = _e4175;
-                                    phi_2926_ = _e4177;
-                                    phi_2927_ = _e4179;
-                                    phi_2928_ = _e4181;
-                                    phi_2929_ = _e4183;
-                                    phi_2930_ = _e4185;
-                                    phi_2931_ = _e4187;
-                                    phi_2932_ = false;
+                                    let _e4175 = phi_2925_;
+                                    let _e4177 = phi_2926_;
+                                    let _e4179 = phi_2927_;
+                                    let _e4181 = phi_2928_;
+                                    let _e4183 = phi_2929_;
+                                    let _e4185 = phi_2930_;
+                                    let _e4187 = phi_2931_;
+                                    let _e4189 = phi_2932_;
+                                    let _e4191 = phi_2933_;
+                                    phi_2934_ = _e4175;
+                                    phi_2935_ = _e4177;
+                                    phi_2936_ = _e4179;
+                                    phi_2937_ = _e4181;
+                                    phi_2938_ = _e4183;
+                                    phi_2939_ = _e4185;
+                                    phi_2940_ = _e4187;
+                                    phi_2941_ = _e4189;
+                                    phi_2942_ = _e4191;
+                                    phi_2943_ = false;
                                 } else {
-                                    phi_2923_ = f64();
-                                    phi_2924_ = f64();
-                                    phi_2925_ = false;
-                                    phi_2926_ = false;
-                                    phi_2927_ = false;
-                                    phi_2928_ = false;
-                                    phi_2929_ = false;
-                                    phi_2930_ = false;
-                                    phi_2931_ = false;
-                                    phi_2932_ = true;
+                                    phi_2934_ = f64();
+                                    phi_2935_ = f64();
+                                    phi_2936_ = false;
+                                    phi_2937_ = false;
+                                    phi_2938_ = false;
+                                    phi_2939_ = false;
+                                    phi_2940_ = false;
+                                    phi_2941_ = false;
+                                    phi_2942_ = false;
+                                    phi_2943_ = true;
                                 }
-                                let _e4189 = phi_2923_;
-                                let _e4191 = phi_2924_;
-                                let _e4193 = phi_2925_;
-                                let _e4195 = phi_2926_;
-                                let _e4197 = phi_2927_;
-                                let _e4199 = phi_2928_;
-                                let _e4201 = phi_2929_;
-                                let _e4203 = phi_2930_;
-                                let _e4205 = phi_2931_;
-                                let _e4207 = phi_2932_;
-                                phi_2933_ = _e4189;
-                                phi_1982_ = _e4191;
-                                phi_2934_ = _e4193;
-                                phi_2935_ = _e4195;
-                                phi_2936_ = _e4197;
-                                phi_2937_ = false;
-                                phi_2938_ = _e4199;
-                                phi_2939_ = _e4201;
-                                phi_2940_ = _e4203;
-                                phi_2941_ = _e4205;
-                                phi_2942_ = _e4207;
+                                let _e4193 = phi_2934_;
+                                let _e4195 = phi_2935_;
+                                let _e4197 = phi_2936_;
+                                let _e4199 = phi_2937_;
+                                let _e4201 = phi_2938_;
+                                let _e4203 = phi_2939_;
+                                let _e4205 = phi_2940_;
+                                let _e4207 = phi_2941_;
+                                let _e4209 = phi_2942_;
+                                let _e4211 = phi_2943_;
+                                phi_2944_ = _e4193;
+                                phi_1993_ = _e4195;
+                                phi_2945_ = _e4197;
+                                phi_2946_ = _e4199;
+                                phi_2947_ = _e4201;
+                                phi_2948_ = false;
+                                phi_2949_ = _e4203;
+                                phi_2950_ = _e4205;
+                                phi_2951_ = _e4207;
+                                phi_2952_ = _e4209;
+                                phi_2953_ = _e4211;
                             } else {
-                                phi_2933_ = f64();
-                                phi_1982_ = f64();
-                                phi_2934_ = false;
-                                phi_2935_ = false;
-                                phi_2936_ = false;
-                                phi_2937_ = true;
-                                phi_2938_ = false;
-                                phi_2939_ = false;
-                                phi_2940_ = false;
-                                phi_2941_ = false;
-                                phi_2942_ = false;
+                                phi_2944_ = f64();
+                                phi_1993_ = f64();
+                                phi_2945_ = false;
+                                phi_2946_ = false;
+                                phi_2947_ = false;
+                                phi_2948_ = true;
+                                phi_2949_ = false;
+                                phi_2950_ = false;
+                                phi_2951_ = false;
+                                phi_2952_ = false;
+                                phi_2953_ = false;
                             }
-                            let _e4209 = phi_2933_;
-                            let _e4211 = phi_1982_;
-                            let _e4213 = phi_2934_;
-                            let _e4215 = phi_2935_;
-                            let _e4217 = phi_2936_;
-                            let _e4219 = phi_2937_;
-                            let _e4221 = phi_2938_;
-                            let _e4223 = phi_2939_;
-                            let _e4225 = phi_2940_;
-                            let _e4227 = phi_2941_;
-                            let _e4229 = phi_2942_;
-                            local_44 = _e4215;
-                            local_79 = _e4217;
-                            local_80 = _e4219;
-                            local_81 = _e4221;
-                            local_82 = _e4223;
-                            local_83 = _e4225;
-                            local_84 = _e4227;
-                            local_85 = _e4229;
-                            local_86 = _e4209;
-                            local_88 = _e4215;
+                            let _e4213 = phi_2944_;
+                            let _e4215 = phi_1993_;
+                            let _e4217 = phi_2945_;
+                            let _e4219 = phi_2946_;
+                            let _e4221 = phi_2947_;
+                            let _e4223 = phi_2948_;
+                            let _e4225 = phi_2949_;
+                            let _e4227 = phi_2950_;
+                            let _e4229 = phi_2951_;
+                            let _e4231 = phi_2952_;
+                            let _e4233 = phi_2953_;
+                            local_44 = _e4219;
+                            local_79 = _e4221;
+                            local_80 = _e4223;
+                            local_81 = _e4225;
+                            local_82 = _e4227;
+                            local_83 = _e4229;
+                            local_84 = _e4231;
+                            local_85 = _e4233;
+                            local_86 = _e4213;
+                            local_88 = _e4219;
                             continue;
                             continuing {
-                                phi_1978_ = _e3565;
-                                phi_1981_ = _e4211;
-                                break if !(_e4213);
+                                phi_1989_ = _e3569;
+                                phi_1992_ = _e4215;
+                                break if !(_e4217);
                             }
                         }
-                        let _e4232 = local_44;
-                        if _e4232 {
-                            phi_2947_ = type_72(0u, type_72().member_1);
-                            phi_2948_ = false;
-                            phi_2949_ = false;
-                            phi_2950_ = false;
-                            phi_2951_ = false;
-                            phi_2952_ = false;
-                            phi_2953_ = false;
-                            phi_2954_ = false;
-                        } else {
-                            phi_2947_ = type_72();
-                            let _e5816 = local_79;
-                            phi_2948_ = _e5816;
-                            let _e5819 = local_80;
-                            phi_2949_ = _e5819;
-                            let _e5822 = local_81;
-                            phi_2950_ = _e5822;
-                            let _e5825 = local_82;
-                            phi_2951_ = _e5825;
-                            let _e5828 = local_83;
-                            phi_2952_ = _e5828;
-                            let _e5831 = local_84;
-                            phi_2953_ = _e5831;
-                            let _e5834 = local_85;
-                            phi_2954_ = _e5834;
-                        }
-                        let _e4237 = phi_2947_;
-                        let _e4239 = phi_2948_;
-                        let _e4241 = phi_2949_;
-                        let _e4243 = phi_2950_;
-                        let _e4245 = phi_2951_;
-                        let _e4247 = phi_2952_;
-                        let _e4249 = phi_2953_;
-                        let _e4251 = phi_2954_;
-                        if _e4239 {
-                            let _e5837 = local_86;
-                            phi_2958_ = _e5837;
-                            phi_2959_ = true;
+                        let _e4236 = local_44;
+                        if _e4236 {
+                            phi_2958_ = type_72(0u, type_72().member_1);
+                            phi_2959_ = false;
                             phi_2960_ = false;
                             phi_2961_ = false;
                             phi_2962_ = false;
@@ -2453,27 +2417,34 @@ fn function_1() {
                             phi_2964_ = false;
                             phi_2965_ = false;
                         } else {
-                            let _e5839 = local_87;
-                            phi_2958_ = _e5839;
-                            phi_2959_ = _e4241;
-                            phi_2960_ = _e4243;
-                            phi_2961_ = _e4245;
-                            phi_2962_ = _e4247;
-                            let _e5846 = local_88;
-                            phi_2963_ = _e5846;
-                            phi_2964_ = _e4249;
-                            phi_2965_ = _e4251;
+                            phi_2958_ = type_72();
+                            let _e5820 = local_79;
+                            phi_2959_ = _e5820;
+                            let _e5823 = local_80;
+                            phi_2960_ = _e5823;
+                            let _e5826 = local_81;
+                            phi_2961_ = _e5826;
+                            let _e5829 = local_82;
+                            phi_2962_ = _e5829;
+                            let _e5832 = local_83;
+                            phi_2963_ = _e5832;
+                            let _e5835 = local_84;
+                            phi_2964_ = _e5835;
+                            let _e5838 = local_85;
+                            phi_2965_ = _e5838;
                         }
-                        let _e4253 = phi_2958_;
-                        let _e4255 = phi_2959_;
-                        let _e4257 = phi_2960_;
-                        let _e4259 = phi_2961_;
-                        let _e4261 = phi_2962_;
-                        let _e4263 = phi_2963_;
-                        let _e4265 = phi_2964_;
-                        let _e4267 = phi_2965_;
-                        if _e4255 {
-                            phi_2970_ = type_72(1u, _e4253);
+                        let _e4241 = phi_2958_;
+                        let _e4243 = phi_2959_;
+                        let _e4245 = phi_2960_;
+                        let _e4247 = phi_2961_;
+                        let _e4249 = phi_2962_;
+                        let _e4251 = phi_2963_;
+                        let _e4253 = phi_2964_;
+                        let _e4255 = phi_2965_;
+                        if _e4243 {
+                            let _e5841 = local_86;
+                            phi_2969_ = _e5841;
+                            phi_2970_ = true;
                             phi_2971_ = false;
                             phi_2972_ = false;
                             phi_2973_ = false;
@@ -2481,2911 +2452,2904 @@ fn function_1() {
                             phi_2975_ = false;
                             phi_2976_ = false;
                         } else {
-                            phi_2970_ = type_72();
-                            phi_2971_ = _e4257;
-                            phi_2972_ = _e4259;
-                            phi_2973_ = _e4261;
-                            phi_2974_ = _e4263;
-                            phi_2975_ = _e4265;
-                            phi_2976_ = _e4267;
+                            let _e5843 = local_87;
+                            phi_2969_ = _e5843;
+                            phi_2970_ = _e4245;
+                            phi_2971_ = _e4247;
+                            phi_2972_ = _e4249;
+                            phi_2973_ = _e4251;
+                            let _e5850 = local_88;
+                            phi_2974_ = _e5850;
+                            phi_2975_ = _e4253;
+                            phi_2976_ = _e4255;
                         }
-                        let _e4270 = phi_2970_;
-                        let _e4272 = phi_2971_;
-                        let _e4274 = phi_2972_;
-                        let _e4276 = phi_2973_;
-                        let _e4278 = phi_2974_;
-                        let _e4280 = phi_2975_;
-                        let _e4282 = phi_2976_;
-                        if _e4272 {
-                            let _e4284 = local_45;
-                            phi_2981_ = type_72(1u, _e4284);
+                        let _e4257 = phi_2969_;
+                        let _e4259 = phi_2970_;
+                        let _e4261 = phi_2971_;
+                        let _e4263 = phi_2972_;
+                        let _e4265 = phi_2973_;
+                        let _e4267 = phi_2974_;
+                        let _e4269 = phi_2975_;
+                        let _e4271 = phi_2976_;
+                        if _e4259 {
+                            phi_2981_ = type_72(1u, _e4257);
                             phi_2982_ = false;
                             phi_2983_ = false;
-                            phi_2984_ = true;
+                            phi_2984_ = false;
                             phi_2985_ = false;
                             phi_2986_ = false;
+                            phi_2987_ = false;
                         } else {
-                            phi_2981_ = _e4237;
-                            phi_2982_ = _e4274;
-                            phi_2983_ = _e4276;
-                            phi_2984_ = _e4278;
-                            phi_2985_ = _e4280;
-                            phi_2986_ = _e4282;
+                            phi_2981_ = type_72();
+                            phi_2982_ = _e4261;
+                            phi_2983_ = _e4263;
+                            phi_2984_ = _e4265;
+                            phi_2985_ = _e4267;
+                            phi_2986_ = _e4269;
+                            phi_2987_ = _e4271;
                         }
-                        let _e4287 = phi_2981_;
-                        let _e4289 = phi_2982_;
-                        let _e4291 = phi_2983_;
-                        let _e4293 = phi_2984_;
-                        let _e4295 = phi_2985_;
-                        let _e4297 = phi_2986_;
-                        if _e4289 {
-                            let _e4299 = local_46;
-                            phi_2991_ = type_72(1u, _e4299);
-                            phi_2992_ = false;
+                        let _e4274 = phi_2981_;
+                        let _e4276 = phi_2982_;
+                        let _e4278 = phi_2983_;
+                        let _e4280 = phi_2984_;
+                        let _e4282 = phi_2985_;
+                        let _e4284 = phi_2986_;
+                        let _e4286 = phi_2987_;
+                        if _e4276 {
+                            let _e4288 = local_45;
+                            phi_2992_ = type_72(1u, _e4288);
                             phi_2993_ = false;
                             phi_2994_ = false;
-                            phi_2995_ = false;
+                            phi_2995_ = true;
+                            phi_2996_ = false;
+                            phi_2997_ = false;
                         } else {
-                            phi_2991_ = type_72();
-                            phi_2992_ = _e4291;
-                            phi_2993_ = _e4293;
-                            phi_2994_ = _e4295;
-                            phi_2995_ = _e4297;
+                            phi_2992_ = _e4241;
+                            phi_2993_ = _e4278;
+                            phi_2994_ = _e4280;
+                            phi_2995_ = _e4282;
+                            phi_2996_ = _e4284;
+                            phi_2997_ = _e4286;
                         }
-                        let _e4302 = phi_2991_;
-                        let _e4304 = phi_2992_;
-                        let _e4306 = phi_2993_;
-                        let _e4308 = phi_2994_;
-                        let _e4310 = phi_2995_;
-                        if _e4304 {
-                            let _e4312 = local_47;
-                            phi_3000_ = type_72(1u, _e4312);
-                            phi_3001_ = true;
-                            phi_3002_ = false;
+                        let _e4291 = phi_2992_;
+                        let _e4293 = phi_2993_;
+                        let _e4295 = phi_2994_;
+                        let _e4297 = phi_2995_;
+                        let _e4299 = phi_2996_;
+                        let _e4301 = phi_2997_;
+                        if _e4293 {
+                            let _e4303 = local_46;
+                            phi_3002_ = type_72(1u, _e4303);
                             phi_3003_ = false;
                             phi_3004_ = false;
+                            phi_3005_ = false;
+                            phi_3006_ = false;
                         } else {
-                            phi_3000_ = _e4302;
-                            phi_3001_ = _e4289;
-                            phi_3002_ = _e4306;
-                            phi_3003_ = _e4308;
-                            phi_3004_ = _e4310;
+                            phi_3002_ = type_72();
+                            phi_3003_ = _e4295;
+                            phi_3004_ = _e4297;
+                            phi_3005_ = _e4299;
+                            phi_3006_ = _e4301;
                         }
-                        let _e4315 = phi_3000_;
-                        let _e4317 = phi_3001_;
-                        let _e4319 = phi_3002_;
-                        let _e4321 = phi_3003_;
-                        let _e4323 = phi_3004_;
-                        if _e4317 {
-                            phi_3008_ = _e4315;
-                            phi_3009_ = true;
-                            phi_3010_ = false;
-                            phi_3011_ = false;
-                        } else {
-                            phi_3008_ = _e4287;
-                            phi_3009_ = _e4319;
-                            phi_3010_ = _e4321;
-                            phi_3011_ = _e4323;
-                        }
-                        let _e4325 = phi_3008_;
-                        let _e4327 = phi_3009_;
-                        let _e4329 = phi_3010_;
-                        let _e4331 = phi_3011_;
-                        if _e4327 {
+                        let _e4306 = phi_3002_;
+                        let _e4308 = phi_3003_;
+                        let _e4310 = phi_3004_;
+                        let _e4312 = phi_3005_;
+                        let _e4314 = phi_3006_;
+                        if _e4308 {
+                            let _e4316 = local_47;
+                            phi_3011_ = type_72(1u, _e4316);
+                            phi_3012_ = true;
+                            phi_3013_ = false;
+                            phi_3014_ = false;
                             phi_3015_ = false;
-                            phi_3016_ = false;
                         } else {
-                            phi_3015_ = _e4329;
-                            phi_3016_ = _e4331;
+                            phi_3011_ = _e4306;
+                            phi_3012_ = _e4293;
+                            phi_3013_ = _e4310;
+                            phi_3014_ = _e4312;
+                            phi_3015_ = _e4314;
                         }
-                        let _e4333 = phi_3015_;
-                        let _e4335 = phi_3016_;
-                        if _e4333 {
-                            phi_3020_ = false;
+                        let _e4319 = phi_3011_;
+                        let _e4321 = phi_3012_;
+                        let _e4323 = phi_3013_;
+                        let _e4325 = phi_3014_;
+                        let _e4327 = phi_3015_;
+                        if _e4321 {
+                            phi_3019_ = _e4319;
+                            phi_3020_ = true;
                             phi_3021_ = false;
+                            phi_3022_ = false;
                         } else {
-                            phi_3020_ = _e4335;
-                            phi_3021_ = _e4327;
+                            phi_3019_ = _e4291;
+                            phi_3020_ = _e4323;
+                            phi_3021_ = _e4325;
+                            phi_3022_ = _e4327;
                         }
-                        let _e4337 = phi_3020_;
-                        let _e4339 = phi_3021_;
-                        if _e4337 {
-                            phi_3025_ = true;
+                        let _e4329 = phi_3019_;
+                        let _e4331 = phi_3020_;
+                        let _e4333 = phi_3021_;
+                        let _e4335 = phi_3022_;
+                        if _e4331 {
                             phi_3026_ = false;
+                            phi_3027_ = false;
                         } else {
-                            phi_3025_ = _e4333;
-                            phi_3026_ = _e4339;
+                            phi_3026_ = _e4333;
+                            phi_3027_ = _e4335;
                         }
-                        let _e4341 = phi_3025_;
-                        let _e4343 = phi_3026_;
+                        let _e4337 = phi_3026_;
+                        let _e4339 = phi_3027_;
+                        if _e4337 {
+                            phi_3031_ = false;
+                            phi_3032_ = false;
+                        } else {
+                            phi_3031_ = _e4339;
+                            phi_3032_ = _e4331;
+                        }
+                        let _e4341 = phi_3031_;
+                        let _e4343 = phi_3032_;
                         if _e4341 {
-                            let _e4345 = local_48;
-                            phi_3031_ = type_72(1u, _e4345);
-                            phi_3032_ = true;
+                            phi_3036_ = true;
+                            phi_3037_ = false;
                         } else {
-                            phi_3031_ = _e4325;
-                            phi_3032_ = _e4343;
+                            phi_3036_ = _e4337;
+                            phi_3037_ = _e4343;
                         }
-                        let _e4348 = phi_3031_;
-                        let _e4350 = phi_3032_;
-                        if _e4350 {
-                            phi_3036_ = _e4348;
+                        let _e4345 = phi_3036_;
+                        let _e4347 = phi_3037_;
+                        if _e4345 {
+                            let _e4349 = local_48;
+                            phi_3042_ = type_72(1u, _e4349);
+                            phi_3043_ = true;
                         } else {
-                            phi_3036_ = _e4270;
+                            phi_3042_ = _e4329;
+                            phi_3043_ = _e4347;
                         }
-                        let _e4352 = phi_3036_;
-                        if (_e4352.member != 0u) {
+                        let _e4352 = phi_3042_;
+                        let _e4354 = phi_3043_;
+                        if _e4354 {
+                            phi_3047_ = _e4352;
+                        } else {
+                            phi_3047_ = _e4274;
+                        }
+                        let _e4356 = phi_3047_;
+                        if (_e4356.member != 0u) {
                             local_14[0u] = 0f;
                             local_14[1u] = (0.02f * 0.0000005f);
                             local_14[2u] = (1.8f * 0.0000005f);
-                            phi_3050_ = type_28(0u, 3u);
+                            phi_3061_ = type_29(0u, 3u);
                             loop {
-                                let _e4365 = phi_3050_;
-                                if (_e4365.member < _e4365.member_1) {
-                                    phi_3051_ = type_28((_e4365.member + 1u), _e4365.member_1);
-                                    phi_3074_ = type_28(1u, _e4365.member);
+                                let _e4369 = phi_3061_;
+                                if (_e4369.member < _e4369.member_1) {
+                                    phi_3062_ = type_29((_e4369.member + 1u), _e4369.member_1);
+                                    phi_3085_ = type_29(1u, _e4369.member);
                                 } else {
-                                    phi_3051_ = _e4365;
-                                    phi_3074_ = type_28(0u, type_28().member_1);
+                                    phi_3062_ = _e4369;
+                                    phi_3085_ = type_29(0u, type_29().member_1);
                                 }
-                                let _e4379 = phi_3051_;
-                                let _e4381 = phi_3074_;
-                                if (bitcast<i32>(_e4381.member) != 0i) {
-                                    if (_e4381.member_1 < 3u) {
+                                let _e4383 = phi_3062_;
+                                let _e4385 = phi_3085_;
+                                if (bitcast<i32>(_e4385.member) != 0i) {
+                                    if (_e4385.member_1 < 3u) {
                                     } else {
                                         return;
                                     }
-                                    let _e4388 = local_14[_e4381.member_1];
-                                    let _e4390 = (_e4352.member_1 + f64(_e4388));
-                                    if (_e4390 < _e3308) {
-                                        phi_3095_ = _e4390;
+                                    let _e4392 = local_14[_e4385.member_1];
+                                    let _e4394 = (_e4356.member_1 + f64(_e4392));
+                                    if (_e4394 < _e3312) {
+                                        phi_3106_ = _e4394;
                                     } else {
-                                        phi_3095_ = _e3308;
+                                        phi_3106_ = _e3312;
                                     }
-                                    let _e4393 = phi_3095_;
-                                    let _e4396 = local_20.member[0u];
-                                    let _e4402 = local_20.member[1u];
-                                    let _e4412 = (_e4396[0] + ((_e4402[0] - _e4396[0]) * _e4393));
-                                    let _e4413 = (_e4396[1] + ((_e4402[1] - _e4396[1]) * _e4393));
-                                    let _e4414 = (_e4396[2] + ((_e4402[2] - _e4396[2]) * _e4393));
-                                    let _e4417 = local_20.member_1[0u];
-                                    let _e4423 = local_20.member_1[1u];
-                                    let _e4433 = (_e4417[0] + ((_e4423[0] - _e4417[0]) * _e4393));
-                                    let _e4434 = (_e4417[1] + ((_e4423[1] - _e4417[1]) * _e4393));
-                                    let _e4435 = (_e4417[2] + ((_e4423[2] - _e4417[2]) * _e4393));
-                                    let _e4438 = local_20.member_2[0u];
-                                    let _e4444 = local_20.member_2[1u];
-                                    let _e4454 = (_e4438[0] + ((_e4444[0] - _e4438[0]) * _e4393));
-                                    let _e4455 = (_e4438[1] + ((_e4444[1] - _e4438[1]) * _e4393));
-                                    let _e4456 = (_e4438[2] + ((_e4444[2] - _e4438[2]) * _e4393));
-                                    let _e4461 = (((_e4433 * _e4433) + (_e4434 * _e4434)) + (_e4435 * _e4435));
-                                    let _e4466 = (((_e4433 * _e4454) + (_e4434 * _e4455)) + (_e4435 * _e4456));
-                                    let _e4471 = (((_e4454 * _e4454) + (_e4455 * _e4455)) + (_e4456 * _e4456));
-                                    let _e4476 = (((_e4412 * _e4433) + (_e4413 * _e4434)) + (_e4414 * _e4435));
-                                    let _e4481 = (((_e4412 * _e4454) + (_e4413 * _e4455)) + (_e4414 * _e4456));
-                                    let _e4484 = ((_e4461 * _e4471) - (_e4466 * _e4466));
-                                    let _e4485 = f64(0f);
-                                    let _e4486 = f64(1f);
-                                    let _e4490 = (((_e4476 * _e4471) - (_e4481 * _e4466)) / _e4484);
-                                    let _e4494 = (((_e4481 * _e4461) - (_e4476 * _e4466)) / _e4484);
-                                    if (_e4490 >= _e4485) {
-                                        if (_e4494 >= _e4485) {
-                                            if (_e4490 <= _e4486) {
-                                                phi_3245_ = (_e4494 <= _e4486);
-                                                phi_3246_ = false;
+                                    let _e4397 = phi_3106_;
+                                    let _e4400 = local_20.member[0u];
+                                    let _e4406 = local_20.member[1u];
+                                    let _e4416 = (_e4400[0] + ((_e4406[0] - _e4400[0]) * _e4397));
+                                    let _e4417 = (_e4400[1] + ((_e4406[1] - _e4400[1]) * _e4397));
+                                    let _e4418 = (_e4400[2] + ((_e4406[2] - _e4400[2]) * _e4397));
+                                    let _e4421 = local_20.member_1[0u];
+                                    let _e4427 = local_20.member_1[1u];
+                                    let _e4437 = (_e4421[0] + ((_e4427[0] - _e4421[0]) * _e4397));
+                                    let _e4438 = (_e4421[1] + ((_e4427[1] - _e4421[1]) * _e4397));
+                                    let _e4439 = (_e4421[2] + ((_e4427[2] - _e4421[2]) * _e4397));
+                                    let _e4442 = local_20.member_2[0u];
+                                    let _e4448 = local_20.member_2[1u];
+                                    let _e4458 = (_e4442[0] + ((_e4448[0] - _e4442[0]) * _e4397));
+                                    let _e4459 = (_e4442[1] + ((_e4448[1] - _e4442[1]) * _e4397));
+                                    let _e4460 = (_e4442[2] + ((_e4448[2] - _e4442[2]) * _e4397));
+                                    let _e4465 = (((_e4437 * _e4437) + (_e4438 * _e4438)) + (_e4439 * _e4439));
+                                    let _e4470 = (((_e4437 * _e4458) + (_e4438 * _e4459)) + (_e4439 * _e4460));
+                                    let _e4475 = (((_e4458 * _e4458) + (_e4459 * _e4459)) + (_e4460 * _e4460));
+                                    let _e4480 = (((_e4416 * _e4437) + (_e4417 * _e4438)) + (_e4418 * _e4439));
+                                    let _e4485 = (((_e4416 * _e4458) + (_e4417 * _e4459)) + (_e4418 * _e4460));
+                                    let _e4488 = ((_e4465 * _e4475) - (_e4470 * _e4470));
+                                    let _e4489 = f64(0f);
+                                    let _e4490 = f64(1f);
+                                    let _e4494 = (((_e4480 * _e4475) - (_e4485 * _e4470)) / _e4488);
+                                    let _e4498 = (((_e4485 * _e4465) - (_e4480 * _e4470)) / _e4488);
+                                    if (_e4494 >= _e4489) {
+                                        if (_e4498 >= _e4489) {
+                                            if (_e4494 <= _e4490) {
+                                                phi_3256_ = (_e4498 <= _e4490);
+                                                phi_3257_ = false;
                                             } else {
-                                                phi_3245_ = bool();
-                                                phi_3246_ = true;
+                                                phi_3256_ = bool();
+                                                phi_3257_ = true;
                                             }
-                                            let _e4500 = phi_3245_;
-                                            let _e4502 = phi_3246_;
-                                            phi_3247_ = _e4500;
-                                            phi_3248_ = _e4502;
+                                            let _e4504 = phi_3256_;
+                                            let _e4506 = phi_3257_;
+                                            phi_3258_ = _e4504;
+                                            phi_3259_ = _e4506;
                                         } else {
-                                            phi_3247_ = bool();
-                                            phi_3248_ = true;
+                                            phi_3258_ = bool();
+                                            phi_3259_ = true;
                                         }
-                                        let _e4504 = phi_3247_;
-                                        let _e4506 = phi_3248_;
-                                        phi_3249_ = _e4504;
-                                        phi_3250_ = _e4506;
+                                        let _e4508 = phi_3258_;
+                                        let _e4510 = phi_3259_;
+                                        phi_3260_ = _e4508;
+                                        phi_3261_ = _e4510;
                                     } else {
-                                        phi_3249_ = bool();
-                                        phi_3250_ = true;
+                                        phi_3260_ = bool();
+                                        phi_3261_ = true;
                                     }
-                                    let _e4508 = phi_3249_;
-                                    let _e4510 = phi_3250_;
-                                    if _e4510 {
-                                        phi_3254_ = false;
+                                    let _e4512 = phi_3260_;
+                                    let _e4514 = phi_3261_;
+                                    if _e4514 {
+                                        phi_3265_ = false;
                                     } else {
-                                        phi_3254_ = _e4508;
+                                        phi_3265_ = _e4512;
                                     }
-                                    let _e4512 = phi_3254_;
-                                    if (_e4484 > _e4485) {
-                                        if _e4512 {
-                                            phi_3294_ = array<f64, 3>((_e4412 - ((_e4433 * _e4490) + (_e4454 * _e4494))), (_e4413 - ((_e4434 * _e4490) + (_e4455 * _e4494))), (_e4414 - ((_e4435 * _e4490) + (_e4456 * _e4494))));
-                                            phi_3295_ = false;
+                                    let _e4516 = phi_3265_;
+                                    if (_e4488 > _e4489) {
+                                        if _e4516 {
+                                            phi_3305_ = array<f64, 3>((_e4416 - ((_e4437 * _e4494) + (_e4458 * _e4498))), (_e4417 - ((_e4438 * _e4494) + (_e4459 * _e4498))), (_e4418 - ((_e4439 * _e4494) + (_e4460 * _e4498))));
+                                            phi_3306_ = false;
                                         } else {
-                                            phi_3294_ = array<f64, 3>();
-                                            phi_3295_ = true;
+                                            phi_3305_ = array<f64, 3>();
+                                            phi_3306_ = true;
                                         }
-                                        let _e4528 = phi_3294_;
-                                        let _e4530 = phi_3295_;
-                                        phi_3296_ = _e4528;
-                                        phi_3297_ = _e4530;
+                                        let _e4532 = phi_3305_;
+                                        let _e4534 = phi_3306_;
+                                        phi_3307_ = _e4532;
+                                        phi_3308_ = _e4534;
                                     } else {
-                                        phi_3296_ = array<f64, 3>();
-                                        phi_3297_ = true;
+                                        phi_3307_ = array<f64, 3>();
+                                        phi_3308_ = true;
                                     }
-                                    let _e4532 = phi_3296_;
-                                    let _e4534 = phi_3297_;
-                                    if _e4534 {
-                                        let _e4535 = (_e4412 - _e4433);
-                                        let _e4536 = (_e4413 - _e4434);
-                                        let _e4537 = (_e4414 - _e4435);
-                                        let _e4548 = ((((_e4412 * _e4433) + (_e4413 * _e4434)) + (_e4414 * _e4435)) / (((_e4433 * _e4433) + (_e4434 * _e4434)) + (_e4435 * _e4435)));
-                                        if (_e4548 > f64(0f)) {
-                                            if (_e4548 < f64(1f)) {
-                                                phi_3330_ = _e4548;
+                                    let _e4536 = phi_3307_;
+                                    let _e4538 = phi_3308_;
+                                    if _e4538 {
+                                        let _e4539 = (_e4416 - _e4437);
+                                        let _e4540 = (_e4417 - _e4438);
+                                        let _e4541 = (_e4418 - _e4439);
+                                        let _e4552 = ((((_e4416 * _e4437) + (_e4417 * _e4438)) + (_e4418 * _e4439)) / (((_e4437 * _e4437) + (_e4438 * _e4438)) + (_e4439 * _e4439)));
+                                        if (_e4552 > f64(0f)) {
+                                            if (_e4552 < f64(1f)) {
+                                                phi_3341_ = _e4552;
                                             } else {
-                                                phi_3330_ = f64(1f);
+                                                phi_3341_ = f64(1f);
                                             }
-                                            let _e4556 = phi_3330_;
-                                            phi_3332_ = _e4556;
+                                            let _e4560 = phi_3341_;
+                                            phi_3343_ = _e4560;
                                         } else {
-                                            phi_3332_ = f64(0f);
+                                            phi_3343_ = f64(0f);
                                         }
-                                        let _e4558 = phi_3332_;
-                                        let _e4575 = ((((_e4412 * _e4454) + (_e4413 * _e4455)) + (_e4414 * _e4456)) / (((_e4454 * _e4454) + (_e4455 * _e4455)) + (_e4456 * _e4456)));
-                                        if (_e4575 > f64(0f)) {
-                                            if (_e4575 < f64(1f)) {
-                                                phi_3362_ = _e4575;
+                                        let _e4562 = phi_3343_;
+                                        let _e4579 = ((((_e4416 * _e4458) + (_e4417 * _e4459)) + (_e4418 * _e4460)) / (((_e4458 * _e4458) + (_e4459 * _e4459)) + (_e4460 * _e4460)));
+                                        if (_e4579 > f64(0f)) {
+                                            if (_e4579 < f64(1f)) {
+                                                phi_3373_ = _e4579;
                                             } else {
-                                                phi_3362_ = f64(1f);
+                                                phi_3373_ = f64(1f);
                                             }
-                                            let _e4583 = phi_3362_;
-                                            phi_3364_ = _e4583;
+                                            let _e4587 = phi_3373_;
+                                            phi_3375_ = _e4587;
                                         } else {
-                                            phi_3364_ = f64(0f);
+                                            phi_3375_ = f64(0f);
                                         }
-                                        let _e4585 = phi_3364_;
-                                        let _e4602 = ((((_e4535 * _e4454) + (_e4536 * _e4455)) + (_e4537 * _e4456)) / (((_e4454 * _e4454) + (_e4455 * _e4455)) + (_e4456 * _e4456)));
-                                        if (_e4602 > f64(0f)) {
-                                            if (_e4602 < f64(1f)) {
-                                                phi_3394_ = _e4602;
+                                        let _e4589 = phi_3375_;
+                                        let _e4606 = ((((_e4539 * _e4458) + (_e4540 * _e4459)) + (_e4541 * _e4460)) / (((_e4458 * _e4458) + (_e4459 * _e4459)) + (_e4460 * _e4460)));
+                                        if (_e4606 > f64(0f)) {
+                                            if (_e4606 < f64(1f)) {
+                                                phi_3405_ = _e4606;
                                             } else {
-                                                phi_3394_ = f64(1f);
+                                                phi_3405_ = f64(1f);
                                             }
-                                            let _e4610 = phi_3394_;
-                                            phi_3396_ = _e4610;
+                                            let _e4614 = phi_3405_;
+                                            phi_3407_ = _e4614;
                                         } else {
-                                            phi_3396_ = f64(0f);
+                                            phi_3407_ = f64(0f);
                                         }
-                                        let _e4612 = phi_3396_;
-                                        let _e4619 = (_e4412 - _e4454);
-                                        let _e4620 = (_e4413 - _e4455);
-                                        let _e4621 = (_e4414 - _e4456);
-                                        let _e4632 = ((((_e4619 * _e4433) + (_e4620 * _e4434)) + (_e4621 * _e4435)) / (((_e4433 * _e4433) + (_e4434 * _e4434)) + (_e4435 * _e4435)));
-                                        if (_e4632 > f64(0f)) {
-                                            if (_e4632 < f64(1f)) {
-                                                phi_3429_ = _e4632;
+                                        let _e4616 = phi_3407_;
+                                        let _e4623 = (_e4416 - _e4458);
+                                        let _e4624 = (_e4417 - _e4459);
+                                        let _e4625 = (_e4418 - _e4460);
+                                        let _e4636 = ((((_e4623 * _e4437) + (_e4624 * _e4438)) + (_e4625 * _e4439)) / (((_e4437 * _e4437) + (_e4438 * _e4438)) + (_e4439 * _e4439)));
+                                        if (_e4636 > f64(0f)) {
+                                            if (_e4636 < f64(1f)) {
+                                                phi_3440_ = _e4636;
                                             } else {
-                                                phi_3429_ = f64(1f);
+                                                phi_3440_ = f64(1f);
                                             }
-                                            let _e4640 = phi_3429_;
-                                            phi_3431_ = _e4640;
+                                            let _e4644 = phi_3440_;
+                                            phi_3442_ = _e4644;
                                         } else {
-                                            phi_3431_ = f64(0f);
+                                            phi_3442_ = f64(0f);
                                         }
-                                        let _e4642 = phi_3431_;
-                                        local_10[0u] = array<f64, 3>((_e4412 - (_e4433 * _e4558)), (_e4413 - (_e4434 * _e4558)), (_e4414 - (_e4435 * _e4558)));
-                                        local_10[1u] = array<f64, 3>((_e4412 - (_e4454 * _e4585)), (_e4413 - (_e4455 * _e4585)), (_e4414 - (_e4456 * _e4585)));
-                                        local_10[2u] = array<f64, 3>((_e4535 - (_e4454 * _e4612)), (_e4536 - (_e4455 * _e4612)), (_e4537 - (_e4456 * _e4612)));
-                                        local_10[3u] = array<f64, 3>((_e4619 - (_e4433 * _e4642)), (_e4620 - (_e4434 * _e4642)), (_e4621 - (_e4435 * _e4642)));
-                                        let _e4658 = local_10[0u];
-                                        phi_3586_ = type_28(1u, 4u);
-                                        phi_3589_ = array<f64, 3>(_e4658[0], _e4658[1], _e4658[2]);
+                                        let _e4646 = phi_3442_;
+                                        local_10[0u] = array<f64, 3>((_e4416 - (_e4437 * _e4562)), (_e4417 - (_e4438 * _e4562)), (_e4418 - (_e4439 * _e4562)));
+                                        local_10[1u] = array<f64, 3>((_e4416 - (_e4458 * _e4589)), (_e4417 - (_e4459 * _e4589)), (_e4418 - (_e4460 * _e4589)));
+                                        local_10[2u] = array<f64, 3>((_e4539 - (_e4458 * _e4616)), (_e4540 - (_e4459 * _e4616)), (_e4541 - (_e4460 * _e4616)));
+                                        local_10[3u] = array<f64, 3>((_e4623 - (_e4437 * _e4646)), (_e4624 - (_e4438 * _e4646)), (_e4625 - (_e4439 * _e4646)));
+                                        let _e4662 = local_10[0u];
+                                        phi_3597_ = type_29(1u, 4u);
+                                        phi_3600_ = array<f64, 3>(_e4662[0], _e4662[1], _e4662[2]);
                                         loop {
-                                            let _e4664 = phi_3586_;
-                                            let _e4666 = phi_3589_;
-                                            local_89 = _e4666;
-                                            if (_e4664.member < _e4664.member_1) {
-                                                phi_3587_ = type_28((_e4664.member + 1u), _e4664.member_1);
-                                                phi_3612_ = type_28(1u, _e4664.member);
+                                            let _e4668 = phi_3597_;
+                                            let _e4670 = phi_3600_;
+                                            local_89 = _e4670;
+                                            if (_e4668.member < _e4668.member_1) {
+                                                phi_3598_ = type_29((_e4668.member + 1u), _e4668.member_1);
+                                                phi_3623_ = type_29(1u, _e4668.member);
                                             } else {
-                                                phi_3587_ = _e4664;
-                                                phi_3612_ = type_28(0u, type_28().member_1);
+                                                phi_3598_ = _e4668;
+                                                phi_3623_ = type_29(0u, type_29().member_1);
                                             }
-                                            let _e4680 = phi_3587_;
-                                            let _e4682 = phi_3612_;
-                                            let _e4686 = (bitcast<i32>(_e4682.member) != 0i);
-                                            if _e4686 {
-                                                if (_e4682.member_1 < 4u) {
+                                            let _e4684 = phi_3598_;
+                                            let _e4686 = phi_3623_;
+                                            let _e4690 = (bitcast<i32>(_e4686.member) != 0i);
+                                            if _e4690 {
+                                                if (_e4686.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e4689 = local_10[_e4682.member_1];
-                                                if (_e4682.member_1 < 4u) {
+                                                let _e4693 = local_10[_e4686.member_1];
+                                                if (_e4686.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e4695 = local_10[_e4682.member_1];
-                                                if ((((_e4689[0] * _e4695[0]) + (_e4689[1] * _e4695[1])) + (_e4689[2] * _e4695[2])) < (((_e4666[0] * _e4666[0]) + (_e4666[1] * _e4666[1])) + (_e4666[2] * _e4666[2]))) {
-                                                    if (_e4682.member_1 < 4u) {
+                                                let _e4699 = local_10[_e4686.member_1];
+                                                if ((((_e4693[0] * _e4699[0]) + (_e4693[1] * _e4699[1])) + (_e4693[2] * _e4699[2])) < (((_e4670[0] * _e4670[0]) + (_e4670[1] * _e4670[1])) + (_e4670[2] * _e4670[2]))) {
+                                                    if (_e4686.member_1 < 4u) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e4718 = local_10[_e4682.member_1];
-                                                    phi_3679_ = array<f64, 3>(_e4718[0], _e4718[1], _e4718[2]);
+                                                    let _e4722 = local_10[_e4686.member_1];
+                                                    phi_3690_ = array<f64, 3>(_e4722[0], _e4722[1], _e4722[2]);
                                                 } else {
-                                                    phi_3679_ = _e4666;
+                                                    phi_3690_ = _e4670;
                                                 }
-                                                let _e4724 = phi_3679_;
-                                                phi_3590_ = _e4724;
+                                                let _e4728 = phi_3690_;
+                                                phi_3601_ = _e4728;
                                             } else {
-                                                phi_3590_ = array<f64, 3>();
+                                                phi_3601_ = array<f64, 3>();
                                             }
-                                            let _e4726 = phi_3590_;
+                                            let _e4730 = phi_3601_;
                                             continue;
                                             continuing {
-                                                phi_3586_ = _e4680;
-                                                phi_3589_ = _e4726;
-                                                break if !(_e4686);
+                                                phi_3597_ = _e4684;
+                                                phi_3600_ = _e4730;
+                                                break if !(_e4690);
                                             }
                                         }
-                                        let _e5920 = local_89;
-                                        phi_3680_ = _e5920;
+                                        let _e5924 = local_89;
+                                        phi_3691_ = _e5924;
                                     } else {
-                                        phi_3680_ = _e4532;
+                                        phi_3691_ = _e4536;
                                     }
-                                    let _e4729 = phi_3680_;
-                                    let _e4740 = (((_e4729[0] * _e4729[0]) + (_e4729[1] * _e4729[1])) + (_e4729[2] * _e4729[2]));
-                                    if (_e4740 <= 2.2250738585072014e-308lf) {
-                                        if (_e4740 > 0.0lf) {
-                                            phi_3705_ = (1.464336215552873e-154lf * 2.0lf);
+                                    let _e4733 = phi_3691_;
+                                    let _e4744 = (((_e4733[0] * _e4733[0]) + (_e4733[1] * _e4733[1])) + (_e4733[2] * _e4733[2]));
+                                    if (_e4744 <= 2.2250738585072014e-308lf) {
+                                        if (_e4744 > 0.0lf) {
+                                            phi_3716_ = (1.464336215552873e-154lf * 2.0lf);
                                         } else {
-                                            phi_3705_ = 0.0lf;
+                                            phi_3716_ = 0.0lf;
                                         }
-                                        let _e4798 = phi_3705_;
-                                        phi_3769_ = _e4798;
+                                        let _e4802 = phi_3716_;
+                                        phi_3780_ = _e4802;
                                     } else {
-                                        phi_3712_ = type_26(0i, 5i);
-                                        phi_3715_ = bitcast<f64>(((bitcast<u64>(_e4740) / 2lu) + 2303426169912950784lu));
+                                        phi_3723_ = type_27(0i, 5i);
+                                        phi_3726_ = bitcast<f64>(((bitcast<u64>(_e4744) / 2lu) + 2303426169912950784lu));
                                         loop {
-                                            let _e4747 = phi_3712_;
-                                            let _e4749 = phi_3715_;
-                                            local_49 = _e4749;
-                                            if (_e4747.member < _e4747.member_1) {
-                                                let _e4757 = (_e4747.member + 1i);
-                                                if ((false == (_e4757 > _e4747.member)) != false) {
-                                                    phi_3736_ = true;
+                                            let _e4751 = phi_3723_;
+                                            let _e4753 = phi_3726_;
+                                            local_49 = _e4753;
+                                            if (_e4751.member < _e4751.member_1) {
+                                                let _e4761 = (_e4751.member + 1i);
+                                                if ((false == (_e4761 > _e4751.member)) != false) {
+                                                    phi_3747_ = true;
                                                 } else {
-                                                    phi_3736_ = false;
+                                                    phi_3747_ = false;
                                                 }
-                                                let _e4762 = phi_3736_;
-                                                if _e4762 {
-                                                    phi_3742_ = type_27(0u, type_27().member_1);
+                                                let _e4766 = phi_3747_;
+                                                if _e4766 {
+                                                    phi_3753_ = type_28(0u, type_28().member_1);
                                                 } else {
-                                                    phi_3742_ = type_27(1u, _e4757);
+                                                    phi_3753_ = type_28(1u, _e4761);
                                                 }
-                                                let _e4768 = phi_3742_;
-                                                if (bitcast<i32>(_e4768.member) != 0i) {
+                                                let _e4772 = phi_3753_;
+                                                if (bitcast<i32>(_e4772.member) != 0i) {
                                                 } else {
                                                     return;
                                                 }
-                                                phi_3713_ = type_26(_e4768.member_1, _e4747.member_1);
-                                                phi_3756_ = type_27(1u, _e4747.member);
+                                                phi_3724_ = type_27(_e4772.member_1, _e4751.member_1);
+                                                phi_3767_ = type_28(1u, _e4751.member);
                                             } else {
-                                                phi_3713_ = _e4747;
-                                                phi_3756_ = type_27(0u, type_27().member_1);
+                                                phi_3724_ = _e4751;
+                                                phi_3767_ = type_28(0u, type_28().member_1);
                                             }
-                                            let _e4778 = phi_3713_;
-                                            let _e4780 = phi_3756_;
-                                            let _e4783 = (bitcast<i32>(_e4780.member) != 0i);
-                                            if _e4783 {
-                                                phi_3716_ = (0.5lf * (_e4749 + (_e4740 / _e4749)));
+                                            let _e4782 = phi_3724_;
+                                            let _e4784 = phi_3767_;
+                                            let _e4787 = (bitcast<i32>(_e4784.member) != 0i);
+                                            if _e4787 {
+                                                phi_3727_ = (0.5lf * (_e4753 + (_e4744 / _e4753)));
                                             } else {
-                                                phi_3716_ = f64();
+                                                phi_3727_ = f64();
                                             }
-                                            let _e4788 = phi_3716_;
+                                            let _e4792 = phi_3727_;
                                             continue;
                                             continuing {
-                                                phi_3712_ = _e4778;
-                                                phi_3715_ = _e4788;
-                                                break if !(_e4783);
+                                                phi_3723_ = _e4782;
+                                                phi_3726_ = _e4792;
+                                                break if !(_e4787);
                                             }
                                         }
-                                        let _e4793 = local_49;
-                                        phi_3769_ = (_e4793 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                        let _e4797 = local_49;
+                                        phi_3780_ = (_e4797 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                     }
-                                    let _e4800 = phi_3769_;
-                                    let _e4808 = local_20.member[0u];
-                                    if (_e4808[0] < 0.0lf) {
-                                        phi_3787_ = -(_e4808[0]);
+                                    let _e4804 = phi_3780_;
+                                    let _e4812 = local_20.member[0u];
+                                    if (_e4812[0] < 0.0lf) {
+                                        phi_3798_ = -(_e4812[0]);
                                     } else {
-                                        phi_3787_ = _e4808[0];
+                                        phi_3798_ = _e4812[0];
                                     }
-                                    let _e4815 = phi_3787_;
-                                    if (_e4808[1] < 0.0lf) {
-                                        phi_3794_ = -(_e4808[1]);
+                                    let _e4819 = phi_3798_;
+                                    if (_e4812[1] < 0.0lf) {
+                                        phi_3805_ = -(_e4812[1]);
                                     } else {
-                                        phi_3794_ = _e4808[1];
+                                        phi_3805_ = _e4812[1];
                                     }
-                                    let _e4819 = phi_3794_;
-                                    if (_e4815 > _e4819) {
-                                        phi_3799_ = _e4815;
+                                    let _e4823 = phi_3805_;
+                                    if (_e4819 > _e4823) {
+                                        phi_3810_ = _e4819;
                                     } else {
-                                        phi_3799_ = _e4819;
+                                        phi_3810_ = _e4823;
                                     }
-                                    let _e4822 = phi_3799_;
-                                    if (_e4808[2] < 0.0lf) {
-                                        phi_3806_ = -(_e4808[2]);
+                                    let _e4826 = phi_3810_;
+                                    if (_e4812[2] < 0.0lf) {
+                                        phi_3817_ = -(_e4812[2]);
                                     } else {
-                                        phi_3806_ = _e4808[2];
+                                        phi_3817_ = _e4812[2];
                                     }
-                                    let _e4826 = phi_3806_;
-                                    if (_e4822 > _e4826) {
-                                        phi_3811_ = _e4822;
+                                    let _e4830 = phi_3817_;
+                                    if (_e4826 > _e4830) {
+                                        phi_3822_ = _e4826;
                                     } else {
-                                        phi_3811_ = _e4826;
+                                        phi_3822_ = _e4830;
                                     }
-                                    let _e4829 = phi_3811_;
-                                    let _e4832 = local_20.member[1u];
-                                    if (_e4832[0] < 0.0lf) {
-                                        phi_3824_ = -(_e4832[0]);
+                                    let _e4833 = phi_3822_;
+                                    let _e4836 = local_20.member[1u];
+                                    if (_e4836[0] < 0.0lf) {
+                                        phi_3835_ = -(_e4836[0]);
                                     } else {
-                                        phi_3824_ = _e4832[0];
+                                        phi_3835_ = _e4836[0];
                                     }
-                                    let _e4839 = phi_3824_;
-                                    if (_e4832[1] < 0.0lf) {
-                                        phi_3831_ = -(_e4832[1]);
+                                    let _e4843 = phi_3835_;
+                                    if (_e4836[1] < 0.0lf) {
+                                        phi_3842_ = -(_e4836[1]);
                                     } else {
-                                        phi_3831_ = _e4832[1];
+                                        phi_3842_ = _e4836[1];
                                     }
-                                    let _e4843 = phi_3831_;
-                                    if (_e4839 > _e4843) {
-                                        phi_3836_ = _e4839;
+                                    let _e4847 = phi_3842_;
+                                    if (_e4843 > _e4847) {
+                                        phi_3847_ = _e4843;
                                     } else {
-                                        phi_3836_ = _e4843;
+                                        phi_3847_ = _e4847;
                                     }
-                                    let _e4846 = phi_3836_;
-                                    if (_e4832[2] < 0.0lf) {
-                                        phi_3843_ = -(_e4832[2]);
+                                    let _e4850 = phi_3847_;
+                                    if (_e4836[2] < 0.0lf) {
+                                        phi_3854_ = -(_e4836[2]);
                                     } else {
-                                        phi_3843_ = _e4832[2];
+                                        phi_3854_ = _e4836[2];
                                     }
-                                    let _e4850 = phi_3843_;
-                                    if (_e4846 > _e4850) {
-                                        phi_3848_ = _e4846;
+                                    let _e4854 = phi_3854_;
+                                    if (_e4850 > _e4854) {
+                                        phi_3859_ = _e4850;
                                     } else {
-                                        phi_3848_ = _e4850;
+                                        phi_3859_ = _e4854;
                                     }
-                                    let _e4853 = phi_3848_;
-                                    if (_e4829 > _e4853) {
-                                        phi_3853_ = _e4829;
+                                    let _e4857 = phi_3859_;
+                                    if (_e4833 > _e4857) {
+                                        phi_3864_ = _e4833;
                                     } else {
-                                        phi_3853_ = _e4853;
+                                        phi_3864_ = _e4857;
                                     }
-                                    let _e4856 = phi_3853_;
-                                    let _e4858 = local_20.member_3;
-                                    let _e4862 = local_20.member_1[0u];
-                                    if (_e4862[0] < 0.0lf) {
-                                        phi_3870_ = -(_e4862[0]);
+                                    let _e4860 = phi_3864_;
+                                    let _e4862 = local_20.member_3;
+                                    let _e4866 = local_20.member_1[0u];
+                                    if (_e4866[0] < 0.0lf) {
+                                        phi_3881_ = -(_e4866[0]);
                                     } else {
-                                        phi_3870_ = _e4862[0];
+                                        phi_3881_ = _e4866[0];
                                     }
-                                    let _e4869 = phi_3870_;
-                                    if (_e4862[1] < 0.0lf) {
-                                        phi_3877_ = -(_e4862[1]);
+                                    let _e4873 = phi_3881_;
+                                    if (_e4866[1] < 0.0lf) {
+                                        phi_3888_ = -(_e4866[1]);
                                     } else {
-                                        phi_3877_ = _e4862[1];
+                                        phi_3888_ = _e4866[1];
                                     }
-                                    let _e4873 = phi_3877_;
-                                    if (_e4869 > _e4873) {
-                                        phi_3882_ = _e4869;
+                                    let _e4877 = phi_3888_;
+                                    if (_e4873 > _e4877) {
+                                        phi_3893_ = _e4873;
                                     } else {
-                                        phi_3882_ = _e4873;
+                                        phi_3893_ = _e4877;
                                     }
-                                    let _e4876 = phi_3882_;
-                                    if (_e4862[2] < 0.0lf) {
-                                        phi_3889_ = -(_e4862[2]);
+                                    let _e4880 = phi_3893_;
+                                    if (_e4866[2] < 0.0lf) {
+                                        phi_3900_ = -(_e4866[2]);
                                     } else {
-                                        phi_3889_ = _e4862[2];
+                                        phi_3900_ = _e4866[2];
                                     }
-                                    let _e4880 = phi_3889_;
-                                    if (_e4876 > _e4880) {
-                                        phi_3894_ = _e4876;
+                                    let _e4884 = phi_3900_;
+                                    if (_e4880 > _e4884) {
+                                        phi_3905_ = _e4880;
                                     } else {
-                                        phi_3894_ = _e4880;
+                                        phi_3905_ = _e4884;
                                     }
-                                    let _e4883 = phi_3894_;
-                                    let _e4886 = local_20.member_1[1u];
-                                    if (_e4886[0] < 0.0lf) {
-                                        phi_3908_ = -(_e4886[0]);
+                                    let _e4887 = phi_3905_;
+                                    let _e4890 = local_20.member_1[1u];
+                                    if (_e4890[0] < 0.0lf) {
+                                        phi_3919_ = -(_e4890[0]);
                                     } else {
-                                        phi_3908_ = _e4886[0];
+                                        phi_3919_ = _e4890[0];
                                     }
-                                    let _e4893 = phi_3908_;
-                                    if (_e4886[1] < 0.0lf) {
-                                        phi_3915_ = -(_e4886[1]);
+                                    let _e4897 = phi_3919_;
+                                    if (_e4890[1] < 0.0lf) {
+                                        phi_3926_ = -(_e4890[1]);
                                     } else {
-                                        phi_3915_ = _e4886[1];
+                                        phi_3926_ = _e4890[1];
                                     }
-                                    let _e4897 = phi_3915_;
-                                    if (_e4893 > _e4897) {
-                                        phi_3920_ = _e4893;
+                                    let _e4901 = phi_3926_;
+                                    if (_e4897 > _e4901) {
+                                        phi_3931_ = _e4897;
                                     } else {
-                                        phi_3920_ = _e4897;
+                                        phi_3931_ = _e4901;
                                     }
-                                    let _e4900 = phi_3920_;
-                                    if (_e4886[2] < 0.0lf) {
-                                        phi_3927_ = -(_e4886[2]);
+                                    let _e4904 = phi_3931_;
+                                    if (_e4890[2] < 0.0lf) {
+                                        phi_3938_ = -(_e4890[2]);
                                     } else {
-                                        phi_3927_ = _e4886[2];
+                                        phi_3938_ = _e4890[2];
                                     }
-                                    let _e4904 = phi_3927_;
-                                    if (_e4900 > _e4904) {
-                                        phi_3932_ = _e4900;
+                                    let _e4908 = phi_3938_;
+                                    if (_e4904 > _e4908) {
+                                        phi_3943_ = _e4904;
                                     } else {
-                                        phi_3932_ = _e4904;
+                                        phi_3943_ = _e4908;
                                     }
-                                    let _e4907 = phi_3932_;
-                                    if (_e4883 > _e4907) {
-                                        phi_3937_ = _e4883;
+                                    let _e4911 = phi_3943_;
+                                    if (_e4887 > _e4911) {
+                                        phi_3948_ = _e4887;
                                     } else {
-                                        phi_3937_ = _e4907;
+                                        phi_3948_ = _e4911;
                                     }
-                                    let _e4910 = phi_3937_;
-                                    let _e4912 = local_20.member_3;
-                                    let _e4916 = local_20.member_2[0u];
-                                    if (_e4916[0] < 0.0lf) {
-                                        phi_3954_ = -(_e4916[0]);
+                                    let _e4914 = phi_3948_;
+                                    let _e4916 = local_20.member_3;
+                                    let _e4920 = local_20.member_2[0u];
+                                    if (_e4920[0] < 0.0lf) {
+                                        phi_3965_ = -(_e4920[0]);
                                     } else {
-                                        phi_3954_ = _e4916[0];
+                                        phi_3965_ = _e4920[0];
                                     }
-                                    let _e4923 = phi_3954_;
-                                    if (_e4916[1] < 0.0lf) {
-                                        phi_3961_ = -(_e4916[1]);
+                                    let _e4927 = phi_3965_;
+                                    if (_e4920[1] < 0.0lf) {
+                                        phi_3972_ = -(_e4920[1]);
                                     } else {
-                                        phi_3961_ = _e4916[1];
+                                        phi_3972_ = _e4920[1];
                                     }
-                                    let _e4927 = phi_3961_;
-                                    if (_e4923 > _e4927) {
-                                        phi_3966_ = _e4923;
+                                    let _e4931 = phi_3972_;
+                                    if (_e4927 > _e4931) {
+                                        phi_3977_ = _e4927;
                                     } else {
-                                        phi_3966_ = _e4927;
+                                        phi_3977_ = _e4931;
                                     }
-                                    let _e4930 = phi_3966_;
-                                    if (_e4916[2] < 0.0lf) {
-                                        phi_3973_ = -(_e4916[2]);
+                                    let _e4934 = phi_3977_;
+                                    if (_e4920[2] < 0.0lf) {
+                                        phi_3984_ = -(_e4920[2]);
                                     } else {
-                                        phi_3973_ = _e4916[2];
+                                        phi_3984_ = _e4920[2];
                                     }
-                                    let _e4934 = phi_3973_;
-                                    if (_e4930 > _e4934) {
-                                        phi_3978_ = _e4930;
+                                    let _e4938 = phi_3984_;
+                                    if (_e4934 > _e4938) {
+                                        phi_3989_ = _e4934;
                                     } else {
-                                        phi_3978_ = _e4934;
+                                        phi_3989_ = _e4938;
                                     }
-                                    let _e4937 = phi_3978_;
-                                    let _e4940 = local_20.member_2[1u];
-                                    if (_e4940[0] < 0.0lf) {
-                                        phi_3992_ = -(_e4940[0]);
+                                    let _e4941 = phi_3989_;
+                                    let _e4944 = local_20.member_2[1u];
+                                    if (_e4944[0] < 0.0lf) {
+                                        phi_4003_ = -(_e4944[0]);
                                     } else {
-                                        phi_3992_ = _e4940[0];
+                                        phi_4003_ = _e4944[0];
                                     }
-                                    let _e4947 = phi_3992_;
-                                    if (_e4940[1] < 0.0lf) {
-                                        phi_3999_ = -(_e4940[1]);
+                                    let _e4951 = phi_4003_;
+                                    if (_e4944[1] < 0.0lf) {
+                                        phi_4010_ = -(_e4944[1]);
                                     } else {
-                                        phi_3999_ = _e4940[1];
+                                        phi_4010_ = _e4944[1];
                                     }
-                                    let _e4951 = phi_3999_;
-                                    if (_e4947 > _e4951) {
-                                        phi_4004_ = _e4947;
+                                    let _e4955 = phi_4010_;
+                                    if (_e4951 > _e4955) {
+                                        phi_4015_ = _e4951;
                                     } else {
-                                        phi_4004_ = _e4951;
+                                        phi_4015_ = _e4955;
                                     }
-                                    let _e4954 = phi_4004_;
-                                    if (_e4940[2] < 0.0lf) {
-                                        phi_4011_ = -(_e4940[2]);
+                                    let _e4958 = phi_4015_;
+                                    if (_e4944[2] < 0.0lf) {
+                                        phi_4022_ = -(_e4944[2]);
                                     } else {
-                                        phi_4011_ = _e4940[2];
+                                        phi_4022_ = _e4944[2];
                                     }
-                                    let _e4958 = phi_4011_;
-                                    if (_e4954 > _e4958) {
-                                        phi_4016_ = _e4954;
+                                    let _e4962 = phi_4022_;
+                                    if (_e4958 > _e4962) {
+                                        phi_4027_ = _e4958;
                                     } else {
-                                        phi_4016_ = _e4958;
+                                        phi_4027_ = _e4962;
                                     }
-                                    let _e4961 = phi_4016_;
-                                    if (_e4937 > _e4961) {
-                                        phi_4021_ = _e4937;
+                                    let _e4965 = phi_4027_;
+                                    if (_e4941 > _e4965) {
+                                        phi_4032_ = _e4941;
                                     } else {
-                                        phi_4021_ = _e4961;
+                                        phi_4032_ = _e4965;
                                     }
-                                    let _e4964 = phi_4021_;
-                                    let _e4966 = local_20.member_3;
-                                    let _e4974 = local_20.member_3;
-                                    let _e4984 = (((_e4800 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e4856 + _e4858) + (_e4910 + _e4912)) + (_e4964 + _e4966)) * (1.1102230246251565e-16lf * f64(16f))) + (_e4974 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e446);
-                                    if _e4984 {
-                                        phi_4045_ = false;
+                                    let _e4968 = phi_4032_;
+                                    let _e4970 = local_20.member_3;
+                                    let _e4978 = local_20.member_3;
+                                    let _e4988 = (((_e4804 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e4860 + _e4862) + (_e4914 + _e4916)) + (_e4968 + _e4970)) * (1.1102230246251565e-16lf * f64(16f))) + (_e4978 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e450);
+                                    if _e4988 {
+                                        phi_4056_ = false;
                                     } else {
-                                        phi_4045_ = true;
+                                        phi_4056_ = true;
                                     }
-                                    let _e4986 = phi_4045_;
-                                    phi_4046_ = _e4986;
-                                    phi_4047_ = _e4984;
+                                    let _e4990 = phi_4056_;
+                                    phi_4057_ = _e4990;
+                                    phi_4058_ = _e4988;
                                 } else {
-                                    phi_4046_ = false;
-                                    phi_4047_ = false;
+                                    phi_4057_ = false;
+                                    phi_4058_ = false;
                                 }
-                                let _e4988 = phi_4046_;
-                                let _e4990 = phi_4047_;
-                                local_50 = _e4990;
+                                let _e4992 = phi_4057_;
+                                let _e4994 = phi_4058_;
+                                local_50 = _e4994;
                                 continue;
                                 continuing {
-                                    phi_3050_ = _e4379;
-                                    break if !(_e4988);
+                                    phi_3061_ = _e4383;
+                                    break if !(_e4992);
                                 }
                             }
-                            let _e4993 = local_50;
-                            if _e4993 {
-                                phi_4052_ = type_72(1u, _e4352.member_1);
-                                phi_4053_ = false;
+                            let _e4997 = local_50;
+                            if _e4997 {
+                                phi_4063_ = type_72(1u, _e4356.member_1);
+                                phi_4064_ = false;
                             } else {
-                                phi_4052_ = type_72();
-                                phi_4053_ = true;
+                                phi_4063_ = type_72();
+                                phi_4064_ = true;
                             }
-                            let _e4996 = phi_4052_;
-                            let _e4998 = phi_4053_;
-                            if _e4998 {
-                                phi_4058_ = type_72(2u, _e4352.member_1);
-                                phi_4059_ = false;
+                            let _e5000 = phi_4063_;
+                            let _e5002 = phi_4064_;
+                            if _e5002 {
+                                phi_4069_ = type_72(2u, _e4356.member_1);
+                                phi_4070_ = false;
                             } else {
-                                phi_4058_ = type_72();
-                                phi_4059_ = true;
+                                phi_4069_ = type_72();
+                                phi_4070_ = true;
                             }
-                            let _e5001 = phi_4058_;
-                            let _e5003 = phi_4059_;
-                            phi_4061_ = _e5001;
-                            phi_4062_ = _e4996;
-                            phi_4063_ = _e5003;
+                            let _e5005 = phi_4069_;
+                            let _e5007 = phi_4070_;
+                            phi_4072_ = _e5005;
+                            phi_4073_ = _e5000;
+                            phi_4074_ = _e5007;
                         } else {
-                            phi_4061_ = type_72();
-                            phi_4062_ = type_72(0u, type_72().member_1);
-                            phi_4063_ = true;
+                            phi_4072_ = type_72();
+                            phi_4073_ = type_72(0u, type_72().member_1);
+                            phi_4074_ = true;
                         }
-                        let _e5005 = phi_4061_;
-                        let _e5007 = phi_4062_;
-                        let _e5009 = phi_4063_;
-                        if _e5009 {
-                            phi_4067_ = _e5007;
+                        let _e5009 = phi_4072_;
+                        let _e5011 = phi_4073_;
+                        let _e5013 = phi_4074_;
+                        if _e5013 {
+                            phi_4078_ = _e5011;
                         } else {
-                            phi_4067_ = _e5005;
+                            phi_4078_ = _e5009;
                         }
-                        let _e5011 = phi_4067_;
-                        phi_7438_ = _e5011;
+                        let _e5015 = phi_4078_;
+                        phi_7449_ = _e5015;
                     } else {
-                        if (_e545 < 0.0lf) {
-                            phi_4078_ = -(_e545);
+                        if (_e549 < 0.0lf) {
+                            phi_4089_ = -(_e549);
                         } else {
-                            phi_4078_ = _e545;
+                            phi_4089_ = _e549;
                         }
-                        let _e900 = phi_4078_;
-                        if (_e568 < 0.0lf) {
-                            phi_4084_ = -(_e568);
+                        let _e904 = phi_4089_;
+                        if (_e572 < 0.0lf) {
+                            phi_4095_ = -(_e572);
                         } else {
-                            phi_4084_ = _e568;
+                            phi_4095_ = _e572;
                         }
-                        let _e904 = phi_4084_;
-                        if (_e900 > _e904) {
-                            phi_4089_ = _e900;
+                        let _e908 = phi_4095_;
+                        if (_e904 > _e908) {
+                            phi_4100_ = _e904;
                         } else {
-                            phi_4089_ = _e904;
+                            phi_4100_ = _e908;
                         }
-                        let _e907 = phi_4089_;
-                        if (_e591 < 0.0lf) {
-                            phi_4095_ = -(_e591);
+                        let _e911 = phi_4100_;
+                        if (_e595 < 0.0lf) {
+                            phi_4106_ = -(_e595);
                         } else {
-                            phi_4095_ = _e591;
+                            phi_4106_ = _e595;
                         }
-                        let _e911 = phi_4095_;
-                        if (_e602 < 0.0lf) {
-                            phi_4101_ = -(_e602);
+                        let _e915 = phi_4106_;
+                        if (_e606 < 0.0lf) {
+                            phi_4112_ = -(_e606);
                         } else {
-                            phi_4101_ = _e602;
+                            phi_4112_ = _e606;
                         }
-                        let _e915 = phi_4101_;
-                        if (_e911 > _e915) {
-                            phi_4106_ = _e911;
+                        let _e919 = phi_4112_;
+                        if (_e915 > _e919) {
+                            phi_4117_ = _e915;
                         } else {
-                            phi_4106_ = _e915;
+                            phi_4117_ = _e919;
                         }
-                        let _e918 = phi_4106_;
-                        if (_e907 > _e918) {
-                            phi_4111_ = _e907;
+                        let _e922 = phi_4117_;
+                        if (_e911 > _e922) {
+                            phi_4122_ = _e911;
                         } else {
-                            phi_4111_ = _e918;
+                            phi_4122_ = _e922;
                         }
-                        let _e921 = phi_4111_;
-                        let _e923 = (2.2250738585072014e-308lf * f64(67108864f));
-                        let _e924 = f64(1f);
-                        if (_e921 >= _e923) {
-                            phi_4121_ = (_e921 <= (_e924 / _e923));
+                        let _e925 = phi_4122_;
+                        let _e927 = (2.2250738585072014e-308lf * f64(67108864f));
+                        let _e928 = f64(1f);
+                        if (_e925 >= _e927) {
+                            phi_4132_ = (_e925 <= (_e928 / _e927));
                         } else {
-                            phi_4121_ = false;
+                            phi_4132_ = false;
                         }
-                        let _e929 = phi_4121_;
-                        if _e929 {
-                            phi_4128_ = (1.1102230246251565e-16lf * f64(256f));
+                        let _e933 = phi_4132_;
+                        if _e933 {
+                            phi_4139_ = (1.1102230246251565e-16lf * f64(256f));
                         } else {
-                            phi_4128_ = f64(2f);
+                            phi_4139_ = f64(2f);
                         }
-                        let _e934 = phi_4128_;
-                        let _e936 = ((_e861 * f64(0.34f)) + (_e921 * _e934));
-                        if _e929 {
-                            phi_4136_ = (_e924 / _e921);
+                        let _e938 = phi_4139_;
+                        let _e940 = ((_e865 * f64(0.34f)) + (_e925 * _e938));
+                        if _e933 {
+                            phi_4147_ = (_e928 / _e925);
                         } else {
-                            phi_4136_ = f64(0f);
+                            phi_4147_ = f64(0f);
                         }
-                        let _e940 = phi_4136_;
-                        let _e941 = f64(0f);
-                        let _e942 = f64(1f);
-                        let _e943 = f64(3f);
-                        let _e949 = ((_e568 - (_e943 * _e545)) * _e940);
-                        let _e950 = ((_e591 - _e568) * _e940);
-                        let _e951 = (((_e943 * _e602) - _e591) * _e940);
-                        local_7[0u] = _e941;
-                        local_7[1u] = _e942;
-                        local_7[2u] = _e942;
-                        local_7[3u] = _e942;
-                        let _e958 = ((_e950 * _e950) - (_e949 * _e951));
-                        if (_e958 > _e941) {
-                            if (_e958 <= 2.2250738585072014e-308lf) {
-                                if (_e958 > 0.0lf) {
-                                    phi_4172_ = (1.464336215552873e-154lf * 2.0lf);
+                        let _e944 = phi_4147_;
+                        let _e945 = f64(0f);
+                        let _e946 = f64(1f);
+                        let _e947 = f64(3f);
+                        let _e953 = ((_e572 - (_e947 * _e549)) * _e944);
+                        let _e954 = ((_e595 - _e572) * _e944);
+                        let _e955 = (((_e947 * _e606) - _e595) * _e944);
+                        local_7[0u] = _e945;
+                        local_7[1u] = _e946;
+                        local_7[2u] = _e946;
+                        local_7[3u] = _e946;
+                        let _e962 = ((_e954 * _e954) - (_e953 * _e955));
+                        if (_e962 > _e945) {
+                            if (_e962 <= 2.2250738585072014e-308lf) {
+                                if (_e962 > 0.0lf) {
+                                    phi_4183_ = (1.464336215552873e-154lf * 2.0lf);
                                 } else {
-                                    phi_4172_ = 0.0lf;
+                                    phi_4183_ = 0.0lf;
                                 }
-                                let _e1017 = phi_4172_;
-                                phi_4236_ = _e1017;
+                                let _e1021 = phi_4183_;
+                                phi_4247_ = _e1021;
                             } else {
-                                phi_4179_ = type_26(0i, 5i);
-                                phi_4182_ = bitcast<f64>(((bitcast<u64>(_e958) / 2lu) + 2303426169912950784lu));
+                                phi_4190_ = type_27(0i, 5i);
+                                phi_4193_ = bitcast<f64>(((bitcast<u64>(_e962) / 2lu) + 2303426169912950784lu));
                                 loop {
-                                    let _e966 = phi_4179_;
-                                    let _e968 = phi_4182_;
-                                    local_21 = _e968;
-                                    if (_e966.member < _e966.member_1) {
-                                        let _e976 = (_e966.member + 1i);
-                                        if ((false == (_e976 > _e966.member)) != false) {
-                                            phi_4203_ = true;
+                                    let _e970 = phi_4190_;
+                                    let _e972 = phi_4193_;
+                                    local_21 = _e972;
+                                    if (_e970.member < _e970.member_1) {
+                                        let _e980 = (_e970.member + 1i);
+                                        if ((false == (_e980 > _e970.member)) != false) {
+                                            phi_4214_ = true;
                                         } else {
-                                            phi_4203_ = false;
+                                            phi_4214_ = false;
                                         }
-                                        let _e981 = phi_4203_;
-                                        if _e981 {
-                                            phi_4209_ = type_27(0u, type_27().member_1);
+                                        let _e985 = phi_4214_;
+                                        if _e985 {
+                                            phi_4220_ = type_28(0u, type_28().member_1);
                                         } else {
-                                            phi_4209_ = type_27(1u, _e976);
+                                            phi_4220_ = type_28(1u, _e980);
                                         }
-                                        let _e987 = phi_4209_;
-                                        if (bitcast<i32>(_e987.member) != 0i) {
+                                        let _e991 = phi_4220_;
+                                        if (bitcast<i32>(_e991.member) != 0i) {
                                         } else {
                                             return;
                                         }
-                                        phi_4180_ = type_26(_e987.member_1, _e966.member_1);
-                                        phi_4223_ = type_27(1u, _e966.member);
+                                        phi_4191_ = type_27(_e991.member_1, _e970.member_1);
+                                        phi_4234_ = type_28(1u, _e970.member);
                                     } else {
-                                        phi_4180_ = _e966;
-                                        phi_4223_ = type_27(0u, type_27().member_1);
+                                        phi_4191_ = _e970;
+                                        phi_4234_ = type_28(0u, type_28().member_1);
                                     }
-                                    let _e997 = phi_4180_;
-                                    let _e999 = phi_4223_;
-                                    let _e1002 = (bitcast<i32>(_e999.member) != 0i);
-                                    if _e1002 {
-                                        phi_4183_ = (0.5lf * (_e968 + (_e958 / _e968)));
+                                    let _e1001 = phi_4191_;
+                                    let _e1003 = phi_4234_;
+                                    let _e1006 = (bitcast<i32>(_e1003.member) != 0i);
+                                    if _e1006 {
+                                        phi_4194_ = (0.5lf * (_e972 + (_e962 / _e972)));
                                     } else {
-                                        phi_4183_ = f64();
+                                        phi_4194_ = f64();
                                     }
-                                    let _e1007 = phi_4183_;
+                                    let _e1011 = phi_4194_;
                                     continue;
                                     continuing {
-                                        phi_4179_ = _e997;
-                                        phi_4182_ = _e1007;
-                                        break if !(_e1002);
+                                        phi_4190_ = _e1001;
+                                        phi_4193_ = _e1011;
+                                        break if !(_e1006);
                                     }
                                 }
-                                let _e1012 = local_21;
-                                phi_4236_ = (_e1012 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                let _e1016 = local_21;
+                                phi_4247_ = (_e1016 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                             }
-                            let _e1019 = phi_4236_;
-                            if (_e950 < _e941) {
-                                phi_4242_ = -(_e1019);
+                            let _e1023 = phi_4247_;
+                            if (_e954 < _e945) {
+                                phi_4253_ = -(_e1023);
                             } else {
-                                phi_4242_ = _e1019;
+                                phi_4253_ = _e1023;
                             }
-                            let _e1023 = phi_4242_;
-                            let _e1025 = -((_e950 + _e1023));
-                            local_8[0u] = (_e1025 / (_e1025 + _e951));
-                            local_8[1u] = (_e949 / (_e949 + _e1025));
-                            let _e1034 = local_8[1u];
-                            let _e1035 = local_8[0u];
-                            if (_e1034 < _e1035) {
-                                let _e1038 = local_8[1u];
-                                let _e1040 = local_8[0u];
-                                local_8[0u] = _e1038;
-                                local_8[1u] = _e1040;
+                            let _e1027 = phi_4253_;
+                            let _e1029 = -((_e954 + _e1027));
+                            local_8[0u] = (_e1029 / (_e1029 + _e955));
+                            local_8[1u] = (_e953 / (_e953 + _e1029));
+                            let _e1038 = local_8[1u];
+                            let _e1039 = local_8[0u];
+                            if (_e1038 < _e1039) {
+                                let _e1042 = local_8[1u];
+                                let _e1044 = local_8[0u];
+                                local_8[0u] = _e1042;
+                                local_8[1u] = _e1044;
                             }
-                            phi_4267_ = type_28(0u, 2u);
-                            phi_4270_ = 1u;
+                            phi_4278_ = type_29(0u, 2u);
+                            phi_4281_ = 1u;
                             loop {
-                                let _e1044 = phi_4267_;
-                                let _e1046 = phi_4270_;
-                                local_51 = _e1046;
-                                if (_e1044.member < _e1044.member_1) {
-                                    phi_4268_ = type_28((_e1044.member + 1u), _e1044.member_1);
-                                    phi_4293_ = type_28(1u, _e1044.member);
+                                let _e1048 = phi_4278_;
+                                let _e1050 = phi_4281_;
+                                local_51 = _e1050;
+                                if (_e1048.member < _e1048.member_1) {
+                                    phi_4279_ = type_29((_e1048.member + 1u), _e1048.member_1);
+                                    phi_4304_ = type_29(1u, _e1048.member);
                                 } else {
-                                    phi_4268_ = _e1044;
-                                    phi_4293_ = type_28(0u, type_28().member_1);
+                                    phi_4279_ = _e1048;
+                                    phi_4304_ = type_29(0u, type_29().member_1);
                                 }
-                                let _e1060 = phi_4268_;
-                                let _e1062 = phi_4293_;
-                                let _e1066 = (bitcast<i32>(_e1062.member) != 0i);
-                                if _e1066 {
-                                    if (_e1062.member_1 < 2u) {
+                                let _e1064 = phi_4279_;
+                                let _e1066 = phi_4304_;
+                                let _e1070 = (bitcast<i32>(_e1066.member) != 0i);
+                                if _e1070 {
+                                    if (_e1066.member_1 < 2u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1069 = local_8[_e1062.member_1];
-                                    if (_e1069 > _e941) {
-                                        if (_e1062.member_1 < 2u) {
+                                    let _e1073 = local_8[_e1066.member_1];
+                                    if (_e1073 > _e945) {
+                                        if (_e1066.member_1 < 2u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1073 = local_8[_e1062.member_1];
-                                        if (_e1073 < _e942) {
-                                            if (_e1062.member_1 < 2u) {
+                                        let _e1077 = local_8[_e1066.member_1];
+                                        if (_e1077 < _e946) {
+                                            if (_e1066.member_1 < 2u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e1077 = local_8[_e1062.member_1];
-                                            if (_e1046 < 4u) {
+                                            let _e1081 = local_8[_e1066.member_1];
+                                            if (_e1050 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            local_7[_e1046] = _e1077;
-                                            phi_4337_ = (_e1046 + 1u);
+                                            local_7[_e1050] = _e1081;
+                                            phi_4348_ = (_e1050 + 1u);
                                         } else {
-                                            phi_4337_ = _e1046;
+                                            phi_4348_ = _e1050;
                                         }
-                                        let _e1082 = phi_4337_;
-                                        phi_4338_ = _e1082;
+                                        let _e1086 = phi_4348_;
+                                        phi_4349_ = _e1086;
                                     } else {
-                                        phi_4338_ = _e1046;
+                                        phi_4349_ = _e1050;
                                     }
-                                    let _e1084 = phi_4338_;
-                                    phi_4271_ = _e1084;
+                                    let _e1088 = phi_4349_;
+                                    phi_4282_ = _e1088;
                                 } else {
-                                    phi_4271_ = u32();
+                                    phi_4282_ = u32();
                                 }
-                                let _e1086 = phi_4271_;
+                                let _e1090 = phi_4282_;
                                 continue;
                                 continuing {
-                                    phi_4267_ = _e1060;
-                                    phi_4270_ = _e1086;
-                                    break if !(_e1066);
+                                    phi_4278_ = _e1064;
+                                    phi_4281_ = _e1090;
+                                    break if !(_e1070);
                                 }
                             }
-                            let _e5198 = local_51;
-                            phi_4339_ = _e5198;
+                            let _e5202 = local_51;
+                            phi_4350_ = _e5202;
                         } else {
-                            phi_4339_ = 1u;
+                            phi_4350_ = 1u;
                         }
-                        let _e1089 = phi_4339_;
-                        if (_e1089 < 4u) {
+                        let _e1093 = phi_4350_;
+                        if (_e1093 < 4u) {
                         } else {
                             return;
                         }
-                        local_7[_e1089] = _e942;
-                        let _e1092 = local_7;
-                        local_9 = _e1092;
-                        phi_4359_ = type_28(0u, _e1089);
+                        local_7[_e1093] = _e946;
+                        let _e1096 = local_7;
+                        local_9 = _e1096;
+                        phi_4370_ = type_29(0u, _e1093);
                         loop {
-                            let _e1095 = phi_4359_;
-                            if (_e1095.member < _e1095.member_1) {
-                                phi_4360_ = type_28((_e1095.member + 1u), _e1095.member_1);
-                                phi_4383_ = type_28(1u, _e1095.member);
+                            let _e1099 = phi_4370_;
+                            if (_e1099.member < _e1099.member_1) {
+                                phi_4371_ = type_29((_e1099.member + 1u), _e1099.member_1);
+                                phi_4394_ = type_29(1u, _e1099.member);
                             } else {
-                                phi_4360_ = _e1095;
-                                phi_4383_ = type_28(0u, type_28().member_1);
+                                phi_4371_ = _e1099;
+                                phi_4394_ = type_29(0u, type_29().member_1);
                             }
-                            let _e1109 = phi_4360_;
-                            let _e1111 = phi_4383_;
-                            if (bitcast<i32>(_e1111.member) != 0i) {
-                                if (_e1111.member_1 < 4u) {
+                            let _e1113 = phi_4371_;
+                            let _e1115 = phi_4394_;
+                            if (bitcast<i32>(_e1115.member) != 0i) {
+                                if (_e1115.member_1 < 4u) {
                                 } else {
                                     return;
                                 }
-                                let _e1118 = local_9[_e1111.member_1];
-                                let _e1119 = (_e1111.member_1 + 1u);
-                                if (_e1119 < 4u) {
+                                let _e1122 = local_9[_e1115.member_1];
+                                let _e1123 = (_e1115.member_1 + 1u);
+                                if (_e1123 < 4u) {
                                 } else {
                                     return;
                                 }
-                                let _e1122 = local_9[_e1119];
-                                let _e1124 = (f64(1f) - _e1118);
-                                let _e1135 = ((((_e545 * _e1124) + (_e568 * _e1118)) * (_e1124 * _e1124)) + (((_e591 * _e1124) + (_e602 * _e1118)) * (_e1118 * _e1118)));
-                                let _e1137 = (f64(1f) - _e1122);
-                                let _e1148 = ((((_e545 * _e1137) + (_e568 * _e1122)) * (_e1137 * _e1137)) + (((_e591 * _e1137) + (_e602 * _e1122)) * (_e1122 * _e1122)));
-                                if (_e1135 < 0.0lf) {
-                                    phi_4437_ = -(_e1135);
+                                let _e1126 = local_9[_e1123];
+                                let _e1128 = (f64(1f) - _e1122);
+                                let _e1139 = ((((_e549 * _e1128) + (_e572 * _e1122)) * (_e1128 * _e1128)) + (((_e595 * _e1128) + (_e606 * _e1122)) * (_e1122 * _e1122)));
+                                let _e1141 = (f64(1f) - _e1126);
+                                let _e1152 = ((((_e549 * _e1141) + (_e572 * _e1126)) * (_e1141 * _e1141)) + (((_e595 * _e1141) + (_e606 * _e1126)) * (_e1126 * _e1126)));
+                                if (_e1139 < 0.0lf) {
+                                    phi_4448_ = -(_e1139);
                                 } else {
-                                    phi_4437_ = _e1135;
+                                    phi_4448_ = _e1139;
                                 }
-                                let _e1152 = phi_4437_;
-                                let _e1153 = (_e1152 > _e936);
-                                if (_e1148 < 0.0lf) {
-                                    phi_4444_ = -(_e1148);
+                                let _e1156 = phi_4448_;
+                                let _e1157 = (_e1156 > _e940);
+                                if (_e1152 < 0.0lf) {
+                                    phi_4455_ = -(_e1152);
                                 } else {
-                                    phi_4444_ = _e1148;
+                                    phi_4455_ = _e1152;
                                 }
-                                let _e1157 = phi_4444_;
-                                let _e1158 = (_e1157 > _e936);
-                                let _e1159 = f64(0f);
-                                if _e1153 {
-                                    if _e1158 {
-                                        phi_4456_ = ((_e1135 > _e1159) != (_e1148 > _e1159));
-                                        phi_4457_ = false;
+                                let _e1161 = phi_4455_;
+                                let _e1162 = (_e1161 > _e940);
+                                let _e1163 = f64(0f);
+                                if _e1157 {
+                                    if _e1162 {
+                                        phi_4467_ = ((_e1139 > _e1163) != (_e1152 > _e1163));
+                                        phi_4468_ = false;
                                     } else {
-                                        phi_4456_ = bool();
-                                        phi_4457_ = true;
+                                        phi_4467_ = bool();
+                                        phi_4468_ = true;
                                     }
-                                    let _e1164 = phi_4456_;
-                                    let _e1166 = phi_4457_;
-                                    phi_4458_ = _e1164;
-                                    phi_4459_ = _e1166;
+                                    let _e1168 = phi_4467_;
+                                    let _e1170 = phi_4468_;
+                                    phi_4469_ = _e1168;
+                                    phi_4470_ = _e1170;
                                 } else {
-                                    phi_4458_ = bool();
-                                    phi_4459_ = true;
+                                    phi_4469_ = bool();
+                                    phi_4470_ = true;
                                 }
-                                let _e1168 = phi_4458_;
-                                let _e1170 = phi_4459_;
-                                if _e1170 {
-                                    phi_4463_ = false;
+                                let _e1172 = phi_4469_;
+                                let _e1174 = phi_4470_;
+                                if _e1174 {
+                                    phi_4474_ = false;
                                 } else {
-                                    phi_4463_ = _e1168;
+                                    phi_4474_ = _e1172;
                                 }
-                                let _e1172 = phi_4463_;
-                                if _e1153 {
-                                    if _e1158 {
-                                        if _e1172 {
-                                            phi_4475_ = type_73();
+                                let _e1176 = phi_4474_;
+                                if _e1157 {
+                                    if _e1162 {
+                                        if _e1176 {
+                                            phi_4486_ = type_73();
                                         } else {
-                                            phi_4475_ = type_73(f64(1f), _e1159, _e1172);
+                                            phi_4486_ = type_73(f64(1f), _e1163, _e1176);
                                         }
-                                        let _e1176 = phi_4475_;
-                                        phi_4476_ = _e1176;
-                                        phi_4477_ = _e1172;
+                                        let _e1180 = phi_4486_;
+                                        phi_4487_ = _e1180;
+                                        phi_4488_ = _e1176;
                                     } else {
-                                        phi_4476_ = type_73();
-                                        phi_4477_ = true;
+                                        phi_4487_ = type_73();
+                                        phi_4488_ = true;
                                     }
-                                    let _e1178 = phi_4476_;
-                                    let _e1180 = phi_4477_;
-                                    phi_4478_ = _e1178;
-                                    phi_4479_ = _e1180;
+                                    let _e1182 = phi_4487_;
+                                    let _e1184 = phi_4488_;
+                                    phi_4489_ = _e1182;
+                                    phi_4490_ = _e1184;
                                 } else {
-                                    phi_4478_ = type_73();
-                                    phi_4479_ = true;
+                                    phi_4489_ = type_73();
+                                    phi_4490_ = true;
                                 }
-                                let _e1182 = phi_4478_;
-                                let _e1184 = phi_4479_;
-                                if _e1184 {
-                                    if _e1153 {
-                                        if (_e1135 < _e1159) {
-                                            phi_4492_ = f64(-1f);
+                                let _e1186 = phi_4489_;
+                                let _e1188 = phi_4490_;
+                                if _e1188 {
+                                    if _e1157 {
+                                        if (_e1139 < _e1163) {
+                                            phi_4503_ = f64(-1f);
                                         } else {
-                                            phi_4492_ = f64(1f);
+                                            phi_4503_ = f64(1f);
                                         }
-                                        let _e1189 = phi_4492_;
-                                        let _e1190 = f64(0.00000000000022737368f);
-                                        let _e1191 = f64(0.5f);
-                                        let _e1192 = f64(3f);
-                                        let _e1195 = (_e591 - _e568);
-                                        phi_4505_ = type_28(0u, 64u);
-                                        phi_4508_ = _e1122;
-                                        phi_4510_ = _e1118;
-                                        phi_4512_ = (_e1191 * (_e1118 + _e1122));
+                                        let _e1193 = phi_4503_;
+                                        let _e1194 = f64(0.00000000000022737368f);
+                                        let _e1195 = f64(0.5f);
+                                        let _e1196 = f64(3f);
+                                        let _e1199 = (_e595 - _e572);
+                                        phi_4516_ = type_29(0u, 64u);
+                                        phi_4519_ = _e1126;
+                                        phi_4521_ = _e1122;
+                                        phi_4523_ = (_e1195 * (_e1122 + _e1126));
                                         loop {
-                                            let _e1201 = phi_4505_;
-                                            let _e1203 = phi_4508_;
-                                            let _e1205 = phi_4510_;
-                                            let _e1207 = phi_4512_;
-                                            local_53 = _e1205;
-                                            if (_e1201.member < _e1201.member_1) {
-                                                phi_4506_ = type_28((_e1201.member + 1u), _e1201.member_1);
-                                                phi_4535_ = type_28(1u, _e1201.member);
+                                            let _e1205 = phi_4516_;
+                                            let _e1207 = phi_4519_;
+                                            let _e1209 = phi_4521_;
+                                            let _e1211 = phi_4523_;
+                                            local_53 = _e1209;
+                                            if (_e1205.member < _e1205.member_1) {
+                                                phi_4517_ = type_29((_e1205.member + 1u), _e1205.member_1);
+                                                phi_4546_ = type_29(1u, _e1205.member);
                                             } else {
-                                                phi_4506_ = _e1201;
-                                                phi_4535_ = type_28(0u, type_28().member_1);
+                                                phi_4517_ = _e1205;
+                                                phi_4546_ = type_29(0u, type_29().member_1);
                                             }
-                                            let _e1221 = phi_4506_;
-                                            let _e1223 = phi_4535_;
-                                            if (bitcast<i32>(_e1223.member) != 0i) {
-                                                let _e1228 = (f64(1f) - _e1207);
-                                                let _e1241 = ((_e1189 * ((((_e545 * _e1228) + (_e568 * _e1207)) * (_e1228 * _e1228)) + (((_e591 * _e1228) + (_e602 * _e1207)) * (_e1207 * _e1207)))) - _e936);
-                                                if (_e1241 > f64(0f)) {
-                                                    phi_4562_ = _e1203;
-                                                    phi_4563_ = _e1207;
+                                            let _e1225 = phi_4517_;
+                                            let _e1227 = phi_4546_;
+                                            if (bitcast<i32>(_e1227.member) != 0i) {
+                                                let _e1232 = (f64(1f) - _e1211);
+                                                let _e1245 = ((_e1193 * ((((_e549 * _e1232) + (_e572 * _e1211)) * (_e1232 * _e1232)) + (((_e595 * _e1232) + (_e606 * _e1211)) * (_e1211 * _e1211)))) - _e940);
+                                                if (_e1245 > f64(0f)) {
+                                                    phi_4573_ = _e1207;
+                                                    phi_4574_ = _e1211;
                                                 } else {
-                                                    phi_4562_ = _e1207;
-                                                    phi_4563_ = _e1205;
+                                                    phi_4573_ = _e1211;
+                                                    phi_4574_ = _e1209;
                                                 }
-                                                let _e1245 = phi_4562_;
-                                                let _e1247 = phi_4563_;
-                                                let _e1249 = ((_e1245 - _e1247) > _e1190);
-                                                if _e1249 {
-                                                    let _e1251 = (f64(1f) - _e1207);
-                                                    let _e1263 = (-(_e1241) / (_e1189 * (((((_e568 - (_e1192 * _e545)) * _e1251) + (_e1195 * _e1207)) * _e1251) + (((_e1195 * _e1251) + (((_e1192 * _e602) - _e591) * _e1207)) * _e1207))));
-                                                    if (_e1241 > f64(0f)) {
-                                                        phi_4591_ = (_e1191 * _e1190);
+                                                let _e1249 = phi_4573_;
+                                                let _e1251 = phi_4574_;
+                                                let _e1253 = ((_e1249 - _e1251) > _e1194);
+                                                if _e1253 {
+                                                    let _e1255 = (f64(1f) - _e1211);
+                                                    let _e1267 = (-(_e1245) / (_e1193 * (((((_e572 - (_e1196 * _e549)) * _e1255) + (_e1199 * _e1211)) * _e1255) + (((_e1199 * _e1255) + (((_e1196 * _e606) - _e595) * _e1211)) * _e1211))));
+                                                    if (_e1245 > f64(0f)) {
+                                                        phi_4602_ = (_e1195 * _e1194);
                                                     } else {
-                                                        phi_4591_ = -((_e1191 * _e1190));
+                                                        phi_4602_ = -((_e1195 * _e1194));
                                                     }
-                                                    let _e1270 = phi_4591_;
-                                                    let _e1272 = ((_e1207 + _e1263) + _e1270);
-                                                    if (_e1272 > _e1247) {
-                                                        if (_e1272 < _e1245) {
-                                                            if (_e1263 < 0.0lf) {
-                                                                phi_4607_ = -(_e1263);
+                                                    let _e1274 = phi_4602_;
+                                                    let _e1276 = ((_e1211 + _e1267) + _e1274);
+                                                    if (_e1276 > _e1251) {
+                                                        if (_e1276 < _e1249) {
+                                                            if (_e1267 < 0.0lf) {
+                                                                phi_4618_ = -(_e1267);
                                                             } else {
-                                                                phi_4607_ = _e1263;
+                                                                phi_4618_ = _e1267;
                                                             }
-                                                            let _e1278 = phi_4607_;
-                                                            if (_e1278 < (_e1191 * (_e1245 - _e1247))) {
-                                                                phi_4614_ = false;
+                                                            let _e1282 = phi_4618_;
+                                                            if (_e1282 < (_e1195 * (_e1249 - _e1251))) {
+                                                                phi_4625_ = false;
                                                             } else {
-                                                                phi_4614_ = true;
+                                                                phi_4625_ = true;
                                                             }
-                                                            let _e1283 = phi_4614_;
-                                                            phi_4615_ = _e1283;
+                                                            let _e1287 = phi_4625_;
+                                                            phi_4626_ = _e1287;
                                                         } else {
-                                                            phi_4615_ = true;
+                                                            phi_4626_ = true;
                                                         }
-                                                        let _e1285 = phi_4615_;
-                                                        phi_4616_ = _e1285;
+                                                        let _e1289 = phi_4626_;
+                                                        phi_4627_ = _e1289;
                                                     } else {
-                                                        phi_4616_ = true;
+                                                        phi_4627_ = true;
                                                     }
-                                                    let _e1287 = phi_4616_;
-                                                    if _e1287 {
-                                                        phi_4622_ = (_e1191 * (_e1247 + _e1245));
+                                                    let _e1291 = phi_4627_;
+                                                    if _e1291 {
+                                                        phi_4633_ = (_e1195 * (_e1251 + _e1249));
                                                     } else {
-                                                        phi_4622_ = _e1272;
+                                                        phi_4633_ = _e1276;
                                                     }
-                                                    let _e1291 = phi_4622_;
-                                                    phi_4623_ = _e1291;
-                                                    phi_4624_ = false;
+                                                    let _e1295 = phi_4633_;
+                                                    phi_4634_ = _e1295;
+                                                    phi_4635_ = false;
                                                 } else {
-                                                    phi_4623_ = f64();
-                                                    phi_4624_ = true;
+                                                    phi_4634_ = f64();
+                                                    phi_4635_ = true;
                                                 }
-                                                let _e1293 = phi_4623_;
-                                                let _e1295 = phi_4624_;
-                                                phi_4509_ = _e1245;
-                                                phi_4511_ = _e1247;
-                                                phi_4513_ = _e1293;
-                                                phi_4625_ = _e1247;
-                                                phi_4626_ = _e1249;
-                                                phi_4627_ = _e1295;
+                                                let _e1297 = phi_4634_;
+                                                let _e1299 = phi_4635_;
+                                                phi_4520_ = _e1249;
+                                                phi_4522_ = _e1251;
+                                                phi_4524_ = _e1297;
+                                                phi_4636_ = _e1251;
+                                                phi_4637_ = _e1253;
+                                                phi_4638_ = _e1299;
                                             } else {
-                                                phi_4509_ = f64();
-                                                phi_4511_ = f64();
-                                                phi_4513_ = f64();
-                                                phi_4625_ = f64();
-                                                phi_4626_ = false;
-                                                phi_4627_ = false;
+                                                phi_4520_ = f64();
+                                                phi_4522_ = f64();
+                                                phi_4524_ = f64();
+                                                phi_4636_ = f64();
+                                                phi_4637_ = false;
+                                                phi_4638_ = false;
                                             }
-                                            let _e1297 = phi_4509_;
-                                            let _e1299 = phi_4511_;
-                                            let _e1301 = phi_4513_;
-                                            let _e1303 = phi_4625_;
-                                            let _e1305 = phi_4626_;
-                                            let _e1307 = phi_4627_;
-                                            local_22 = _e1307;
-                                            local_52 = _e1303;
+                                            let _e1301 = phi_4520_;
+                                            let _e1303 = phi_4522_;
+                                            let _e1305 = phi_4524_;
+                                            let _e1307 = phi_4636_;
+                                            let _e1309 = phi_4637_;
+                                            let _e1311 = phi_4638_;
+                                            local_22 = _e1311;
+                                            local_52 = _e1307;
                                             continue;
                                             continuing {
-                                                phi_4505_ = _e1221;
-                                                phi_4508_ = _e1297;
-                                                phi_4510_ = _e1299;
-                                                phi_4512_ = _e1301;
-                                                break if !(_e1305);
+                                                phi_4516_ = _e1225;
+                                                phi_4519_ = _e1301;
+                                                phi_4521_ = _e1303;
+                                                phi_4523_ = _e1305;
+                                                break if !(_e1309);
                                             }
                                         }
-                                        let _e1310 = local_22;
-                                        if _e1310 {
-                                            let _e5240 = local_52;
-                                            phi_4631_ = _e5240;
+                                        let _e1314 = local_22;
+                                        if _e1314 {
+                                            let _e5244 = local_52;
+                                            phi_4642_ = _e5244;
                                         } else {
-                                            let _e5242 = local_53;
-                                            phi_4631_ = _e5242;
+                                            let _e5246 = local_53;
+                                            phi_4642_ = _e5246;
                                         }
-                                        let _e1312 = phi_4631_;
-                                        phi_4632_ = _e1312;
+                                        let _e1316 = phi_4642_;
+                                        phi_4643_ = _e1316;
                                     } else {
-                                        phi_4632_ = _e1118;
+                                        phi_4643_ = _e1122;
                                     }
-                                    let _e1314 = phi_4632_;
-                                    if _e1158 {
-                                        phi_4640_ = type_28(0u, 64u);
-                                        phi_4643_ = f64((2f * 0.00000000000022737368f));
+                                    let _e1318 = phi_4643_;
+                                    if _e1162 {
+                                        phi_4651_ = type_29(0u, 64u);
+                                        phi_4654_ = f64((2f * 0.00000000000022737368f));
                                         loop {
-                                            let _e1318 = phi_4640_;
-                                            let _e1320 = phi_4643_;
-                                            if (_e1318.member < _e1318.member_1) {
-                                                phi_4641_ = type_28((_e1318.member + 1u), _e1318.member_1);
-                                                phi_4666_ = type_28(1u, _e1318.member);
+                                            let _e1322 = phi_4651_;
+                                            let _e1324 = phi_4654_;
+                                            if (_e1322.member < _e1322.member_1) {
+                                                phi_4652_ = type_29((_e1322.member + 1u), _e1322.member_1);
+                                                phi_4677_ = type_29(1u, _e1322.member);
                                             } else {
-                                                phi_4641_ = _e1318;
-                                                phi_4666_ = type_28(0u, type_28().member_1);
+                                                phi_4652_ = _e1322;
+                                                phi_4677_ = type_29(0u, type_29().member_1);
                                             }
-                                            let _e1334 = phi_4641_;
-                                            let _e1336 = phi_4666_;
-                                            if (bitcast<i32>(_e1336.member) != 0i) {
-                                                let _e1340 = (_e1314 + _e1320);
-                                                if (_e1340 < _e1122) {
-                                                    let _e1343 = (f64(1f) - _e1340);
-                                                    let _e1354 = ((((_e545 * _e1343) + (_e568 * _e1340)) * (_e1343 * _e1343)) + (((_e591 * _e1343) + (_e602 * _e1340)) * (_e1340 * _e1340)));
-                                                    let _e1356 = (f64(1f) - _e1314);
-                                                    let _e1367 = ((((_e545 * _e1356) + (_e568 * _e1314)) * (_e1356 * _e1356)) + (((_e591 * _e1356) + (_e602 * _e1314)) * (_e1314 * _e1314)));
-                                                    if (_e1354 < 0.0lf) {
-                                                        phi_4709_ = -(_e1354);
+                                            let _e1338 = phi_4652_;
+                                            let _e1340 = phi_4677_;
+                                            if (bitcast<i32>(_e1340.member) != 0i) {
+                                                let _e1344 = (_e1318 + _e1324);
+                                                if (_e1344 < _e1126) {
+                                                    let _e1347 = (f64(1f) - _e1344);
+                                                    let _e1358 = ((((_e549 * _e1347) + (_e572 * _e1344)) * (_e1347 * _e1347)) + (((_e595 * _e1347) + (_e606 * _e1344)) * (_e1344 * _e1344)));
+                                                    let _e1360 = (f64(1f) - _e1318);
+                                                    let _e1371 = ((((_e549 * _e1360) + (_e572 * _e1318)) * (_e1360 * _e1360)) + (((_e595 * _e1360) + (_e606 * _e1318)) * (_e1318 * _e1318)));
+                                                    if (_e1358 < 0.0lf) {
+                                                        phi_4720_ = -(_e1358);
                                                     } else {
-                                                        phi_4709_ = _e1354;
+                                                        phi_4720_ = _e1358;
                                                     }
-                                                    let _e1371 = phi_4709_;
-                                                    if (_e1371 > _e936) {
-                                                        if (_e1367 < 0.0lf) {
-                                                            phi_4719_ = -(_e1367);
+                                                    let _e1375 = phi_4720_;
+                                                    if (_e1375 > _e940) {
+                                                        if (_e1371 < 0.0lf) {
+                                                            phi_4730_ = -(_e1371);
                                                         } else {
-                                                            phi_4719_ = _e1367;
+                                                            phi_4730_ = _e1371;
                                                         }
-                                                        let _e1376 = phi_4719_;
-                                                        if (_e1376 > _e936) {
-                                                            phi_4729_ = ((_e1354 > f64(0f)) == (_e1367 > f64(0f)));
+                                                        let _e1380 = phi_4730_;
+                                                        if (_e1380 > _e940) {
+                                                            phi_4740_ = ((_e1358 > f64(0f)) == (_e1371 > f64(0f)));
                                                         } else {
-                                                            phi_4729_ = false;
+                                                            phi_4740_ = false;
                                                         }
-                                                        let _e1384 = phi_4729_;
-                                                        phi_4731_ = !(_e1384);
+                                                        let _e1388 = phi_4740_;
+                                                        phi_4742_ = !(_e1388);
                                                     } else {
-                                                        phi_4731_ = false;
+                                                        phi_4742_ = false;
                                                     }
-                                                    let _e1387 = phi_4731_;
-                                                    if _e1387 {
-                                                        phi_4736_ = f64();
-                                                        phi_4737_ = false;
+                                                    let _e1391 = phi_4742_;
+                                                    if _e1391 {
+                                                        phi_4747_ = f64();
+                                                        phi_4748_ = false;
                                                     } else {
-                                                        phi_4736_ = (_e1320 + _e1320);
-                                                        phi_4737_ = true;
+                                                        phi_4747_ = (_e1324 + _e1324);
+                                                        phi_4748_ = true;
                                                     }
-                                                    let _e1390 = phi_4736_;
-                                                    let _e1392 = phi_4737_;
-                                                    phi_4738_ = _e1390;
-                                                    phi_4739_ = _e1392;
-                                                    phi_4740_ = _e1387;
-                                                    phi_4741_ = false;
+                                                    let _e1394 = phi_4747_;
+                                                    let _e1396 = phi_4748_;
+                                                    phi_4749_ = _e1394;
+                                                    phi_4750_ = _e1396;
+                                                    phi_4751_ = _e1391;
+                                                    phi_4752_ = false;
                                                 } else {
-                                                    phi_4738_ = f64();
-                                                    phi_4739_ = false;
-                                                    phi_4740_ = false;
-                                                    phi_4741_ = true;
+                                                    phi_4749_ = f64();
+                                                    phi_4750_ = false;
+                                                    phi_4751_ = false;
+                                                    phi_4752_ = true;
                                                 }
-                                                let _e1394 = phi_4738_;
-                                                let _e1396 = phi_4739_;
-                                                let _e1398 = phi_4740_;
-                                                let _e1400 = phi_4741_;
-                                                phi_4742_ = _e1340;
-                                                phi_4644_ = _e1394;
-                                                phi_4743_ = _e1396;
-                                                phi_4744_ = _e1398;
-                                                phi_4745_ = _e1400;
-                                                phi_4746_ = false;
+                                                let _e1398 = phi_4749_;
+                                                let _e1400 = phi_4750_;
+                                                let _e1402 = phi_4751_;
+                                                let _e1404 = phi_4752_;
+                                                phi_4753_ = _e1344;
+                                                phi_4655_ = _e1398;
+                                                phi_4754_ = _e1400;
+                                                phi_4755_ = _e1402;
+                                                phi_4756_ = _e1404;
+                                                phi_4757_ = false;
                                             } else {
-                                                phi_4742_ = f64();
-                                                phi_4644_ = f64();
-                                                phi_4743_ = false;
-                                                phi_4744_ = false;
-                                                phi_4745_ = false;
-                                                phi_4746_ = true;
+                                                phi_4753_ = f64();
+                                                phi_4655_ = f64();
+                                                phi_4754_ = false;
+                                                phi_4755_ = false;
+                                                phi_4756_ = false;
+                                                phi_4757_ = true;
                                             }
-                                            let _e1402 = phi_4742_;
-                                            let _e1404 = phi_4644_;
-                                            let _e1406 = phi_4743_;
-                                            let _e1408 = phi_4744_;
-                                            let _e1410 = phi_4745_;
-                                            let _e1412 = phi_4746_;
-                                            local_23 = _e1408;
-                                            local_54 = _e1410;
-                                            local_55 = _e1412;
-                                            local_56 = _e1402;
+                                            let _e1406 = phi_4753_;
+                                            let _e1408 = phi_4655_;
+                                            let _e1410 = phi_4754_;
+                                            let _e1412 = phi_4755_;
+                                            let _e1414 = phi_4756_;
+                                            let _e1416 = phi_4757_;
+                                            local_23 = _e1412;
+                                            local_54 = _e1414;
+                                            local_55 = _e1416;
+                                            local_56 = _e1406;
                                             continue;
                                             continuing {
-                                                phi_4640_ = _e1334;
-                                                phi_4643_ = _e1404;
-                                                break if !(_e1406);
+                                                phi_4651_ = _e1338;
+                                                phi_4654_ = _e1408;
+                                                break if !(_e1410);
                                             }
                                         }
-                                        let _e1415 = local_23;
-                                        if _e1415 {
-                                            phi_4750_ = false;
-                                            phi_4751_ = false;
+                                        let _e1419 = local_23;
+                                        if _e1419 {
+                                            phi_4761_ = false;
+                                            phi_4762_ = false;
                                         } else {
-                                            let _e5267 = local_54;
-                                            phi_4750_ = _e5267;
-                                            let _e5270 = local_55;
-                                            phi_4751_ = _e5270;
+                                            let _e5271 = local_54;
+                                            phi_4761_ = _e5271;
+                                            let _e5274 = local_55;
+                                            phi_4762_ = _e5274;
                                         }
-                                        let _e1417 = phi_4750_;
-                                        let _e1419 = phi_4751_;
-                                        if _e1417 {
-                                            phi_4755_ = true;
-                                        } else {
-                                            phi_4755_ = _e1419;
-                                        }
-                                        let _e1421 = phi_4755_;
+                                        let _e1421 = phi_4761_;
+                                        let _e1423 = phi_4762_;
                                         if _e1421 {
-                                            phi_4759_ = _e1122;
+                                            phi_4766_ = true;
                                         } else {
-                                            let _e5274 = local_56;
-                                            phi_4759_ = _e5274;
+                                            phi_4766_ = _e1423;
                                         }
-                                        let _e1423 = phi_4759_;
-                                        phi_4760_ = _e1423;
+                                        let _e1425 = phi_4766_;
+                                        if _e1425 {
+                                            phi_4770_ = _e1126;
+                                        } else {
+                                            let _e5278 = local_56;
+                                            phi_4770_ = _e5278;
+                                        }
+                                        let _e1427 = phi_4770_;
+                                        phi_4771_ = _e1427;
                                     } else {
-                                        phi_4760_ = _e1122;
+                                        phi_4771_ = _e1126;
                                     }
-                                    let _e1425 = phi_4760_;
-                                    phi_4762_ = type_73(_e1314, _e1425, _e1172);
+                                    let _e1429 = phi_4771_;
+                                    phi_4773_ = type_73(_e1318, _e1429, _e1176);
                                 } else {
-                                    phi_4762_ = _e1182;
+                                    phi_4773_ = _e1186;
                                 }
-                                let _e1428 = phi_4762_;
-                                if (_e1428.member > _e1428.member_1) {
-                                    phi_7394_ = f64();
-                                    phi_7395_ = true;
-                                    phi_7396_ = false;
-                                    phi_7397_ = false;
-                                    phi_7398_ = false;
+                                let _e1432 = phi_4773_;
+                                if (_e1432.member > _e1432.member_1) {
+                                    phi_7405_ = f64();
+                                    phi_7406_ = true;
+                                    phi_7407_ = false;
+                                    phi_7408_ = false;
+                                    phi_7409_ = false;
                                 } else {
-                                    let _e1436 = ((_e1428.member_1 - _e1428.member) * f64(0.5f));
-                                    let _e1437 = (_e1428.member + _e1436);
-                                    let _e1440 = (_e1436 + (1.1102230246251565e-16lf * f64(4f)));
-                                    let _e1442 = local_20.member_3;
-                                    let _e1445 = local_20.member[0u];
-                                    if (_e1445[0] < 0.0lf) {
-                                        phi_4793_ = -(_e1445[0]);
+                                    let _e1440 = ((_e1432.member_1 - _e1432.member) * f64(0.5f));
+                                    let _e1441 = (_e1432.member + _e1440);
+                                    let _e1444 = (_e1440 + (1.1102230246251565e-16lf * f64(4f)));
+                                    let _e1446 = local_20.member_3;
+                                    let _e1449 = local_20.member[0u];
+                                    if (_e1449[0] < 0.0lf) {
+                                        phi_4804_ = -(_e1449[0]);
                                     } else {
-                                        phi_4793_ = _e1445[0];
+                                        phi_4804_ = _e1449[0];
                                     }
-                                    let _e1452 = phi_4793_;
-                                    if (_e1445[1] < 0.0lf) {
-                                        phi_4800_ = -(_e1445[1]);
+                                    let _e1456 = phi_4804_;
+                                    if (_e1449[1] < 0.0lf) {
+                                        phi_4811_ = -(_e1449[1]);
                                     } else {
-                                        phi_4800_ = _e1445[1];
+                                        phi_4811_ = _e1449[1];
                                     }
-                                    let _e1456 = phi_4800_;
-                                    if (_e1452 > _e1456) {
-                                        phi_4805_ = _e1452;
+                                    let _e1460 = phi_4811_;
+                                    if (_e1456 > _e1460) {
+                                        phi_4816_ = _e1456;
                                     } else {
-                                        phi_4805_ = _e1456;
+                                        phi_4816_ = _e1460;
                                     }
-                                    let _e1459 = phi_4805_;
-                                    if (_e1445[2] < 0.0lf) {
-                                        phi_4812_ = -(_e1445[2]);
+                                    let _e1463 = phi_4816_;
+                                    if (_e1449[2] < 0.0lf) {
+                                        phi_4823_ = -(_e1449[2]);
                                     } else {
-                                        phi_4812_ = _e1445[2];
+                                        phi_4823_ = _e1449[2];
                                     }
-                                    let _e1463 = phi_4812_;
-                                    if (_e1459 > _e1463) {
-                                        phi_4817_ = _e1459;
+                                    let _e1467 = phi_4823_;
+                                    if (_e1463 > _e1467) {
+                                        phi_4828_ = _e1463;
                                     } else {
-                                        phi_4817_ = _e1463;
+                                        phi_4828_ = _e1467;
                                     }
-                                    let _e1466 = phi_4817_;
-                                    let _e1468 = local_20.member[1u];
-                                    if (_e1468[0] < 0.0lf) {
-                                        phi_4830_ = -(_e1468[0]);
+                                    let _e1470 = phi_4828_;
+                                    let _e1472 = local_20.member[1u];
+                                    if (_e1472[0] < 0.0lf) {
+                                        phi_4841_ = -(_e1472[0]);
                                     } else {
-                                        phi_4830_ = _e1468[0];
+                                        phi_4841_ = _e1472[0];
                                     }
-                                    let _e1475 = phi_4830_;
-                                    if (_e1468[1] < 0.0lf) {
-                                        phi_4837_ = -(_e1468[1]);
+                                    let _e1479 = phi_4841_;
+                                    if (_e1472[1] < 0.0lf) {
+                                        phi_4848_ = -(_e1472[1]);
                                     } else {
-                                        phi_4837_ = _e1468[1];
+                                        phi_4848_ = _e1472[1];
                                     }
-                                    let _e1479 = phi_4837_;
-                                    if (_e1475 > _e1479) {
-                                        phi_4842_ = _e1475;
+                                    let _e1483 = phi_4848_;
+                                    if (_e1479 > _e1483) {
+                                        phi_4853_ = _e1479;
                                     } else {
-                                        phi_4842_ = _e1479;
+                                        phi_4853_ = _e1483;
                                     }
-                                    let _e1482 = phi_4842_;
-                                    if (_e1468[2] < 0.0lf) {
-                                        phi_4849_ = -(_e1468[2]);
+                                    let _e1486 = phi_4853_;
+                                    if (_e1472[2] < 0.0lf) {
+                                        phi_4860_ = -(_e1472[2]);
                                     } else {
-                                        phi_4849_ = _e1468[2];
+                                        phi_4860_ = _e1472[2];
                                     }
-                                    let _e1486 = phi_4849_;
-                                    if (_e1482 > _e1486) {
-                                        phi_4854_ = _e1482;
+                                    let _e1490 = phi_4860_;
+                                    if (_e1486 > _e1490) {
+                                        phi_4865_ = _e1486;
                                     } else {
-                                        phi_4854_ = _e1486;
+                                        phi_4865_ = _e1490;
                                     }
-                                    let _e1489 = phi_4854_;
-                                    if (_e1466 > _e1489) {
-                                        phi_4859_ = _e1466;
+                                    let _e1493 = phi_4865_;
+                                    if (_e1470 > _e1493) {
+                                        phi_4870_ = _e1470;
                                     } else {
-                                        phi_4859_ = _e1489;
+                                        phi_4870_ = _e1493;
                                     }
-                                    let _e1492 = phi_4859_;
-                                    let _e1495 = local_20.member[0u];
-                                    let _e1500 = local_20.member[1u];
-                                    let _e1510 = (_e1495[0] + ((_e1500[0] - _e1495[0]) * _e1437));
-                                    let _e1511 = (_e1495[1] + ((_e1500[1] - _e1495[1]) * _e1437));
-                                    let _e1512 = (_e1495[2] + ((_e1500[2] - _e1495[2]) * _e1437));
-                                    let _e1514 = local_20.member[1u];
-                                    let _e1519 = local_20.member[0u];
-                                    let _e1523 = (_e1514[0] - _e1519[0]);
-                                    let _e1524 = (_e1514[1] - _e1519[1]);
-                                    let _e1525 = (_e1514[2] - _e1519[2]);
-                                    if (_e1523 < 0.0lf) {
-                                        phi_4918_ = -(_e1523);
+                                    let _e1496 = phi_4870_;
+                                    let _e1499 = local_20.member[0u];
+                                    let _e1504 = local_20.member[1u];
+                                    let _e1514 = (_e1499[0] + ((_e1504[0] - _e1499[0]) * _e1441));
+                                    let _e1515 = (_e1499[1] + ((_e1504[1] - _e1499[1]) * _e1441));
+                                    let _e1516 = (_e1499[2] + ((_e1504[2] - _e1499[2]) * _e1441));
+                                    let _e1518 = local_20.member[1u];
+                                    let _e1523 = local_20.member[0u];
+                                    let _e1527 = (_e1518[0] - _e1523[0]);
+                                    let _e1528 = (_e1518[1] - _e1523[1]);
+                                    let _e1529 = (_e1518[2] - _e1523[2]);
+                                    if (_e1527 < 0.0lf) {
+                                        phi_4929_ = -(_e1527);
                                     } else {
-                                        phi_4918_ = _e1523;
+                                        phi_4929_ = _e1527;
                                     }
-                                    let _e1529 = phi_4918_;
-                                    if (_e1524 < 0.0lf) {
-                                        phi_4924_ = -(_e1524);
+                                    let _e1533 = phi_4929_;
+                                    if (_e1528 < 0.0lf) {
+                                        phi_4935_ = -(_e1528);
                                     } else {
-                                        phi_4924_ = _e1524;
+                                        phi_4935_ = _e1528;
                                     }
-                                    let _e1533 = phi_4924_;
-                                    if (_e1529 > _e1533) {
-                                        phi_4929_ = _e1529;
+                                    let _e1537 = phi_4935_;
+                                    if (_e1533 > _e1537) {
+                                        phi_4940_ = _e1533;
                                     } else {
-                                        phi_4929_ = _e1533;
+                                        phi_4940_ = _e1537;
                                     }
-                                    let _e1536 = phi_4929_;
-                                    if (_e1525 < 0.0lf) {
-                                        phi_4935_ = -(_e1525);
+                                    let _e1540 = phi_4940_;
+                                    if (_e1529 < 0.0lf) {
+                                        phi_4946_ = -(_e1529);
                                     } else {
-                                        phi_4935_ = _e1525;
+                                        phi_4946_ = _e1529;
                                     }
-                                    let _e1540 = phi_4935_;
-                                    if (_e1536 > _e1540) {
-                                        phi_4940_ = _e1536;
+                                    let _e1544 = phi_4946_;
+                                    if (_e1540 > _e1544) {
+                                        phi_4951_ = _e1540;
                                     } else {
-                                        phi_4940_ = _e1540;
+                                        phi_4951_ = _e1544;
                                     }
-                                    let _e1543 = phi_4940_;
-                                    let _e1551 = ((((_e1440 * _e1543) * f64(1.01f)) + ((_e1492 + _e1442) * (1.1102230246251565e-16lf * f64(8f)))) + _e1442);
-                                    if (_e1510 < 0.0lf) {
-                                        phi_4954_ = -(_e1510);
+                                    let _e1547 = phi_4951_;
+                                    let _e1555 = ((((_e1444 * _e1547) * f64(1.01f)) + ((_e1496 + _e1446) * (1.1102230246251565e-16lf * f64(8f)))) + _e1446);
+                                    if (_e1514 < 0.0lf) {
+                                        phi_4965_ = -(_e1514);
                                     } else {
-                                        phi_4954_ = _e1510;
+                                        phi_4965_ = _e1514;
                                     }
-                                    let _e1555 = phi_4954_;
-                                    if (_e1511 < 0.0lf) {
-                                        phi_4960_ = -(_e1511);
+                                    let _e1559 = phi_4965_;
+                                    if (_e1515 < 0.0lf) {
+                                        phi_4971_ = -(_e1515);
                                     } else {
-                                        phi_4960_ = _e1511;
+                                        phi_4971_ = _e1515;
                                     }
-                                    let _e1559 = phi_4960_;
-                                    if (_e1555 > _e1559) {
-                                        phi_4965_ = _e1555;
+                                    let _e1563 = phi_4971_;
+                                    if (_e1559 > _e1563) {
+                                        phi_4976_ = _e1559;
                                     } else {
-                                        phi_4965_ = _e1559;
+                                        phi_4976_ = _e1563;
                                     }
-                                    let _e1562 = phi_4965_;
-                                    if (_e1512 < 0.0lf) {
-                                        phi_4971_ = -(_e1512);
+                                    let _e1566 = phi_4976_;
+                                    if (_e1516 < 0.0lf) {
+                                        phi_4982_ = -(_e1516);
                                     } else {
-                                        phi_4971_ = _e1512;
+                                        phi_4982_ = _e1516;
                                     }
-                                    let _e1566 = phi_4971_;
-                                    if (_e1562 > _e1566) {
-                                        phi_4976_ = _e1562;
+                                    let _e1570 = phi_4982_;
+                                    if (_e1566 > _e1570) {
+                                        phi_4987_ = _e1566;
                                     } else {
-                                        phi_4976_ = _e1566;
+                                        phi_4987_ = _e1570;
                                     }
-                                    let _e1569 = phi_4976_;
-                                    local_3 = type_51(array<f64, 3>(_e1510, _e1511, _e1512), _e1551, (_e1569 + _e1551));
-                                    let _e1575 = local_20.member_3;
-                                    let _e1577 = local_20.member_1[0u];
-                                    if (_e1577[0] < 0.0lf) {
-                                        phi_5002_ = -(_e1577[0]);
+                                    let _e1573 = phi_4987_;
+                                    local_3 = type_59(array<f64, 3>(_e1514, _e1515, _e1516), _e1555, (_e1573 + _e1555));
+                                    let _e1579 = local_20.member_3;
+                                    let _e1581 = local_20.member_1[0u];
+                                    if (_e1581[0] < 0.0lf) {
+                                        phi_5013_ = -(_e1581[0]);
                                     } else {
-                                        phi_5002_ = _e1577[0];
+                                        phi_5013_ = _e1581[0];
                                     }
-                                    let _e1584 = phi_5002_;
-                                    if (_e1577[1] < 0.0lf) {
-                                        phi_5009_ = -(_e1577[1]);
+                                    let _e1588 = phi_5013_;
+                                    if (_e1581[1] < 0.0lf) {
+                                        phi_5020_ = -(_e1581[1]);
                                     } else {
-                                        phi_5009_ = _e1577[1];
+                                        phi_5020_ = _e1581[1];
                                     }
-                                    let _e1588 = phi_5009_;
-                                    if (_e1584 > _e1588) {
-                                        phi_5014_ = _e1584;
+                                    let _e1592 = phi_5020_;
+                                    if (_e1588 > _e1592) {
+                                        phi_5025_ = _e1588;
                                     } else {
-                                        phi_5014_ = _e1588;
+                                        phi_5025_ = _e1592;
                                     }
-                                    let _e1591 = phi_5014_;
-                                    if (_e1577[2] < 0.0lf) {
-                                        phi_5021_ = -(_e1577[2]);
+                                    let _e1595 = phi_5025_;
+                                    if (_e1581[2] < 0.0lf) {
+                                        phi_5032_ = -(_e1581[2]);
                                     } else {
-                                        phi_5021_ = _e1577[2];
+                                        phi_5032_ = _e1581[2];
                                     }
-                                    let _e1595 = phi_5021_;
-                                    if (_e1591 > _e1595) {
-                                        phi_5026_ = _e1591;
+                                    let _e1599 = phi_5032_;
+                                    if (_e1595 > _e1599) {
+                                        phi_5037_ = _e1595;
                                     } else {
-                                        phi_5026_ = _e1595;
+                                        phi_5037_ = _e1599;
                                     }
-                                    let _e1598 = phi_5026_;
-                                    let _e1600 = local_20.member_1[1u];
-                                    if (_e1600[0] < 0.0lf) {
-                                        phi_5039_ = -(_e1600[0]);
+                                    let _e1602 = phi_5037_;
+                                    let _e1604 = local_20.member_1[1u];
+                                    if (_e1604[0] < 0.0lf) {
+                                        phi_5050_ = -(_e1604[0]);
                                     } else {
-                                        phi_5039_ = _e1600[0];
+                                        phi_5050_ = _e1604[0];
                                     }
-                                    let _e1607 = phi_5039_;
-                                    if (_e1600[1] < 0.0lf) {
-                                        phi_5046_ = -(_e1600[1]);
+                                    let _e1611 = phi_5050_;
+                                    if (_e1604[1] < 0.0lf) {
+                                        phi_5057_ = -(_e1604[1]);
                                     } else {
-                                        phi_5046_ = _e1600[1];
+                                        phi_5057_ = _e1604[1];
                                     }
-                                    let _e1611 = phi_5046_;
-                                    if (_e1607 > _e1611) {
-                                        phi_5051_ = _e1607;
+                                    let _e1615 = phi_5057_;
+                                    if (_e1611 > _e1615) {
+                                        phi_5062_ = _e1611;
                                     } else {
-                                        phi_5051_ = _e1611;
+                                        phi_5062_ = _e1615;
                                     }
-                                    let _e1614 = phi_5051_;
-                                    if (_e1600[2] < 0.0lf) {
-                                        phi_5058_ = -(_e1600[2]);
+                                    let _e1618 = phi_5062_;
+                                    if (_e1604[2] < 0.0lf) {
+                                        phi_5069_ = -(_e1604[2]);
                                     } else {
-                                        phi_5058_ = _e1600[2];
+                                        phi_5069_ = _e1604[2];
                                     }
-                                    let _e1618 = phi_5058_;
-                                    if (_e1614 > _e1618) {
-                                        phi_5063_ = _e1614;
+                                    let _e1622 = phi_5069_;
+                                    if (_e1618 > _e1622) {
+                                        phi_5074_ = _e1618;
                                     } else {
-                                        phi_5063_ = _e1618;
+                                        phi_5074_ = _e1622;
                                     }
-                                    let _e1621 = phi_5063_;
-                                    if (_e1598 > _e1621) {
-                                        phi_5068_ = _e1598;
+                                    let _e1625 = phi_5074_;
+                                    if (_e1602 > _e1625) {
+                                        phi_5079_ = _e1602;
                                     } else {
-                                        phi_5068_ = _e1621;
+                                        phi_5079_ = _e1625;
                                     }
-                                    let _e1624 = phi_5068_;
-                                    let _e1627 = local_20.member_1[0u];
-                                    let _e1632 = local_20.member_1[1u];
-                                    let _e1642 = (_e1627[0] + ((_e1632[0] - _e1627[0]) * _e1437));
-                                    let _e1643 = (_e1627[1] + ((_e1632[1] - _e1627[1]) * _e1437));
-                                    let _e1644 = (_e1627[2] + ((_e1632[2] - _e1627[2]) * _e1437));
-                                    let _e1646 = local_20.member_1[1u];
-                                    let _e1651 = local_20.member_1[0u];
-                                    let _e1655 = (_e1646[0] - _e1651[0]);
-                                    let _e1656 = (_e1646[1] - _e1651[1]);
-                                    let _e1657 = (_e1646[2] - _e1651[2]);
-                                    if (_e1655 < 0.0lf) {
-                                        phi_5127_ = -(_e1655);
+                                    let _e1628 = phi_5079_;
+                                    let _e1631 = local_20.member_1[0u];
+                                    let _e1636 = local_20.member_1[1u];
+                                    let _e1646 = (_e1631[0] + ((_e1636[0] - _e1631[0]) * _e1441));
+                                    let _e1647 = (_e1631[1] + ((_e1636[1] - _e1631[1]) * _e1441));
+                                    let _e1648 = (_e1631[2] + ((_e1636[2] - _e1631[2]) * _e1441));
+                                    let _e1650 = local_20.member_1[1u];
+                                    let _e1655 = local_20.member_1[0u];
+                                    let _e1659 = (_e1650[0] - _e1655[0]);
+                                    let _e1660 = (_e1650[1] - _e1655[1]);
+                                    let _e1661 = (_e1650[2] - _e1655[2]);
+                                    if (_e1659 < 0.0lf) {
+                                        phi_5138_ = -(_e1659);
                                     } else {
-                                        phi_5127_ = _e1655;
+                                        phi_5138_ = _e1659;
                                     }
-                                    let _e1661 = phi_5127_;
-                                    if (_e1656 < 0.0lf) {
-                                        phi_5133_ = -(_e1656);
+                                    let _e1665 = phi_5138_;
+                                    if (_e1660 < 0.0lf) {
+                                        phi_5144_ = -(_e1660);
                                     } else {
-                                        phi_5133_ = _e1656;
+                                        phi_5144_ = _e1660;
                                     }
-                                    let _e1665 = phi_5133_;
-                                    if (_e1661 > _e1665) {
-                                        phi_5138_ = _e1661;
+                                    let _e1669 = phi_5144_;
+                                    if (_e1665 > _e1669) {
+                                        phi_5149_ = _e1665;
                                     } else {
-                                        phi_5138_ = _e1665;
+                                        phi_5149_ = _e1669;
                                     }
-                                    let _e1668 = phi_5138_;
-                                    if (_e1657 < 0.0lf) {
-                                        phi_5144_ = -(_e1657);
+                                    let _e1672 = phi_5149_;
+                                    if (_e1661 < 0.0lf) {
+                                        phi_5155_ = -(_e1661);
                                     } else {
-                                        phi_5144_ = _e1657;
+                                        phi_5155_ = _e1661;
                                     }
-                                    let _e1672 = phi_5144_;
-                                    if (_e1668 > _e1672) {
-                                        phi_5149_ = _e1668;
+                                    let _e1676 = phi_5155_;
+                                    if (_e1672 > _e1676) {
+                                        phi_5160_ = _e1672;
                                     } else {
-                                        phi_5149_ = _e1672;
+                                        phi_5160_ = _e1676;
                                     }
-                                    let _e1675 = phi_5149_;
-                                    let _e1683 = ((((_e1440 * _e1675) * f64(1.01f)) + ((_e1624 + _e1575) * (1.1102230246251565e-16lf * f64(8f)))) + _e1575);
-                                    if (_e1642 < 0.0lf) {
-                                        phi_5163_ = -(_e1642);
+                                    let _e1679 = phi_5160_;
+                                    let _e1687 = ((((_e1444 * _e1679) * f64(1.01f)) + ((_e1628 + _e1579) * (1.1102230246251565e-16lf * f64(8f)))) + _e1579);
+                                    if (_e1646 < 0.0lf) {
+                                        phi_5174_ = -(_e1646);
                                     } else {
-                                        phi_5163_ = _e1642;
+                                        phi_5174_ = _e1646;
                                     }
-                                    let _e1687 = phi_5163_;
-                                    if (_e1643 < 0.0lf) {
-                                        phi_5169_ = -(_e1643);
+                                    let _e1691 = phi_5174_;
+                                    if (_e1647 < 0.0lf) {
+                                        phi_5180_ = -(_e1647);
                                     } else {
-                                        phi_5169_ = _e1643;
+                                        phi_5180_ = _e1647;
                                     }
-                                    let _e1691 = phi_5169_;
-                                    if (_e1687 > _e1691) {
-                                        phi_5174_ = _e1687;
+                                    let _e1695 = phi_5180_;
+                                    if (_e1691 > _e1695) {
+                                        phi_5185_ = _e1691;
                                     } else {
-                                        phi_5174_ = _e1691;
+                                        phi_5185_ = _e1695;
                                     }
-                                    let _e1694 = phi_5174_;
-                                    if (_e1644 < 0.0lf) {
-                                        phi_5180_ = -(_e1644);
+                                    let _e1698 = phi_5185_;
+                                    if (_e1648 < 0.0lf) {
+                                        phi_5191_ = -(_e1648);
                                     } else {
-                                        phi_5180_ = _e1644;
+                                        phi_5191_ = _e1648;
                                     }
-                                    let _e1698 = phi_5180_;
-                                    if (_e1694 > _e1698) {
-                                        phi_5185_ = _e1694;
+                                    let _e1702 = phi_5191_;
+                                    if (_e1698 > _e1702) {
+                                        phi_5196_ = _e1698;
                                     } else {
-                                        phi_5185_ = _e1698;
+                                        phi_5196_ = _e1702;
                                     }
-                                    let _e1701 = phi_5185_;
-                                    local_4 = type_51(array<f64, 3>(_e1642, _e1643, _e1644), _e1683, (_e1701 + _e1683));
-                                    let _e1707 = local_20.member_3;
-                                    let _e1709 = local_20.member_2[0u];
-                                    if (_e1709[0] < 0.0lf) {
-                                        phi_5211_ = -(_e1709[0]);
+                                    let _e1705 = phi_5196_;
+                                    local_4 = type_59(array<f64, 3>(_e1646, _e1647, _e1648), _e1687, (_e1705 + _e1687));
+                                    let _e1711 = local_20.member_3;
+                                    let _e1713 = local_20.member_2[0u];
+                                    if (_e1713[0] < 0.0lf) {
+                                        phi_5222_ = -(_e1713[0]);
                                     } else {
-                                        phi_5211_ = _e1709[0];
+                                        phi_5222_ = _e1713[0];
                                     }
-                                    let _e1716 = phi_5211_;
-                                    if (_e1709[1] < 0.0lf) {
-                                        phi_5218_ = -(_e1709[1]);
+                                    let _e1720 = phi_5222_;
+                                    if (_e1713[1] < 0.0lf) {
+                                        phi_5229_ = -(_e1713[1]);
                                     } else {
-                                        phi_5218_ = _e1709[1];
+                                        phi_5229_ = _e1713[1];
                                     }
-                                    let _e1720 = phi_5218_;
-                                    if (_e1716 > _e1720) {
-                                        phi_5223_ = _e1716;
+                                    let _e1724 = phi_5229_;
+                                    if (_e1720 > _e1724) {
+                                        phi_5234_ = _e1720;
                                     } else {
-                                        phi_5223_ = _e1720;
+                                        phi_5234_ = _e1724;
                                     }
-                                    let _e1723 = phi_5223_;
-                                    if (_e1709[2] < 0.0lf) {
-                                        phi_5230_ = -(_e1709[2]);
+                                    let _e1727 = phi_5234_;
+                                    if (_e1713[2] < 0.0lf) {
+                                        phi_5241_ = -(_e1713[2]);
                                     } else {
-                                        phi_5230_ = _e1709[2];
+                                        phi_5241_ = _e1713[2];
                                     }
-                                    let _e1727 = phi_5230_;
-                                    if (_e1723 > _e1727) {
-                                        phi_5235_ = _e1723;
+                                    let _e1731 = phi_5241_;
+                                    if (_e1727 > _e1731) {
+                                        phi_5246_ = _e1727;
                                     } else {
-                                        phi_5235_ = _e1727;
+                                        phi_5246_ = _e1731;
                                     }
-                                    let _e1730 = phi_5235_;
-                                    let _e1732 = local_20.member_2[1u];
-                                    if (_e1732[0] < 0.0lf) {
-                                        phi_5248_ = -(_e1732[0]);
+                                    let _e1734 = phi_5246_;
+                                    let _e1736 = local_20.member_2[1u];
+                                    if (_e1736[0] < 0.0lf) {
+                                        phi_5259_ = -(_e1736[0]);
                                     } else {
-                                        phi_5248_ = _e1732[0];
+                                        phi_5259_ = _e1736[0];
                                     }
-                                    let _e1739 = phi_5248_;
-                                    if (_e1732[1] < 0.0lf) {
-                                        phi_5255_ = -(_e1732[1]);
+                                    let _e1743 = phi_5259_;
+                                    if (_e1736[1] < 0.0lf) {
+                                        phi_5266_ = -(_e1736[1]);
                                     } else {
-                                        phi_5255_ = _e1732[1];
+                                        phi_5266_ = _e1736[1];
                                     }
-                                    let _e1743 = phi_5255_;
-                                    if (_e1739 > _e1743) {
-                                        phi_5260_ = _e1739;
+                                    let _e1747 = phi_5266_;
+                                    if (_e1743 > _e1747) {
+                                        phi_5271_ = _e1743;
                                     } else {
-                                        phi_5260_ = _e1743;
+                                        phi_5271_ = _e1747;
                                     }
-                                    let _e1746 = phi_5260_;
-                                    if (_e1732[2] < 0.0lf) {
-                                        phi_5267_ = -(_e1732[2]);
+                                    let _e1750 = phi_5271_;
+                                    if (_e1736[2] < 0.0lf) {
+                                        phi_5278_ = -(_e1736[2]);
                                     } else {
-                                        phi_5267_ = _e1732[2];
+                                        phi_5278_ = _e1736[2];
                                     }
-                                    let _e1750 = phi_5267_;
-                                    if (_e1746 > _e1750) {
-                                        phi_5272_ = _e1746;
+                                    let _e1754 = phi_5278_;
+                                    if (_e1750 > _e1754) {
+                                        phi_5283_ = _e1750;
                                     } else {
-                                        phi_5272_ = _e1750;
+                                        phi_5283_ = _e1754;
                                     }
-                                    let _e1753 = phi_5272_;
-                                    if (_e1730 > _e1753) {
-                                        phi_5277_ = _e1730;
+                                    let _e1757 = phi_5283_;
+                                    if (_e1734 > _e1757) {
+                                        phi_5288_ = _e1734;
                                     } else {
-                                        phi_5277_ = _e1753;
+                                        phi_5288_ = _e1757;
                                     }
-                                    let _e1756 = phi_5277_;
-                                    let _e1759 = local_20.member_2[0u];
-                                    let _e1764 = local_20.member_2[1u];
-                                    let _e1774 = (_e1759[0] + ((_e1764[0] - _e1759[0]) * _e1437));
-                                    let _e1775 = (_e1759[1] + ((_e1764[1] - _e1759[1]) * _e1437));
-                                    let _e1776 = (_e1759[2] + ((_e1764[2] - _e1759[2]) * _e1437));
-                                    let _e1778 = local_20.member_2[1u];
-                                    let _e1783 = local_20.member_2[0u];
-                                    let _e1787 = (_e1778[0] - _e1783[0]);
-                                    let _e1788 = (_e1778[1] - _e1783[1]);
-                                    let _e1789 = (_e1778[2] - _e1783[2]);
-                                    if (_e1787 < 0.0lf) {
-                                        phi_5336_ = -(_e1787);
+                                    let _e1760 = phi_5288_;
+                                    let _e1763 = local_20.member_2[0u];
+                                    let _e1768 = local_20.member_2[1u];
+                                    let _e1778 = (_e1763[0] + ((_e1768[0] - _e1763[0]) * _e1441));
+                                    let _e1779 = (_e1763[1] + ((_e1768[1] - _e1763[1]) * _e1441));
+                                    let _e1780 = (_e1763[2] + ((_e1768[2] - _e1763[2]) * _e1441));
+                                    let _e1782 = local_20.member_2[1u];
+                                    let _e1787 = local_20.member_2[0u];
+                                    let _e1791 = (_e1782[0] - _e1787[0]);
+                                    let _e1792 = (_e1782[1] - _e1787[1]);
+                                    let _e1793 = (_e1782[2] - _e1787[2]);
+                                    if (_e1791 < 0.0lf) {
+                                        phi_5347_ = -(_e1791);
                                     } else {
-                                        phi_5336_ = _e1787;
+                                        phi_5347_ = _e1791;
                                     }
-                                    let _e1793 = phi_5336_;
-                                    if (_e1788 < 0.0lf) {
-                                        phi_5342_ = -(_e1788);
+                                    let _e1797 = phi_5347_;
+                                    if (_e1792 < 0.0lf) {
+                                        phi_5353_ = -(_e1792);
                                     } else {
-                                        phi_5342_ = _e1788;
+                                        phi_5353_ = _e1792;
                                     }
-                                    let _e1797 = phi_5342_;
-                                    if (_e1793 > _e1797) {
-                                        phi_5347_ = _e1793;
+                                    let _e1801 = phi_5353_;
+                                    if (_e1797 > _e1801) {
+                                        phi_5358_ = _e1797;
                                     } else {
-                                        phi_5347_ = _e1797;
+                                        phi_5358_ = _e1801;
                                     }
-                                    let _e1800 = phi_5347_;
-                                    if (_e1789 < 0.0lf) {
-                                        phi_5353_ = -(_e1789);
+                                    let _e1804 = phi_5358_;
+                                    if (_e1793 < 0.0lf) {
+                                        phi_5364_ = -(_e1793);
                                     } else {
-                                        phi_5353_ = _e1789;
+                                        phi_5364_ = _e1793;
                                     }
-                                    let _e1804 = phi_5353_;
-                                    if (_e1800 > _e1804) {
-                                        phi_5358_ = _e1800;
+                                    let _e1808 = phi_5364_;
+                                    if (_e1804 > _e1808) {
+                                        phi_5369_ = _e1804;
                                     } else {
-                                        phi_5358_ = _e1804;
+                                        phi_5369_ = _e1808;
                                     }
-                                    let _e1807 = phi_5358_;
-                                    let _e1815 = ((((_e1440 * _e1807) * f64(1.01f)) + ((_e1756 + _e1707) * (1.1102230246251565e-16lf * f64(8f)))) + _e1707);
-                                    if (_e1774 < 0.0lf) {
-                                        phi_5372_ = -(_e1774);
+                                    let _e1811 = phi_5369_;
+                                    let _e1819 = ((((_e1444 * _e1811) * f64(1.01f)) + ((_e1760 + _e1711) * (1.1102230246251565e-16lf * f64(8f)))) + _e1711);
+                                    if (_e1778 < 0.0lf) {
+                                        phi_5383_ = -(_e1778);
                                     } else {
-                                        phi_5372_ = _e1774;
+                                        phi_5383_ = _e1778;
                                     }
-                                    let _e1819 = phi_5372_;
-                                    if (_e1775 < 0.0lf) {
-                                        phi_5378_ = -(_e1775);
+                                    let _e1823 = phi_5383_;
+                                    if (_e1779 < 0.0lf) {
+                                        phi_5389_ = -(_e1779);
                                     } else {
-                                        phi_5378_ = _e1775;
+                                        phi_5389_ = _e1779;
                                     }
-                                    let _e1823 = phi_5378_;
-                                    if (_e1819 > _e1823) {
-                                        phi_5383_ = _e1819;
+                                    let _e1827 = phi_5389_;
+                                    if (_e1823 > _e1827) {
+                                        phi_5394_ = _e1823;
                                     } else {
-                                        phi_5383_ = _e1823;
+                                        phi_5394_ = _e1827;
                                     }
-                                    let _e1826 = phi_5383_;
-                                    if (_e1776 < 0.0lf) {
-                                        phi_5389_ = -(_e1776);
+                                    let _e1830 = phi_5394_;
+                                    if (_e1780 < 0.0lf) {
+                                        phi_5400_ = -(_e1780);
                                     } else {
-                                        phi_5389_ = _e1776;
+                                        phi_5400_ = _e1780;
                                     }
-                                    let _e1830 = phi_5389_;
-                                    if (_e1826 > _e1830) {
-                                        phi_5394_ = _e1826;
+                                    let _e1834 = phi_5400_;
+                                    if (_e1830 > _e1834) {
+                                        phi_5405_ = _e1830;
                                     } else {
-                                        phi_5394_ = _e1830;
+                                        phi_5405_ = _e1834;
                                     }
-                                    let _e1833 = phi_5394_;
-                                    local_5 = type_51(array<f64, 3>(_e1774, _e1775, _e1776), _e1815, (_e1833 + _e1815));
-                                    let _e1838 = local_4.member;
-                                    let _e1843 = local_5.member;
-                                    let _e1849 = ((_e1838[1] * _e1843[2]) - (_e1838[2] * _e1843[1]));
-                                    let _e1852 = ((_e1838[2] * _e1843[0]) - (_e1838[0] * _e1843[2]));
-                                    let _e1855 = ((_e1838[0] * _e1843[1]) - (_e1838[1] * _e1843[0]));
-                                    if (_e1849 < 0.0lf) {
-                                        phi_5443_ = -(_e1849);
+                                    let _e1837 = phi_5405_;
+                                    local_5 = type_59(array<f64, 3>(_e1778, _e1779, _e1780), _e1819, (_e1837 + _e1819));
+                                    let _e1842 = local_4.member;
+                                    let _e1847 = local_5.member;
+                                    let _e1853 = ((_e1842[1] * _e1847[2]) - (_e1842[2] * _e1847[1]));
+                                    let _e1856 = ((_e1842[2] * _e1847[0]) - (_e1842[0] * _e1847[2]));
+                                    let _e1859 = ((_e1842[0] * _e1847[1]) - (_e1842[1] * _e1847[0]));
+                                    if (_e1853 < 0.0lf) {
+                                        phi_5454_ = -(_e1853);
                                     } else {
-                                        phi_5443_ = _e1849;
+                                        phi_5454_ = _e1853;
                                     }
-                                    let _e1859 = phi_5443_;
-                                    if (_e1852 < 0.0lf) {
-                                        phi_5449_ = -(_e1852);
+                                    let _e1863 = phi_5454_;
+                                    if (_e1856 < 0.0lf) {
+                                        phi_5460_ = -(_e1856);
                                     } else {
-                                        phi_5449_ = _e1852;
+                                        phi_5460_ = _e1856;
                                     }
-                                    let _e1863 = phi_5449_;
-                                    if (_e1859 > _e1863) {
-                                        if (_e1849 < 0.0lf) {
-                                            phi_5459_ = -(_e1849);
+                                    let _e1867 = phi_5460_;
+                                    if (_e1863 > _e1867) {
+                                        if (_e1853 < 0.0lf) {
+                                            phi_5470_ = -(_e1853);
                                         } else {
-                                            phi_5459_ = _e1849;
+                                            phi_5470_ = _e1853;
                                         }
-                                        let _e1881 = phi_5459_;
-                                        if (_e1855 < 0.0lf) {
-                                            phi_5465_ = -(_e1855);
+                                        let _e1885 = phi_5470_;
+                                        if (_e1859 < 0.0lf) {
+                                            phi_5476_ = -(_e1859);
                                         } else {
-                                            phi_5465_ = _e1855;
+                                            phi_5476_ = _e1859;
                                         }
-                                        let _e1885 = phi_5465_;
-                                        if (_e1881 > _e1885) {
-                                            phi_5470_ = 2u;
-                                            phi_5471_ = 1u;
+                                        let _e1889 = phi_5476_;
+                                        if (_e1885 > _e1889) {
+                                            phi_5481_ = 2u;
+                                            phi_5482_ = 1u;
                                         } else {
-                                            phi_5470_ = 1u;
-                                            phi_5471_ = 0u;
+                                            phi_5481_ = 1u;
+                                            phi_5482_ = 0u;
                                         }
-                                        let _e1888 = phi_5470_;
-                                        let _e1890 = phi_5471_;
-                                        phi_5490_ = _e1888;
-                                        phi_5491_ = _e1890;
+                                        let _e1892 = phi_5481_;
+                                        let _e1894 = phi_5482_;
+                                        phi_5501_ = _e1892;
+                                        phi_5502_ = _e1894;
                                     } else {
-                                        if (_e1852 < 0.0lf) {
-                                            phi_5477_ = -(_e1852);
+                                        if (_e1856 < 0.0lf) {
+                                            phi_5488_ = -(_e1856);
                                         } else {
-                                            phi_5477_ = _e1852;
+                                            phi_5488_ = _e1856;
                                         }
-                                        let _e1868 = phi_5477_;
-                                        if (_e1855 < 0.0lf) {
-                                            phi_5483_ = -(_e1855);
+                                        let _e1872 = phi_5488_;
+                                        if (_e1859 < 0.0lf) {
+                                            phi_5494_ = -(_e1859);
                                         } else {
-                                            phi_5483_ = _e1855;
+                                            phi_5494_ = _e1859;
                                         }
-                                        let _e1872 = phi_5483_;
-                                        if (_e1868 > _e1872) {
-                                            phi_5488_ = 0u;
-                                            phi_5489_ = 2u;
+                                        let _e1876 = phi_5494_;
+                                        if (_e1872 > _e1876) {
+                                            phi_5499_ = 0u;
+                                            phi_5500_ = 2u;
                                         } else {
-                                            phi_5488_ = 1u;
-                                            phi_5489_ = 0u;
+                                            phi_5499_ = 1u;
+                                            phi_5500_ = 0u;
                                         }
-                                        let _e1875 = phi_5488_;
-                                        let _e1877 = phi_5489_;
-                                        phi_5490_ = _e1875;
-                                        phi_5491_ = _e1877;
+                                        let _e1879 = phi_5499_;
+                                        let _e1881 = phi_5500_;
+                                        phi_5501_ = _e1879;
+                                        phi_5502_ = _e1881;
                                     }
-                                    let _e1892 = phi_5490_;
-                                    let _e1894 = phi_5491_;
-                                    if (_e1894 < 3u) {
+                                    let _e1896 = phi_5501_;
+                                    let _e1898 = phi_5502_;
+                                    if (_e1898 < 3u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1898 = local_4.member[_e1894];
-                                    if (_e1892 < 3u) {
+                                    let _e1902 = local_4.member[_e1898];
+                                    if (_e1896 < 3u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1902 = local_5.member[_e1892];
-                                    if (_e1892 < 3u) {
+                                    let _e1906 = local_5.member[_e1896];
+                                    if (_e1896 < 3u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1907 = local_4.member[_e1892];
-                                    if (_e1894 < 3u) {
+                                    let _e1911 = local_4.member[_e1896];
+                                    if (_e1898 < 3u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1911 = local_5.member[_e1894];
-                                    let _e1913 = ((_e1898 * _e1902) - (_e1907 * _e1911));
-                                    let _e1914 = f64(1f);
-                                    let _e1916 = local_4.member_1;
-                                    let _e1918 = local_5.member_2;
-                                    let _e1921 = local_4.member_2;
-                                    let _e1923 = local_5.member_1;
-                                    let _e1929 = local_4.member_2;
-                                    let _e1931 = local_5.member_2;
-                                    let _e1940 = local_4.member_2;
-                                    let _e1943 = local_5.member_2;
-                                    let _e1947 = (((((_e1916 * _e1918) + (_e1921 * _e1923)) * f64(2.01f)) + ((_e1929 * _e1931) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1914 + _e1940) * (_e1914 + _e1943))));
-                                    if (_e1913 < 0.0lf) {
-                                        phi_5562_ = -(_e1913);
+                                    let _e1915 = local_5.member[_e1898];
+                                    let _e1917 = ((_e1902 * _e1906) - (_e1911 * _e1915));
+                                    let _e1918 = f64(1f);
+                                    let _e1920 = local_4.member_1;
+                                    let _e1922 = local_5.member_2;
+                                    let _e1925 = local_4.member_2;
+                                    let _e1927 = local_5.member_1;
+                                    let _e1933 = local_4.member_2;
+                                    let _e1935 = local_5.member_2;
+                                    let _e1944 = local_4.member_2;
+                                    let _e1947 = local_5.member_2;
+                                    let _e1951 = (((((_e1920 * _e1922) + (_e1925 * _e1927)) * f64(2.01f)) + ((_e1933 * _e1935) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1918 + _e1944) * (_e1918 + _e1947))));
+                                    if (_e1917 < 0.0lf) {
+                                        phi_5573_ = -(_e1917);
                                     } else {
-                                        phi_5562_ = _e1913;
+                                        phi_5573_ = _e1917;
                                     }
-                                    let _e1951 = phi_5562_;
-                                    if (_e1951 > _e1947) {
-                                        if (_e1913 < f64(0f)) {
-                                            phi_5574_ = f64(-1f);
+                                    let _e1955 = phi_5573_;
+                                    if (_e1955 > _e1951) {
+                                        if (_e1917 < f64(0f)) {
+                                            phi_5585_ = f64(-1f);
                                         } else {
-                                            phi_5574_ = f64(1f);
+                                            phi_5585_ = f64(1f);
                                         }
-                                        let _e1958 = phi_5574_;
-                                        if (_e1894 < 3u) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e1962 = local_3.member[_e1894];
-                                        if (_e1892 < 3u) {
+                                        let _e1962 = phi_5585_;
+                                        if (_e1898 < 3u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1966 = local_5.member[_e1892];
-                                        if (_e1892 < 3u) {
+                                        let _e1966 = local_3.member[_e1898];
+                                        if (_e1896 < 3u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1971 = local_3.member[_e1892];
-                                        if (_e1894 < 3u) {
+                                        let _e1970 = local_5.member[_e1896];
+                                        if (_e1896 < 3u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1975 = local_5.member[_e1894];
-                                        let _e1978 = f64(1f);
-                                        let _e1980 = local_3.member_1;
-                                        let _e1982 = local_5.member_2;
-                                        let _e1985 = local_3.member_2;
-                                        let _e1987 = local_5.member_1;
-                                        let _e1993 = local_3.member_2;
-                                        let _e1995 = local_5.member_2;
-                                        let _e2004 = local_3.member_2;
-                                        let _e2007 = local_5.member_2;
-                                        let _e2011 = (((((_e1980 * _e1982) + (_e1985 * _e1987)) * f64(2.01f)) + ((_e1993 * _e1995) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1978 + _e2004) * (_e1978 + _e2007))));
-                                        if (_e1894 < 3u) {
+                                        let _e1975 = local_3.member[_e1896];
+                                        if (_e1898 < 3u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2015 = local_4.member[_e1894];
-                                        if (_e1892 < 3u) {
+                                        let _e1979 = local_5.member[_e1898];
+                                        let _e1982 = f64(1f);
+                                        let _e1984 = local_3.member_1;
+                                        let _e1986 = local_5.member_2;
+                                        let _e1989 = local_3.member_2;
+                                        let _e1991 = local_5.member_1;
+                                        let _e1997 = local_3.member_2;
+                                        let _e1999 = local_5.member_2;
+                                        let _e2008 = local_3.member_2;
+                                        let _e2011 = local_5.member_2;
+                                        let _e2015 = (((((_e1984 * _e1986) + (_e1989 * _e1991)) * f64(2.01f)) + ((_e1997 * _e1999) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1982 + _e2008) * (_e1982 + _e2011))));
+                                        if (_e1898 < 3u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2019 = local_3.member[_e1892];
-                                        if (_e1892 < 3u) {
+                                        let _e2019 = local_4.member[_e1898];
+                                        if (_e1896 < 3u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2024 = local_4.member[_e1892];
-                                        if (_e1894 < 3u) {
+                                        let _e2023 = local_3.member[_e1896];
+                                        if (_e1896 < 3u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2028 = local_3.member[_e1894];
-                                        let _e2031 = f64(1f);
-                                        let _e2033 = local_4.member_1;
-                                        let _e2035 = local_3.member_2;
-                                        let _e2038 = local_4.member_2;
-                                        let _e2040 = local_3.member_1;
-                                        let _e2046 = local_4.member_2;
-                                        let _e2048 = local_3.member_2;
-                                        let _e2057 = local_4.member_2;
-                                        let _e2060 = local_3.member_2;
-                                        let _e2064 = (((((_e2033 * _e2035) + (_e2038 * _e2040)) * f64(2.01f)) + ((_e2046 * _e2048) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2031 + _e2057) * (_e2031 + _e2060))));
-                                        let _e2065 = (_e1913 * _e1958);
-                                        let _e2066 = (((_e1962 * _e1966) - (_e1971 * _e1975)) * _e1958);
-                                        let _e2067 = (((_e2015 * _e2019) - (_e2024 * _e2028)) * _e1958);
-                                        if (_e2065 < 0.0lf) {
-                                            phi_5713_ = -(_e2065);
+                                        let _e2028 = local_4.member[_e1896];
+                                        if (_e1898 < 3u) {
                                         } else {
-                                            phi_5713_ = _e2065;
+                                            return;
                                         }
-                                        let _e2071 = phi_5713_;
-                                        if (_e2066 < 0.0lf) {
-                                            phi_5719_ = -(_e2066);
+                                        let _e2032 = local_3.member[_e1898];
+                                        let _e2035 = f64(1f);
+                                        let _e2037 = local_4.member_1;
+                                        let _e2039 = local_3.member_2;
+                                        let _e2042 = local_4.member_2;
+                                        let _e2044 = local_3.member_1;
+                                        let _e2050 = local_4.member_2;
+                                        let _e2052 = local_3.member_2;
+                                        let _e2061 = local_4.member_2;
+                                        let _e2064 = local_3.member_2;
+                                        let _e2068 = (((((_e2037 * _e2039) + (_e2042 * _e2044)) * f64(2.01f)) + ((_e2050 * _e2052) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2035 + _e2061) * (_e2035 + _e2064))));
+                                        let _e2069 = (_e1917 * _e1962);
+                                        let _e2070 = (((_e1966 * _e1970) - (_e1975 * _e1979)) * _e1962);
+                                        let _e2071 = (((_e2019 * _e2023) - (_e2028 * _e2032)) * _e1962);
+                                        if (_e2069 < 0.0lf) {
+                                            phi_5724_ = -(_e2069);
                                         } else {
-                                            phi_5719_ = _e2066;
+                                            phi_5724_ = _e2069;
                                         }
-                                        let _e2075 = phi_5719_;
-                                        if (_e2067 < 0.0lf) {
-                                            phi_5726_ = -(_e2067);
+                                        let _e2075 = phi_5724_;
+                                        if (_e2070 < 0.0lf) {
+                                            phi_5730_ = -(_e2070);
                                         } else {
-                                            phi_5726_ = _e2067;
+                                            phi_5730_ = _e2070;
                                         }
-                                        let _e2080 = phi_5726_;
-                                        let _e2084 = (((_e2071 + _e2075) + _e2080) * (1.1102230246251565e-16lf * f64(4f)));
-                                        local_6[0u].member = _e2066;
-                                        local_6[0u].member_1 = _e2011;
-                                        local_6[1u].member = _e2067;
-                                        local_6[1u].member_1 = _e2064;
-                                        local_6[2u].member = (_e2065 - _e2066);
-                                        local_6[2u].member_1 = ((_e1947 + _e2011) + _e2084);
-                                        local_6[3u].member = (_e2065 - _e2067);
-                                        local_6[3u].member_1 = ((_e1947 + _e2064) + _e2084);
-                                        phi_5770_ = type_28(0u, 4u);
-                                        phi_5773_ = true;
+                                        let _e2079 = phi_5730_;
+                                        if (_e2071 < 0.0lf) {
+                                            phi_5737_ = -(_e2071);
+                                        } else {
+                                            phi_5737_ = _e2071;
+                                        }
+                                        let _e2084 = phi_5737_;
+                                        let _e2088 = (((_e2075 + _e2079) + _e2084) * (1.1102230246251565e-16lf * f64(4f)));
+                                        local_6[0u].member = _e2070;
+                                        local_6[0u].member_1 = _e2015;
+                                        local_6[1u].member = _e2071;
+                                        local_6[1u].member_1 = _e2068;
+                                        local_6[2u].member = (_e2069 - _e2070);
+                                        local_6[2u].member_1 = ((_e1951 + _e2015) + _e2088);
+                                        local_6[3u].member = (_e2069 - _e2071);
+                                        local_6[3u].member_1 = ((_e1951 + _e2068) + _e2088);
+                                        phi_5781_ = type_29(0u, 4u);
+                                        phi_5784_ = true;
                                         loop {
-                                            let _e2105 = phi_5770_;
-                                            let _e2107 = phi_5773_;
-                                            local_25 = _e2107;
-                                            if (_e2105.member < _e2105.member_1) {
-                                                phi_5771_ = type_28((_e2105.member + 1u), _e2105.member_1);
-                                                phi_5796_ = type_28(1u, _e2105.member);
+                                            let _e2109 = phi_5781_;
+                                            let _e2111 = phi_5784_;
+                                            local_25 = _e2111;
+                                            if (_e2109.member < _e2109.member_1) {
+                                                phi_5782_ = type_29((_e2109.member + 1u), _e2109.member_1);
+                                                phi_5807_ = type_29(1u, _e2109.member);
                                             } else {
-                                                phi_5771_ = _e2105;
-                                                phi_5796_ = type_28(0u, type_28().member_1);
+                                                phi_5782_ = _e2109;
+                                                phi_5807_ = type_29(0u, type_29().member_1);
                                             }
-                                            let _e2121 = phi_5771_;
-                                            let _e2123 = phi_5796_;
-                                            if (bitcast<i32>(_e2123.member) != 0i) {
-                                                if (_e2123.member_1 < 4u) {
+                                            let _e2125 = phi_5782_;
+                                            let _e2127 = phi_5807_;
+                                            if (bitcast<i32>(_e2127.member) != 0i) {
+                                                if (_e2127.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e2131 = local_6[_e2123.member_1].member;
-                                                let _e2134 = local_6[_e2123.member_1].member_1;
-                                                let _e2136 = (_e2131 < -(_e2134));
-                                                if _e2136 {
-                                                    phi_5823_ = bool();
-                                                    phi_5824_ = false;
+                                                let _e2135 = local_6[_e2127.member_1].member;
+                                                let _e2138 = local_6[_e2127.member_1].member_1;
+                                                let _e2140 = (_e2135 < -(_e2138));
+                                                if _e2140 {
+                                                    phi_5834_ = bool();
+                                                    phi_5835_ = false;
                                                 } else {
-                                                    phi_5823_ = (_e2107 && (_e2131 > _e2134));
-                                                    phi_5824_ = true;
+                                                    phi_5834_ = (_e2111 && (_e2135 > _e2138));
+                                                    phi_5835_ = true;
                                                 }
-                                                let _e2140 = phi_5823_;
-                                                let _e2142 = phi_5824_;
-                                                phi_5774_ = _e2140;
-                                                phi_5825_ = _e2142;
-                                                phi_5826_ = _e2136;
+                                                let _e2144 = phi_5834_;
+                                                let _e2146 = phi_5835_;
+                                                phi_5785_ = _e2144;
+                                                phi_5836_ = _e2146;
+                                                phi_5837_ = _e2140;
                                             } else {
-                                                phi_5774_ = bool();
-                                                phi_5825_ = false;
-                                                phi_5826_ = false;
+                                                phi_5785_ = bool();
+                                                phi_5836_ = false;
+                                                phi_5837_ = false;
                                             }
-                                            let _e2144 = phi_5774_;
-                                            let _e2146 = phi_5825_;
-                                            let _e2148 = phi_5826_;
-                                            local_24 = _e2148;
+                                            let _e2148 = phi_5785_;
+                                            let _e2150 = phi_5836_;
+                                            let _e2152 = phi_5837_;
+                                            local_24 = _e2152;
                                             continue;
                                             continuing {
-                                                phi_5770_ = _e2121;
-                                                phi_5773_ = _e2144;
-                                                break if !(_e2146);
+                                                phi_5781_ = _e2125;
+                                                phi_5784_ = _e2148;
+                                                break if !(_e2150);
                                             }
                                         }
-                                        let _e2151 = local_24;
-                                        if _e2151 {
-                                            phi_5830_ = false;
+                                        let _e2155 = local_24;
+                                        if _e2155 {
+                                            phi_5841_ = false;
                                         } else {
-                                            phi_5830_ = true;
+                                            phi_5841_ = true;
                                         }
-                                        let _e2153 = phi_5830_;
-                                        if _e2153 {
-                                            let _e2155 = local_25;
-                                            if _e2155 {
-                                                phi_5837_ = 1u;
+                                        let _e2157 = phi_5841_;
+                                        if _e2157 {
+                                            let _e2159 = local_25;
+                                            if _e2159 {
+                                                phi_5848_ = 1u;
                                             } else {
-                                                phi_5837_ = 2u;
+                                                phi_5848_ = 2u;
                                             }
-                                            let _e2157 = phi_5837_;
-                                            phi_5838_ = _e2157;
-                                            phi_5839_ = false;
+                                            let _e2161 = phi_5848_;
+                                            phi_5849_ = _e2161;
+                                            phi_5850_ = false;
                                         } else {
-                                            phi_5838_ = u32();
-                                            phi_5839_ = true;
+                                            phi_5849_ = u32();
+                                            phi_5850_ = true;
                                         }
-                                        let _e2159 = phi_5838_;
-                                        let _e2161 = phi_5839_;
-                                        phi_5840_ = _e2159;
-                                        phi_5841_ = 0u;
-                                        phi_5842_ = _e2161;
+                                        let _e2163 = phi_5849_;
+                                        let _e2165 = phi_5850_;
+                                        phi_5851_ = _e2163;
+                                        phi_5852_ = 0u;
+                                        phi_5853_ = _e2165;
                                     } else {
-                                        phi_5840_ = u32();
-                                        phi_5841_ = 2u;
-                                        phi_5842_ = true;
+                                        phi_5851_ = u32();
+                                        phi_5852_ = 2u;
+                                        phi_5853_ = true;
                                     }
-                                    let _e2163 = phi_5840_;
-                                    let _e2165 = phi_5841_;
-                                    let _e2167 = phi_5842_;
-                                    if _e2167 {
-                                        phi_5846_ = _e2165;
+                                    let _e2167 = phi_5851_;
+                                    let _e2169 = phi_5852_;
+                                    let _e2171 = phi_5853_;
+                                    if _e2171 {
+                                        phi_5857_ = _e2169;
                                     } else {
-                                        phi_5846_ = _e2163;
+                                        phi_5857_ = _e2167;
                                     }
-                                    let _e2169 = phi_5846_;
-                                    let _e2170 = (_e2169 == 0u);
-                                    if _e2170 {
-                                        phi_7390_ = f64();
-                                        phi_7391_ = false;
-                                        phi_7392_ = false;
-                                        phi_7393_ = false;
+                                    let _e2173 = phi_5857_;
+                                    let _e2174 = (_e2173 == 0u);
+                                    if _e2174 {
+                                        phi_7401_ = f64();
+                                        phi_7402_ = false;
+                                        phi_7403_ = false;
+                                        phi_7404_ = false;
                                     } else {
-                                        if (_e2169 == 1u) {
-                                            if _e1428.member_2 {
-                                                if ((_e1428.member_1 - _e1428.member) <= f64(0.0000005f)) {
-                                                    phi_5867_ = false;
+                                        if (_e2173 == 1u) {
+                                            if _e1432.member_2 {
+                                                if ((_e1432.member_1 - _e1432.member) <= f64(0.0000005f)) {
+                                                    phi_5878_ = false;
                                                 } else {
-                                                    phi_5867_ = true;
+                                                    phi_5878_ = true;
                                                 }
-                                                let _e2179 = phi_5867_;
-                                                phi_5868_ = _e2179;
+                                                let _e2183 = phi_5878_;
+                                                phi_5879_ = _e2183;
                                             } else {
-                                                phi_5868_ = true;
+                                                phi_5879_ = true;
                                             }
-                                            let _e2181 = phi_5868_;
-                                            phi_5869_ = _e2181;
+                                            let _e2185 = phi_5879_;
+                                            phi_5880_ = _e2185;
                                         } else {
-                                            phi_5869_ = true;
+                                            phi_5880_ = true;
                                         }
-                                        let _e2183 = phi_5869_;
-                                        if _e2183 {
-                                            let _e2189 = local_20.member[0u];
-                                            let _e2195 = local_20.member_1[0u];
-                                            let _e2201 = local_20.member_2[0u];
-                                            let _e2205 = (_e2189[0] - _e2195[0]);
-                                            let _e2206 = (_e2189[1] - _e2195[1]);
-                                            let _e2207 = (_e2189[2] - _e2195[2]);
-                                            local_1 = array<array<f64, 3>, 4>(_e2189, array<f64, 3>(_e2205, _e2206, _e2207), array<f64, 3>((_e2189[0] - _e2201[0]), (_e2189[1] - _e2201[1]), (_e2189[2] - _e2201[2])), array<f64, 3>((_e2205 - _e2201[0]), (_e2206 - _e2201[1]), (_e2207 - _e2201[2])));
-                                            let _e2220 = local_20.member[1u];
-                                            let _e2226 = local_20.member_1[1u];
-                                            let _e2232 = local_20.member_2[1u];
-                                            let _e2236 = (_e2220[0] - _e2226[0]);
-                                            let _e2237 = (_e2220[1] - _e2226[1]);
-                                            let _e2238 = (_e2220[2] - _e2226[2]);
-                                            local_2 = array<array<f64, 3>, 4>(_e2220, array<f64, 3>(_e2236, _e2237, _e2238), array<f64, 3>((_e2220[0] - _e2232[0]), (_e2220[1] - _e2232[1]), (_e2220[2] - _e2232[2])), array<f64, 3>((_e2236 - _e2232[0]), (_e2237 - _e2232[1]), (_e2238 - _e2232[2])));
-                                            let _e2251 = local_20.member[0u];
-                                            if (_e2251[0] < 0.0lf) {
-                                                phi_6066_ = -(_e2251[0]);
+                                        let _e2187 = phi_5880_;
+                                        if _e2187 {
+                                            let _e2193 = local_20.member[0u];
+                                            let _e2199 = local_20.member_1[0u];
+                                            let _e2205 = local_20.member_2[0u];
+                                            let _e2209 = (_e2193[0] - _e2199[0]);
+                                            let _e2210 = (_e2193[1] - _e2199[1]);
+                                            let _e2211 = (_e2193[2] - _e2199[2]);
+                                            local_1 = array<array<f64, 3>, 4>(_e2193, array<f64, 3>(_e2209, _e2210, _e2211), array<f64, 3>((_e2193[0] - _e2205[0]), (_e2193[1] - _e2205[1]), (_e2193[2] - _e2205[2])), array<f64, 3>((_e2209 - _e2205[0]), (_e2210 - _e2205[1]), (_e2211 - _e2205[2])));
+                                            let _e2224 = local_20.member[1u];
+                                            let _e2230 = local_20.member_1[1u];
+                                            let _e2236 = local_20.member_2[1u];
+                                            let _e2240 = (_e2224[0] - _e2230[0]);
+                                            let _e2241 = (_e2224[1] - _e2230[1]);
+                                            let _e2242 = (_e2224[2] - _e2230[2]);
+                                            local_2 = array<array<f64, 3>, 4>(_e2224, array<f64, 3>(_e2240, _e2241, _e2242), array<f64, 3>((_e2224[0] - _e2236[0]), (_e2224[1] - _e2236[1]), (_e2224[2] - _e2236[2])), array<f64, 3>((_e2240 - _e2236[0]), (_e2241 - _e2236[1]), (_e2242 - _e2236[2])));
+                                            let _e2255 = local_20.member[0u];
+                                            if (_e2255[0] < 0.0lf) {
+                                                phi_6077_ = -(_e2255[0]);
                                             } else {
-                                                phi_6066_ = _e2251[0];
+                                                phi_6077_ = _e2255[0];
                                             }
-                                            let _e2258 = phi_6066_;
-                                            if (_e2251[1] < 0.0lf) {
-                                                phi_6073_ = -(_e2251[1]);
+                                            let _e2262 = phi_6077_;
+                                            if (_e2255[1] < 0.0lf) {
+                                                phi_6084_ = -(_e2255[1]);
                                             } else {
-                                                phi_6073_ = _e2251[1];
+                                                phi_6084_ = _e2255[1];
                                             }
-                                            let _e2262 = phi_6073_;
-                                            if (_e2258 > _e2262) {
-                                                phi_6078_ = _e2258;
+                                            let _e2266 = phi_6084_;
+                                            if (_e2262 > _e2266) {
+                                                phi_6089_ = _e2262;
                                             } else {
-                                                phi_6078_ = _e2262;
+                                                phi_6089_ = _e2266;
                                             }
-                                            let _e2265 = phi_6078_;
-                                            if (_e2251[2] < 0.0lf) {
-                                                phi_6085_ = -(_e2251[2]);
+                                            let _e2269 = phi_6089_;
+                                            if (_e2255[2] < 0.0lf) {
+                                                phi_6096_ = -(_e2255[2]);
                                             } else {
-                                                phi_6085_ = _e2251[2];
+                                                phi_6096_ = _e2255[2];
                                             }
-                                            let _e2269 = phi_6085_;
-                                            if (_e2265 > _e2269) {
-                                                phi_6090_ = _e2265;
+                                            let _e2273 = phi_6096_;
+                                            if (_e2269 > _e2273) {
+                                                phi_6101_ = _e2269;
                                             } else {
-                                                phi_6090_ = _e2269;
+                                                phi_6101_ = _e2273;
                                             }
-                                            let _e2272 = phi_6090_;
-                                            let _e2275 = local_20.member[1u];
-                                            if (_e2275[0] < 0.0lf) {
-                                                phi_6103_ = -(_e2275[0]);
+                                            let _e2276 = phi_6101_;
+                                            let _e2279 = local_20.member[1u];
+                                            if (_e2279[0] < 0.0lf) {
+                                                phi_6114_ = -(_e2279[0]);
                                             } else {
-                                                phi_6103_ = _e2275[0];
+                                                phi_6114_ = _e2279[0];
                                             }
-                                            let _e2282 = phi_6103_;
-                                            if (_e2275[1] < 0.0lf) {
-                                                phi_6110_ = -(_e2275[1]);
+                                            let _e2286 = phi_6114_;
+                                            if (_e2279[1] < 0.0lf) {
+                                                phi_6121_ = -(_e2279[1]);
                                             } else {
-                                                phi_6110_ = _e2275[1];
+                                                phi_6121_ = _e2279[1];
                                             }
-                                            let _e2286 = phi_6110_;
-                                            if (_e2282 > _e2286) {
-                                                phi_6115_ = _e2282;
+                                            let _e2290 = phi_6121_;
+                                            if (_e2286 > _e2290) {
+                                                phi_6126_ = _e2286;
                                             } else {
-                                                phi_6115_ = _e2286;
+                                                phi_6126_ = _e2290;
                                             }
-                                            let _e2289 = phi_6115_;
-                                            if (_e2275[2] < 0.0lf) {
-                                                phi_6122_ = -(_e2275[2]);
+                                            let _e2293 = phi_6126_;
+                                            if (_e2279[2] < 0.0lf) {
+                                                phi_6133_ = -(_e2279[2]);
                                             } else {
-                                                phi_6122_ = _e2275[2];
+                                                phi_6133_ = _e2279[2];
                                             }
-                                            let _e2293 = phi_6122_;
-                                            if (_e2289 > _e2293) {
-                                                phi_6127_ = _e2289;
+                                            let _e2297 = phi_6133_;
+                                            if (_e2293 > _e2297) {
+                                                phi_6138_ = _e2293;
                                             } else {
-                                                phi_6127_ = _e2293;
+                                                phi_6138_ = _e2297;
                                             }
-                                            let _e2296 = phi_6127_;
-                                            if (_e2272 > _e2296) {
-                                                phi_6132_ = _e2272;
+                                            let _e2300 = phi_6138_;
+                                            if (_e2276 > _e2300) {
+                                                phi_6143_ = _e2276;
                                             } else {
-                                                phi_6132_ = _e2296;
+                                                phi_6143_ = _e2300;
                                             }
-                                            let _e2299 = phi_6132_;
-                                            let _e2301 = local_20.member_3;
-                                            let _e2305 = local_20.member_1[0u];
-                                            if (_e2305[0] < 0.0lf) {
-                                                phi_6149_ = -(_e2305[0]);
+                                            let _e2303 = phi_6143_;
+                                            let _e2305 = local_20.member_3;
+                                            let _e2309 = local_20.member_1[0u];
+                                            if (_e2309[0] < 0.0lf) {
+                                                phi_6160_ = -(_e2309[0]);
                                             } else {
-                                                phi_6149_ = _e2305[0];
+                                                phi_6160_ = _e2309[0];
                                             }
-                                            let _e2312 = phi_6149_;
-                                            if (_e2305[1] < 0.0lf) {
-                                                phi_6156_ = -(_e2305[1]);
+                                            let _e2316 = phi_6160_;
+                                            if (_e2309[1] < 0.0lf) {
+                                                phi_6167_ = -(_e2309[1]);
                                             } else {
-                                                phi_6156_ = _e2305[1];
+                                                phi_6167_ = _e2309[1];
                                             }
-                                            let _e2316 = phi_6156_;
-                                            if (_e2312 > _e2316) {
-                                                phi_6161_ = _e2312;
+                                            let _e2320 = phi_6167_;
+                                            if (_e2316 > _e2320) {
+                                                phi_6172_ = _e2316;
                                             } else {
-                                                phi_6161_ = _e2316;
+                                                phi_6172_ = _e2320;
                                             }
-                                            let _e2319 = phi_6161_;
-                                            if (_e2305[2] < 0.0lf) {
-                                                phi_6168_ = -(_e2305[2]);
+                                            let _e2323 = phi_6172_;
+                                            if (_e2309[2] < 0.0lf) {
+                                                phi_6179_ = -(_e2309[2]);
                                             } else {
-                                                phi_6168_ = _e2305[2];
+                                                phi_6179_ = _e2309[2];
                                             }
-                                            let _e2323 = phi_6168_;
-                                            if (_e2319 > _e2323) {
-                                                phi_6173_ = _e2319;
+                                            let _e2327 = phi_6179_;
+                                            if (_e2323 > _e2327) {
+                                                phi_6184_ = _e2323;
                                             } else {
-                                                phi_6173_ = _e2323;
+                                                phi_6184_ = _e2327;
                                             }
-                                            let _e2326 = phi_6173_;
-                                            let _e2329 = local_20.member_1[1u];
-                                            if (_e2329[0] < 0.0lf) {
-                                                phi_6187_ = -(_e2329[0]);
+                                            let _e2330 = phi_6184_;
+                                            let _e2333 = local_20.member_1[1u];
+                                            if (_e2333[0] < 0.0lf) {
+                                                phi_6198_ = -(_e2333[0]);
                                             } else {
-                                                phi_6187_ = _e2329[0];
+                                                phi_6198_ = _e2333[0];
                                             }
-                                            let _e2336 = phi_6187_;
-                                            if (_e2329[1] < 0.0lf) {
-                                                phi_6194_ = -(_e2329[1]);
+                                            let _e2340 = phi_6198_;
+                                            if (_e2333[1] < 0.0lf) {
+                                                phi_6205_ = -(_e2333[1]);
                                             } else {
-                                                phi_6194_ = _e2329[1];
+                                                phi_6205_ = _e2333[1];
                                             }
-                                            let _e2340 = phi_6194_;
-                                            if (_e2336 > _e2340) {
-                                                phi_6199_ = _e2336;
+                                            let _e2344 = phi_6205_;
+                                            if (_e2340 > _e2344) {
+                                                phi_6210_ = _e2340;
                                             } else {
-                                                phi_6199_ = _e2340;
+                                                phi_6210_ = _e2344;
                                             }
-                                            let _e2343 = phi_6199_;
-                                            if (_e2329[2] < 0.0lf) {
-                                                phi_6206_ = -(_e2329[2]);
+                                            let _e2347 = phi_6210_;
+                                            if (_e2333[2] < 0.0lf) {
+                                                phi_6217_ = -(_e2333[2]);
                                             } else {
-                                                phi_6206_ = _e2329[2];
+                                                phi_6217_ = _e2333[2];
                                             }
-                                            let _e2347 = phi_6206_;
-                                            if (_e2343 > _e2347) {
-                                                phi_6211_ = _e2343;
+                                            let _e2351 = phi_6217_;
+                                            if (_e2347 > _e2351) {
+                                                phi_6222_ = _e2347;
                                             } else {
-                                                phi_6211_ = _e2347;
+                                                phi_6222_ = _e2351;
                                             }
-                                            let _e2350 = phi_6211_;
-                                            if (_e2326 > _e2350) {
-                                                phi_6216_ = _e2326;
+                                            let _e2354 = phi_6222_;
+                                            if (_e2330 > _e2354) {
+                                                phi_6227_ = _e2330;
                                             } else {
-                                                phi_6216_ = _e2350;
+                                                phi_6227_ = _e2354;
                                             }
-                                            let _e2353 = phi_6216_;
-                                            let _e2355 = local_20.member_3;
-                                            let _e2359 = local_20.member_2[0u];
-                                            if (_e2359[0] < 0.0lf) {
-                                                phi_6233_ = -(_e2359[0]);
+                                            let _e2357 = phi_6227_;
+                                            let _e2359 = local_20.member_3;
+                                            let _e2363 = local_20.member_2[0u];
+                                            if (_e2363[0] < 0.0lf) {
+                                                phi_6244_ = -(_e2363[0]);
                                             } else {
-                                                phi_6233_ = _e2359[0];
+                                                phi_6244_ = _e2363[0];
                                             }
-                                            let _e2366 = phi_6233_;
-                                            if (_e2359[1] < 0.0lf) {
-                                                phi_6240_ = -(_e2359[1]);
+                                            let _e2370 = phi_6244_;
+                                            if (_e2363[1] < 0.0lf) {
+                                                phi_6251_ = -(_e2363[1]);
                                             } else {
-                                                phi_6240_ = _e2359[1];
+                                                phi_6251_ = _e2363[1];
                                             }
-                                            let _e2370 = phi_6240_;
-                                            if (_e2366 > _e2370) {
-                                                phi_6245_ = _e2366;
+                                            let _e2374 = phi_6251_;
+                                            if (_e2370 > _e2374) {
+                                                phi_6256_ = _e2370;
                                             } else {
-                                                phi_6245_ = _e2370;
+                                                phi_6256_ = _e2374;
                                             }
-                                            let _e2373 = phi_6245_;
-                                            if (_e2359[2] < 0.0lf) {
-                                                phi_6252_ = -(_e2359[2]);
+                                            let _e2377 = phi_6256_;
+                                            if (_e2363[2] < 0.0lf) {
+                                                phi_6263_ = -(_e2363[2]);
                                             } else {
-                                                phi_6252_ = _e2359[2];
+                                                phi_6263_ = _e2363[2];
                                             }
-                                            let _e2377 = phi_6252_;
-                                            if (_e2373 > _e2377) {
-                                                phi_6257_ = _e2373;
+                                            let _e2381 = phi_6263_;
+                                            if (_e2377 > _e2381) {
+                                                phi_6268_ = _e2377;
                                             } else {
-                                                phi_6257_ = _e2377;
+                                                phi_6268_ = _e2381;
                                             }
-                                            let _e2380 = phi_6257_;
-                                            let _e2383 = local_20.member_2[1u];
-                                            if (_e2383[0] < 0.0lf) {
-                                                phi_6271_ = -(_e2383[0]);
+                                            let _e2384 = phi_6268_;
+                                            let _e2387 = local_20.member_2[1u];
+                                            if (_e2387[0] < 0.0lf) {
+                                                phi_6282_ = -(_e2387[0]);
                                             } else {
-                                                phi_6271_ = _e2383[0];
+                                                phi_6282_ = _e2387[0];
                                             }
-                                            let _e2390 = phi_6271_;
-                                            if (_e2383[1] < 0.0lf) {
-                                                phi_6278_ = -(_e2383[1]);
+                                            let _e2394 = phi_6282_;
+                                            if (_e2387[1] < 0.0lf) {
+                                                phi_6289_ = -(_e2387[1]);
                                             } else {
-                                                phi_6278_ = _e2383[1];
+                                                phi_6289_ = _e2387[1];
                                             }
-                                            let _e2394 = phi_6278_;
-                                            if (_e2390 > _e2394) {
-                                                phi_6283_ = _e2390;
+                                            let _e2398 = phi_6289_;
+                                            if (_e2394 > _e2398) {
+                                                phi_6294_ = _e2394;
                                             } else {
-                                                phi_6283_ = _e2394;
+                                                phi_6294_ = _e2398;
                                             }
-                                            let _e2397 = phi_6283_;
-                                            if (_e2383[2] < 0.0lf) {
-                                                phi_6290_ = -(_e2383[2]);
+                                            let _e2401 = phi_6294_;
+                                            if (_e2387[2] < 0.0lf) {
+                                                phi_6301_ = -(_e2387[2]);
                                             } else {
-                                                phi_6290_ = _e2383[2];
+                                                phi_6301_ = _e2387[2];
                                             }
-                                            let _e2401 = phi_6290_;
-                                            if (_e2397 > _e2401) {
-                                                phi_6295_ = _e2397;
+                                            let _e2405 = phi_6301_;
+                                            if (_e2401 > _e2405) {
+                                                phi_6306_ = _e2401;
                                             } else {
-                                                phi_6295_ = _e2401;
+                                                phi_6306_ = _e2405;
                                             }
-                                            let _e2404 = phi_6295_;
-                                            if (_e2380 > _e2404) {
-                                                phi_6300_ = _e2380;
+                                            let _e2408 = phi_6306_;
+                                            if (_e2384 > _e2408) {
+                                                phi_6311_ = _e2384;
                                             } else {
-                                                phi_6300_ = _e2404;
+                                                phi_6311_ = _e2408;
                                             }
-                                            let _e2407 = phi_6300_;
-                                            let _e2409 = local_20.member_3;
-                                            let _e2417 = local_20.member_3;
-                                            phi_6320_ = type_28(0u, 48u);
-                                            phi_6323_ = _e1428.member;
+                                            let _e2411 = phi_6311_;
+                                            let _e2413 = local_20.member_3;
+                                            let _e2421 = local_20.member_3;
+                                            phi_6331_ = type_29(0u, 48u);
+                                            phi_6334_ = _e1432.member;
                                             loop {
-                                                let _e2426 = phi_6320_;
-                                                let _e2428 = phi_6323_;
-                                                local_70 = _e2428;
-                                                local_32 = _e2428;
-                                                local_33 = _e2428;
-                                                local_34 = _e2428;
-                                                local_35 = _e2428;
-                                                if (_e2426.member < _e2426.member_1) {
-                                                    phi_6321_ = type_28((_e2426.member + 1u), _e2426.member_1);
-                                                    phi_6346_ = type_28(1u, _e2426.member);
+                                                let _e2430 = phi_6331_;
+                                                let _e2432 = phi_6334_;
+                                                local_70 = _e2432;
+                                                local_32 = _e2432;
+                                                local_33 = _e2432;
+                                                local_34 = _e2432;
+                                                local_35 = _e2432;
+                                                if (_e2430.member < _e2430.member_1) {
+                                                    phi_6332_ = type_29((_e2430.member + 1u), _e2430.member_1);
+                                                    phi_6357_ = type_29(1u, _e2430.member);
                                                 } else {
-                                                    phi_6321_ = _e2426;
-                                                    phi_6346_ = type_28(0u, type_28().member_1);
+                                                    phi_6332_ = _e2430;
+                                                    phi_6357_ = type_29(0u, type_29().member_1);
                                                 }
-                                                let _e2442 = phi_6321_;
-                                                let _e2444 = phi_6346_;
-                                                if (bitcast<i32>(_e2444.member) != 0i) {
-                                                    let _e2450 = local_20.member[0u];
-                                                    let _e2456 = local_20.member[1u];
-                                                    let _e2466 = (_e2450[0] + ((_e2456[0] - _e2450[0]) * _e2428));
-                                                    let _e2467 = (_e2450[1] + ((_e2456[1] - _e2450[1]) * _e2428));
-                                                    let _e2468 = (_e2450[2] + ((_e2456[2] - _e2450[2]) * _e2428));
-                                                    let _e2471 = local_20.member_1[0u];
-                                                    let _e2477 = local_20.member_1[1u];
-                                                    let _e2487 = (_e2471[0] + ((_e2477[0] - _e2471[0]) * _e2428));
-                                                    let _e2488 = (_e2471[1] + ((_e2477[1] - _e2471[1]) * _e2428));
-                                                    let _e2489 = (_e2471[2] + ((_e2477[2] - _e2471[2]) * _e2428));
-                                                    let _e2492 = local_20.member_2[0u];
-                                                    let _e2498 = local_20.member_2[1u];
-                                                    let _e2508 = (_e2492[0] + ((_e2498[0] - _e2492[0]) * _e2428));
-                                                    let _e2509 = (_e2492[1] + ((_e2498[1] - _e2492[1]) * _e2428));
-                                                    let _e2510 = (_e2492[2] + ((_e2498[2] - _e2492[2]) * _e2428));
-                                                    let _e2515 = (((_e2487 * _e2487) + (_e2488 * _e2488)) + (_e2489 * _e2489));
-                                                    let _e2520 = (((_e2487 * _e2508) + (_e2488 * _e2509)) + (_e2489 * _e2510));
-                                                    let _e2525 = (((_e2508 * _e2508) + (_e2509 * _e2509)) + (_e2510 * _e2510));
-                                                    let _e2530 = (((_e2466 * _e2487) + (_e2467 * _e2488)) + (_e2468 * _e2489));
-                                                    let _e2535 = (((_e2466 * _e2508) + (_e2467 * _e2509)) + (_e2468 * _e2510));
-                                                    let _e2538 = ((_e2515 * _e2525) - (_e2520 * _e2520));
-                                                    let _e2539 = f64(0f);
-                                                    let _e2540 = f64(1f);
-                                                    let _e2544 = (((_e2530 * _e2525) - (_e2535 * _e2520)) / _e2538);
-                                                    let _e2548 = (((_e2535 * _e2515) - (_e2530 * _e2520)) / _e2538);
-                                                    if (_e2544 >= _e2539) {
-                                                        if (_e2548 >= _e2539) {
-                                                            if (_e2544 <= _e2540) {
-                                                                phi_6502_ = (_e2548 <= _e2540);
-                                                                phi_6503_ = false;
+                                                let _e2446 = phi_6332_;
+                                                let _e2448 = phi_6357_;
+                                                if (bitcast<i32>(_e2448.member) != 0i) {
+                                                    let _e2454 = local_20.member[0u];
+                                                    let _e2460 = local_20.member[1u];
+                                                    let _e2470 = (_e2454[0] + ((_e2460[0] - _e2454[0]) * _e2432));
+                                                    let _e2471 = (_e2454[1] + ((_e2460[1] - _e2454[1]) * _e2432));
+                                                    let _e2472 = (_e2454[2] + ((_e2460[2] - _e2454[2]) * _e2432));
+                                                    let _e2475 = local_20.member_1[0u];
+                                                    let _e2481 = local_20.member_1[1u];
+                                                    let _e2491 = (_e2475[0] + ((_e2481[0] - _e2475[0]) * _e2432));
+                                                    let _e2492 = (_e2475[1] + ((_e2481[1] - _e2475[1]) * _e2432));
+                                                    let _e2493 = (_e2475[2] + ((_e2481[2] - _e2475[2]) * _e2432));
+                                                    let _e2496 = local_20.member_2[0u];
+                                                    let _e2502 = local_20.member_2[1u];
+                                                    let _e2512 = (_e2496[0] + ((_e2502[0] - _e2496[0]) * _e2432));
+                                                    let _e2513 = (_e2496[1] + ((_e2502[1] - _e2496[1]) * _e2432));
+                                                    let _e2514 = (_e2496[2] + ((_e2502[2] - _e2496[2]) * _e2432));
+                                                    let _e2519 = (((_e2491 * _e2491) + (_e2492 * _e2492)) + (_e2493 * _e2493));
+                                                    let _e2524 = (((_e2491 * _e2512) + (_e2492 * _e2513)) + (_e2493 * _e2514));
+                                                    let _e2529 = (((_e2512 * _e2512) + (_e2513 * _e2513)) + (_e2514 * _e2514));
+                                                    let _e2534 = (((_e2470 * _e2491) + (_e2471 * _e2492)) + (_e2472 * _e2493));
+                                                    let _e2539 = (((_e2470 * _e2512) + (_e2471 * _e2513)) + (_e2472 * _e2514));
+                                                    let _e2542 = ((_e2519 * _e2529) - (_e2524 * _e2524));
+                                                    let _e2543 = f64(0f);
+                                                    let _e2544 = f64(1f);
+                                                    let _e2548 = (((_e2534 * _e2529) - (_e2539 * _e2524)) / _e2542);
+                                                    let _e2552 = (((_e2539 * _e2519) - (_e2534 * _e2524)) / _e2542);
+                                                    if (_e2548 >= _e2543) {
+                                                        if (_e2552 >= _e2543) {
+                                                            if (_e2548 <= _e2544) {
+                                                                phi_6513_ = (_e2552 <= _e2544);
+                                                                phi_6514_ = false;
                                                             } else {
-                                                                phi_6502_ = bool();
-                                                                phi_6503_ = true;
+                                                                phi_6513_ = bool();
+                                                                phi_6514_ = true;
                                                             }
-                                                            let _e2554 = phi_6502_;
-                                                            let _e2556 = phi_6503_;
-                                                            phi_6504_ = _e2554;
-                                                            phi_6505_ = _e2556;
+                                                            let _e2558 = phi_6513_;
+                                                            let _e2560 = phi_6514_;
+                                                            phi_6515_ = _e2558;
+                                                            phi_6516_ = _e2560;
                                                         } else {
-                                                            phi_6504_ = bool();
-                                                            phi_6505_ = true;
+                                                            phi_6515_ = bool();
+                                                            phi_6516_ = true;
                                                         }
-                                                        let _e2558 = phi_6504_;
-                                                        let _e2560 = phi_6505_;
-                                                        phi_6506_ = _e2558;
-                                                        phi_6507_ = _e2560;
+                                                        let _e2562 = phi_6515_;
+                                                        let _e2564 = phi_6516_;
+                                                        phi_6517_ = _e2562;
+                                                        phi_6518_ = _e2564;
                                                     } else {
-                                                        phi_6506_ = bool();
-                                                        phi_6507_ = true;
+                                                        phi_6517_ = bool();
+                                                        phi_6518_ = true;
                                                     }
-                                                    let _e2562 = phi_6506_;
-                                                    let _e2564 = phi_6507_;
-                                                    if _e2564 {
-                                                        phi_6511_ = false;
+                                                    let _e2566 = phi_6517_;
+                                                    let _e2568 = phi_6518_;
+                                                    if _e2568 {
+                                                        phi_6522_ = false;
                                                     } else {
-                                                        phi_6511_ = _e2562;
+                                                        phi_6522_ = _e2566;
                                                     }
-                                                    let _e2566 = phi_6511_;
-                                                    if (_e2538 > _e2539) {
-                                                        if _e2566 {
-                                                            phi_6551_ = array<f64, 3>((_e2466 - ((_e2487 * _e2544) + (_e2508 * _e2548))), (_e2467 - ((_e2488 * _e2544) + (_e2509 * _e2548))), (_e2468 - ((_e2489 * _e2544) + (_e2510 * _e2548))));
-                                                            phi_6552_ = false;
+                                                    let _e2570 = phi_6522_;
+                                                    if (_e2542 > _e2543) {
+                                                        if _e2570 {
+                                                            phi_6562_ = array<f64, 3>((_e2470 - ((_e2491 * _e2548) + (_e2512 * _e2552))), (_e2471 - ((_e2492 * _e2548) + (_e2513 * _e2552))), (_e2472 - ((_e2493 * _e2548) + (_e2514 * _e2552))));
+                                                            phi_6563_ = false;
                                                         } else {
-                                                            phi_6551_ = array<f64, 3>();
-                                                            phi_6552_ = true;
+                                                            phi_6562_ = array<f64, 3>();
+                                                            phi_6563_ = true;
                                                         }
-                                                        let _e2582 = phi_6551_;
-                                                        let _e2584 = phi_6552_;
-                                                        phi_6553_ = _e2582;
-                                                        phi_6554_ = _e2584;
+                                                        let _e2586 = phi_6562_;
+                                                        let _e2588 = phi_6563_;
+                                                        phi_6564_ = _e2586;
+                                                        phi_6565_ = _e2588;
                                                     } else {
-                                                        phi_6553_ = array<f64, 3>();
-                                                        phi_6554_ = true;
+                                                        phi_6564_ = array<f64, 3>();
+                                                        phi_6565_ = true;
                                                     }
-                                                    let _e2586 = phi_6553_;
-                                                    let _e2588 = phi_6554_;
-                                                    if _e2588 {
-                                                        let _e2589 = (_e2466 - _e2487);
-                                                        let _e2590 = (_e2467 - _e2488);
-                                                        let _e2591 = (_e2468 - _e2489);
-                                                        let _e2602 = ((((_e2466 * _e2487) + (_e2467 * _e2488)) + (_e2468 * _e2489)) / (((_e2487 * _e2487) + (_e2488 * _e2488)) + (_e2489 * _e2489)));
-                                                        if (_e2602 > f64(0f)) {
-                                                            if (_e2602 < f64(1f)) {
-                                                                phi_6587_ = _e2602;
+                                                    let _e2590 = phi_6564_;
+                                                    let _e2592 = phi_6565_;
+                                                    if _e2592 {
+                                                        let _e2593 = (_e2470 - _e2491);
+                                                        let _e2594 = (_e2471 - _e2492);
+                                                        let _e2595 = (_e2472 - _e2493);
+                                                        let _e2606 = ((((_e2470 * _e2491) + (_e2471 * _e2492)) + (_e2472 * _e2493)) / (((_e2491 * _e2491) + (_e2492 * _e2492)) + (_e2493 * _e2493)));
+                                                        if (_e2606 > f64(0f)) {
+                                                            if (_e2606 < f64(1f)) {
+                                                                phi_6598_ = _e2606;
                                                             } else {
-                                                                phi_6587_ = f64(1f);
+                                                                phi_6598_ = f64(1f);
                                                             }
-                                                            let _e2610 = phi_6587_;
-                                                            phi_6589_ = _e2610;
+                                                            let _e2614 = phi_6598_;
+                                                            phi_6600_ = _e2614;
                                                         } else {
-                                                            phi_6589_ = f64(0f);
+                                                            phi_6600_ = f64(0f);
                                                         }
-                                                        let _e2612 = phi_6589_;
-                                                        let _e2629 = ((((_e2466 * _e2508) + (_e2467 * _e2509)) + (_e2468 * _e2510)) / (((_e2508 * _e2508) + (_e2509 * _e2509)) + (_e2510 * _e2510)));
-                                                        if (_e2629 > f64(0f)) {
-                                                            if (_e2629 < f64(1f)) {
-                                                                phi_6619_ = _e2629;
+                                                        let _e2616 = phi_6600_;
+                                                        let _e2633 = ((((_e2470 * _e2512) + (_e2471 * _e2513)) + (_e2472 * _e2514)) / (((_e2512 * _e2512) + (_e2513 * _e2513)) + (_e2514 * _e2514)));
+                                                        if (_e2633 > f64(0f)) {
+                                                            if (_e2633 < f64(1f)) {
+                                                                phi_6630_ = _e2633;
                                                             } else {
-                                                                phi_6619_ = f64(1f);
+                                                                phi_6630_ = f64(1f);
                                                             }
-                                                            let _e2637 = phi_6619_;
-                                                            phi_6621_ = _e2637;
+                                                            let _e2641 = phi_6630_;
+                                                            phi_6632_ = _e2641;
                                                         } else {
-                                                            phi_6621_ = f64(0f);
+                                                            phi_6632_ = f64(0f);
                                                         }
-                                                        let _e2639 = phi_6621_;
-                                                        let _e2656 = ((((_e2589 * _e2508) + (_e2590 * _e2509)) + (_e2591 * _e2510)) / (((_e2508 * _e2508) + (_e2509 * _e2509)) + (_e2510 * _e2510)));
-                                                        if (_e2656 > f64(0f)) {
-                                                            if (_e2656 < f64(1f)) {
-                                                                phi_6651_ = _e2656;
+                                                        let _e2643 = phi_6632_;
+                                                        let _e2660 = ((((_e2593 * _e2512) + (_e2594 * _e2513)) + (_e2595 * _e2514)) / (((_e2512 * _e2512) + (_e2513 * _e2513)) + (_e2514 * _e2514)));
+                                                        if (_e2660 > f64(0f)) {
+                                                            if (_e2660 < f64(1f)) {
+                                                                phi_6662_ = _e2660;
                                                             } else {
-                                                                phi_6651_ = f64(1f);
+                                                                phi_6662_ = f64(1f);
                                                             }
-                                                            let _e2664 = phi_6651_;
-                                                            phi_6653_ = _e2664;
+                                                            let _e2668 = phi_6662_;
+                                                            phi_6664_ = _e2668;
                                                         } else {
-                                                            phi_6653_ = f64(0f);
+                                                            phi_6664_ = f64(0f);
                                                         }
-                                                        let _e2666 = phi_6653_;
-                                                        let _e2673 = (_e2466 - _e2508);
-                                                        let _e2674 = (_e2467 - _e2509);
-                                                        let _e2675 = (_e2468 - _e2510);
-                                                        let _e2686 = ((((_e2673 * _e2487) + (_e2674 * _e2488)) + (_e2675 * _e2489)) / (((_e2487 * _e2487) + (_e2488 * _e2488)) + (_e2489 * _e2489)));
-                                                        if (_e2686 > f64(0f)) {
-                                                            if (_e2686 < f64(1f)) {
-                                                                phi_6686_ = _e2686;
+                                                        let _e2670 = phi_6664_;
+                                                        let _e2677 = (_e2470 - _e2512);
+                                                        let _e2678 = (_e2471 - _e2513);
+                                                        let _e2679 = (_e2472 - _e2514);
+                                                        let _e2690 = ((((_e2677 * _e2491) + (_e2678 * _e2492)) + (_e2679 * _e2493)) / (((_e2491 * _e2491) + (_e2492 * _e2492)) + (_e2493 * _e2493)));
+                                                        if (_e2690 > f64(0f)) {
+                                                            if (_e2690 < f64(1f)) {
+                                                                phi_6697_ = _e2690;
                                                             } else {
-                                                                phi_6686_ = f64(1f);
+                                                                phi_6697_ = f64(1f);
                                                             }
-                                                            let _e2694 = phi_6686_;
-                                                            phi_6688_ = _e2694;
+                                                            let _e2698 = phi_6697_;
+                                                            phi_6699_ = _e2698;
                                                         } else {
-                                                            phi_6688_ = f64(0f);
+                                                            phi_6699_ = f64(0f);
                                                         }
-                                                        let _e2696 = phi_6688_;
-                                                        local[0u] = array<f64, 3>((_e2466 - (_e2487 * _e2612)), (_e2467 - (_e2488 * _e2612)), (_e2468 - (_e2489 * _e2612)));
-                                                        local[1u] = array<f64, 3>((_e2466 - (_e2508 * _e2639)), (_e2467 - (_e2509 * _e2639)), (_e2468 - (_e2510 * _e2639)));
-                                                        local[2u] = array<f64, 3>((_e2589 - (_e2508 * _e2666)), (_e2590 - (_e2509 * _e2666)), (_e2591 - (_e2510 * _e2666)));
-                                                        local[3u] = array<f64, 3>((_e2673 - (_e2487 * _e2696)), (_e2674 - (_e2488 * _e2696)), (_e2675 - (_e2489 * _e2696)));
-                                                        let _e2712 = local[0u];
-                                                        phi_6843_ = type_28(1u, 4u);
-                                                        phi_6846_ = array<f64, 3>(_e2712[0], _e2712[1], _e2712[2]);
+                                                        let _e2700 = phi_6699_;
+                                                        local[0u] = array<f64, 3>((_e2470 - (_e2491 * _e2616)), (_e2471 - (_e2492 * _e2616)), (_e2472 - (_e2493 * _e2616)));
+                                                        local[1u] = array<f64, 3>((_e2470 - (_e2512 * _e2643)), (_e2471 - (_e2513 * _e2643)), (_e2472 - (_e2514 * _e2643)));
+                                                        local[2u] = array<f64, 3>((_e2593 - (_e2512 * _e2670)), (_e2594 - (_e2513 * _e2670)), (_e2595 - (_e2514 * _e2670)));
+                                                        local[3u] = array<f64, 3>((_e2677 - (_e2491 * _e2700)), (_e2678 - (_e2492 * _e2700)), (_e2679 - (_e2493 * _e2700)));
+                                                        let _e2716 = local[0u];
+                                                        phi_6854_ = type_29(1u, 4u);
+                                                        phi_6857_ = array<f64, 3>(_e2716[0], _e2716[1], _e2716[2]);
                                                         loop {
-                                                            let _e2718 = phi_6843_;
-                                                            let _e2720 = phi_6846_;
-                                                            local_57 = _e2720;
-                                                            if (_e2718.member < _e2718.member_1) {
-                                                                phi_6844_ = type_28((_e2718.member + 1u), _e2718.member_1);
-                                                                phi_6869_ = type_28(1u, _e2718.member);
+                                                            let _e2722 = phi_6854_;
+                                                            let _e2724 = phi_6857_;
+                                                            local_57 = _e2724;
+                                                            if (_e2722.member < _e2722.member_1) {
+                                                                phi_6855_ = type_29((_e2722.member + 1u), _e2722.member_1);
+                                                                phi_6880_ = type_29(1u, _e2722.member);
                                                             } else {
-                                                                phi_6844_ = _e2718;
-                                                                phi_6869_ = type_28(0u, type_28().member_1);
+                                                                phi_6855_ = _e2722;
+                                                                phi_6880_ = type_29(0u, type_29().member_1);
                                                             }
-                                                            let _e2734 = phi_6844_;
-                                                            let _e2736 = phi_6869_;
-                                                            let _e2740 = (bitcast<i32>(_e2736.member) != 0i);
-                                                            if _e2740 {
-                                                                if (_e2736.member_1 < 4u) {
+                                                            let _e2738 = phi_6855_;
+                                                            let _e2740 = phi_6880_;
+                                                            let _e2744 = (bitcast<i32>(_e2740.member) != 0i);
+                                                            if _e2744 {
+                                                                if (_e2740.member_1 < 4u) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e2743 = local[_e2736.member_1];
-                                                                if (_e2736.member_1 < 4u) {
+                                                                let _e2747 = local[_e2740.member_1];
+                                                                if (_e2740.member_1 < 4u) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e2749 = local[_e2736.member_1];
-                                                                if ((((_e2743[0] * _e2749[0]) + (_e2743[1] * _e2749[1])) + (_e2743[2] * _e2749[2])) < (((_e2720[0] * _e2720[0]) + (_e2720[1] * _e2720[1])) + (_e2720[2] * _e2720[2]))) {
-                                                                    if (_e2736.member_1 < 4u) {
+                                                                let _e2753 = local[_e2740.member_1];
+                                                                if ((((_e2747[0] * _e2753[0]) + (_e2747[1] * _e2753[1])) + (_e2747[2] * _e2753[2])) < (((_e2724[0] * _e2724[0]) + (_e2724[1] * _e2724[1])) + (_e2724[2] * _e2724[2]))) {
+                                                                    if (_e2740.member_1 < 4u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2772 = local[_e2736.member_1];
-                                                                    phi_6936_ = array<f64, 3>(_e2772[0], _e2772[1], _e2772[2]);
+                                                                    let _e2776 = local[_e2740.member_1];
+                                                                    phi_6947_ = array<f64, 3>(_e2776[0], _e2776[1], _e2776[2]);
                                                                 } else {
-                                                                    phi_6936_ = _e2720;
+                                                                    phi_6947_ = _e2724;
                                                                 }
-                                                                let _e2778 = phi_6936_;
-                                                                phi_6847_ = _e2778;
+                                                                let _e2782 = phi_6947_;
+                                                                phi_6858_ = _e2782;
                                                             } else {
-                                                                phi_6847_ = array<f64, 3>();
+                                                                phi_6858_ = array<f64, 3>();
                                                             }
-                                                            let _e2780 = phi_6847_;
+                                                            let _e2784 = phi_6858_;
                                                             continue;
                                                             continuing {
-                                                                phi_6843_ = _e2734;
-                                                                phi_6846_ = _e2780;
-                                                                break if !(_e2740);
+                                                                phi_6854_ = _e2738;
+                                                                phi_6857_ = _e2784;
+                                                                break if !(_e2744);
                                                             }
                                                         }
-                                                        let _e5443 = local_57;
-                                                        phi_6937_ = _e5443;
+                                                        let _e5447 = local_57;
+                                                        phi_6948_ = _e5447;
                                                     } else {
-                                                        phi_6937_ = _e2586;
+                                                        phi_6948_ = _e2590;
                                                     }
-                                                    let _e2783 = phi_6937_;
-                                                    if (_e2783[0] < 0.0lf) {
-                                                        phi_6944_ = -(_e2783[0]);
+                                                    let _e2787 = phi_6948_;
+                                                    if (_e2787[0] < 0.0lf) {
+                                                        phi_6955_ = -(_e2787[0]);
                                                     } else {
-                                                        phi_6944_ = _e2783[0];
+                                                        phi_6955_ = _e2787[0];
                                                     }
-                                                    let _e2788 = phi_6944_;
-                                                    if (_e2783[1] < 0.0lf) {
-                                                        phi_6951_ = -(_e2783[1]);
+                                                    let _e2792 = phi_6955_;
+                                                    if (_e2787[1] < 0.0lf) {
+                                                        phi_6962_ = -(_e2787[1]);
                                                     } else {
-                                                        phi_6951_ = _e2783[1];
+                                                        phi_6962_ = _e2787[1];
                                                     }
-                                                    let _e2793 = phi_6951_;
-                                                    if (_e2783[2] < 0.0lf) {
-                                                        phi_6959_ = -(_e2783[2]);
+                                                    let _e2797 = phi_6962_;
+                                                    if (_e2787[2] < 0.0lf) {
+                                                        phi_6970_ = -(_e2787[2]);
                                                     } else {
-                                                        phi_6959_ = _e2783[2];
+                                                        phi_6970_ = _e2787[2];
                                                     }
-                                                    let _e2799 = phi_6959_;
-                                                    let _e2800 = ((_e2788 + _e2793) + _e2799);
-                                                    if (_e2800 > f64(0f)) {
-                                                        if ((bitcast<u64>(_e2800) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                                            let _e2806 = (f64(1f) / _e2800);
-                                                            let _e2808 = (_e2783[0] * _e2806);
-                                                            let _e2810 = (_e2783[1] * _e2806);
-                                                            let _e2812 = (_e2783[2] * _e2806);
-                                                            let _e2817 = (((_e2808 * _e2808) + (_e2810 * _e2810)) + (_e2812 * _e2812));
-                                                            if (_e2817 <= 2.2250738585072014e-308lf) {
-                                                                if (_e2817 > 0.0lf) {
-                                                                    phi_6997_ = (1.464336215552873e-154lf * 2.0lf);
+                                                    let _e2803 = phi_6970_;
+                                                    let _e2804 = ((_e2792 + _e2797) + _e2803);
+                                                    if (_e2804 > f64(0f)) {
+                                                        if ((bitcast<u64>(_e2804) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                                            let _e2810 = (f64(1f) / _e2804);
+                                                            let _e2812 = (_e2787[0] * _e2810);
+                                                            let _e2814 = (_e2787[1] * _e2810);
+                                                            let _e2816 = (_e2787[2] * _e2810);
+                                                            let _e2821 = (((_e2812 * _e2812) + (_e2814 * _e2814)) + (_e2816 * _e2816));
+                                                            if (_e2821 <= 2.2250738585072014e-308lf) {
+                                                                if (_e2821 > 0.0lf) {
+                                                                    phi_7008_ = (1.464336215552873e-154lf * 2.0lf);
                                                                 } else {
-                                                                    phi_6997_ = 0.0lf;
+                                                                    phi_7008_ = 0.0lf;
                                                                 }
-                                                                let _e2875 = phi_6997_;
-                                                                phi_7061_ = _e2875;
+                                                                let _e2879 = phi_7008_;
+                                                                phi_7072_ = _e2879;
                                                             } else {
-                                                                phi_7004_ = type_26(0i, 5i);
-                                                                phi_7007_ = bitcast<f64>(((bitcast<u64>(_e2817) / 2lu) + 2303426169912950784lu));
+                                                                phi_7015_ = type_27(0i, 5i);
+                                                                phi_7018_ = bitcast<f64>(((bitcast<u64>(_e2821) / 2lu) + 2303426169912950784lu));
                                                                 loop {
-                                                                    let _e2824 = phi_7004_;
-                                                                    let _e2826 = phi_7007_;
-                                                                    local_26 = _e2826;
-                                                                    if (_e2824.member < _e2824.member_1) {
-                                                                        let _e2834 = (_e2824.member + 1i);
-                                                                        if ((false == (_e2834 > _e2824.member)) != false) {
-                                                                            phi_7028_ = true;
+                                                                    let _e2828 = phi_7015_;
+                                                                    let _e2830 = phi_7018_;
+                                                                    local_26 = _e2830;
+                                                                    if (_e2828.member < _e2828.member_1) {
+                                                                        let _e2838 = (_e2828.member + 1i);
+                                                                        if ((false == (_e2838 > _e2828.member)) != false) {
+                                                                            phi_7039_ = true;
                                                                         } else {
-                                                                            phi_7028_ = false;
+                                                                            phi_7039_ = false;
                                                                         }
-                                                                        let _e2839 = phi_7028_;
-                                                                        if _e2839 {
-                                                                            phi_7034_ = type_27(0u, type_27().member_1);
+                                                                        let _e2843 = phi_7039_;
+                                                                        if _e2843 {
+                                                                            phi_7045_ = type_28(0u, type_28().member_1);
                                                                         } else {
-                                                                            phi_7034_ = type_27(1u, _e2834);
+                                                                            phi_7045_ = type_28(1u, _e2838);
                                                                         }
-                                                                        let _e2845 = phi_7034_;
-                                                                        if (bitcast<i32>(_e2845.member) != 0i) {
+                                                                        let _e2849 = phi_7045_;
+                                                                        if (bitcast<i32>(_e2849.member) != 0i) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        phi_7005_ = type_26(_e2845.member_1, _e2824.member_1);
-                                                                        phi_7048_ = type_27(1u, _e2824.member);
+                                                                        phi_7016_ = type_27(_e2849.member_1, _e2828.member_1);
+                                                                        phi_7059_ = type_28(1u, _e2828.member);
                                                                     } else {
-                                                                        phi_7005_ = _e2824;
-                                                                        phi_7048_ = type_27(0u, type_27().member_1);
+                                                                        phi_7016_ = _e2828;
+                                                                        phi_7059_ = type_28(0u, type_28().member_1);
                                                                     }
-                                                                    let _e2855 = phi_7005_;
-                                                                    let _e2857 = phi_7048_;
-                                                                    let _e2860 = (bitcast<i32>(_e2857.member) != 0i);
-                                                                    if _e2860 {
-                                                                        phi_7008_ = (0.5lf * (_e2826 + (_e2817 / _e2826)));
+                                                                    let _e2859 = phi_7016_;
+                                                                    let _e2861 = phi_7059_;
+                                                                    let _e2864 = (bitcast<i32>(_e2861.member) != 0i);
+                                                                    if _e2864 {
+                                                                        phi_7019_ = (0.5lf * (_e2830 + (_e2821 / _e2830)));
                                                                     } else {
-                                                                        phi_7008_ = f64();
+                                                                        phi_7019_ = f64();
                                                                     }
-                                                                    let _e2865 = phi_7008_;
+                                                                    let _e2869 = phi_7019_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_7004_ = _e2855;
-                                                                        phi_7007_ = _e2865;
-                                                                        break if !(_e2860);
+                                                                        phi_7015_ = _e2859;
+                                                                        phi_7018_ = _e2869;
+                                                                        break if !(_e2864);
                                                                     }
                                                                 }
-                                                                let _e2870 = local_26;
-                                                                phi_7061_ = (_e2870 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                                let _e2874 = local_26;
+                                                                phi_7072_ = (_e2874 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                             }
-                                                            let _e2877 = phi_7061_;
-                                                            phi_7074_ = type_28(0u, 4u);
-                                                            phi_7077_ = f64(2f);
+                                                            let _e2881 = phi_7072_;
+                                                            phi_7085_ = type_29(0u, 4u);
+                                                            phi_7088_ = f64(2f);
                                                             loop {
-                                                                let _e2889 = phi_7074_;
-                                                                let _e2891 = phi_7077_;
-                                                                local_28 = _e2891;
-                                                                local_29 = _e2891;
-                                                                local_30 = _e2891;
-                                                                local_60 = _e2891;
-                                                                local_61 = _e2891;
-                                                                if (_e2889.member < _e2889.member_1) {
-                                                                    phi_7075_ = type_28((_e2889.member + 1u), _e2889.member_1);
-                                                                    phi_7100_ = type_28(1u, _e2889.member);
+                                                                let _e2893 = phi_7085_;
+                                                                let _e2895 = phi_7088_;
+                                                                local_28 = _e2895;
+                                                                local_29 = _e2895;
+                                                                local_30 = _e2895;
+                                                                local_60 = _e2895;
+                                                                local_61 = _e2895;
+                                                                if (_e2893.member < _e2893.member_1) {
+                                                                    phi_7086_ = type_29((_e2893.member + 1u), _e2893.member_1);
+                                                                    phi_7111_ = type_29(1u, _e2893.member);
                                                                 } else {
-                                                                    phi_7075_ = _e2889;
-                                                                    phi_7100_ = type_28(0u, type_28().member_1);
+                                                                    phi_7086_ = _e2893;
+                                                                    phi_7111_ = type_29(0u, type_29().member_1);
                                                                 }
-                                                                let _e2905 = phi_7075_;
-                                                                let _e2907 = phi_7100_;
-                                                                if (bitcast<i32>(_e2907.member) != 0i) {
-                                                                    if (_e2907.member_1 < 4u) {
+                                                                let _e2909 = phi_7086_;
+                                                                let _e2911 = phi_7111_;
+                                                                if (bitcast<i32>(_e2911.member) != 0i) {
+                                                                    if (_e2911.member_1 < 4u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2914 = local_1[_e2907.member_1];
-                                                                    let _e2922 = (((_e2808 * _e2914[0]) + (_e2810 * _e2914[1])) + (_e2812 * _e2914[2]));
-                                                                    if (_e2907.member_1 < 4u) {
+                                                                    let _e2918 = local_1[_e2911.member_1];
+                                                                    let _e2926 = (((_e2812 * _e2918[0]) + (_e2814 * _e2918[1])) + (_e2816 * _e2918[2]));
+                                                                    if (_e2911.member_1 < 4u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2925 = local_2[_e2907.member_1];
-                                                                    let _e2933 = (((_e2808 * _e2925[0]) + (_e2810 * _e2925[1])) + (_e2812 * _e2925[2]));
-                                                                    if (_e2922 < 0.0lf) {
-                                                                        phi_7151_ = -(_e2922);
+                                                                    let _e2929 = local_2[_e2911.member_1];
+                                                                    let _e2937 = (((_e2812 * _e2929[0]) + (_e2814 * _e2929[1])) + (_e2816 * _e2929[2]));
+                                                                    if (_e2926 < 0.0lf) {
+                                                                        phi_7162_ = -(_e2926);
                                                                     } else {
-                                                                        phi_7151_ = _e2922;
+                                                                        phi_7162_ = _e2926;
                                                                     }
-                                                                    let _e2937 = phi_7151_;
-                                                                    if (_e2933 < 0.0lf) {
-                                                                        phi_7157_ = -(_e2933);
+                                                                    let _e2941 = phi_7162_;
+                                                                    if (_e2937 < 0.0lf) {
+                                                                        phi_7168_ = -(_e2937);
                                                                     } else {
-                                                                        phi_7157_ = _e2933;
+                                                                        phi_7168_ = _e2937;
                                                                     }
-                                                                    let _e2941 = phi_7157_;
-                                                                    let _e2946 = (((((((((_e2299 + _e2301) + (_e2353 + _e2355)) + (_e2407 + _e2409)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2417 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((f64(0f) * _e2877) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e2937 + _e2941) * (1.1102230246251565e-16lf * f64(8f))));
-                                                                    if (_e2922 > _e2946) {
-                                                                        if (_e2933 > _e2946) {
-                                                                            phi_7171_ = false;
+                                                                    let _e2945 = phi_7168_;
+                                                                    let _e2950 = (((((((((_e2303 + _e2305) + (_e2357 + _e2359)) + (_e2411 + _e2413)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2421 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((f64(0f) * _e2881) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e2941 + _e2945) * (1.1102230246251565e-16lf * f64(8f))));
+                                                                    if (_e2926 > _e2950) {
+                                                                        if (_e2937 > _e2950) {
+                                                                            phi_7182_ = false;
                                                                         } else {
-                                                                            phi_7171_ = true;
+                                                                            phi_7182_ = true;
                                                                         }
-                                                                        let _e2950 = phi_7171_;
-                                                                        phi_7172_ = _e2950;
+                                                                        let _e2954 = phi_7182_;
+                                                                        phi_7183_ = _e2954;
                                                                     } else {
-                                                                        phi_7172_ = true;
+                                                                        phi_7183_ = true;
                                                                     }
-                                                                    let _e2952 = phi_7172_;
-                                                                    if _e2952 {
-                                                                        if ((_e2922 + ((_e2933 - _e2922) * _e2428)) > _e2946) {
-                                                                            if (_e2933 < _e2922) {
-                                                                                let _e2961 = ((_e2922 - _e2933) <= (f64(0.25f) / 2.2250738585072014e-308lf));
-                                                                                if _e2961 {
-                                                                                    let _e2969 = (((_e2922 - _e2946) / (_e2922 - _e2933)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                                    if (_e2891 < _e2969) {
-                                                                                        phi_7206_ = _e2891;
+                                                                    let _e2956 = phi_7183_;
+                                                                    if _e2956 {
+                                                                        if ((_e2926 + ((_e2937 - _e2926) * _e2432)) > _e2950) {
+                                                                            if (_e2937 < _e2926) {
+                                                                                let _e2965 = ((_e2926 - _e2937) <= (f64(0.25f) / 2.2250738585072014e-308lf));
+                                                                                if _e2965 {
+                                                                                    let _e2973 = (((_e2926 - _e2950) / (_e2926 - _e2937)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                                    if (_e2895 < _e2973) {
+                                                                                        phi_7217_ = _e2895;
                                                                                     } else {
-                                                                                        phi_7206_ = _e2969;
+                                                                                        phi_7217_ = _e2973;
                                                                                     }
-                                                                                    let _e2972 = phi_7206_;
-                                                                                    phi_7207_ = _e2972;
+                                                                                    let _e2976 = phi_7217_;
+                                                                                    phi_7218_ = _e2976;
                                                                                 } else {
-                                                                                    phi_7207_ = f64();
+                                                                                    phi_7218_ = f64();
                                                                                 }
-                                                                                let _e2974 = phi_7207_;
-                                                                                phi_7208_ = _e2974;
-                                                                                phi_7209_ = _e2961;
+                                                                                let _e2978 = phi_7218_;
+                                                                                phi_7219_ = _e2978;
+                                                                                phi_7220_ = _e2965;
                                                                             } else {
-                                                                                phi_7208_ = _e2891;
-                                                                                phi_7209_ = true;
+                                                                                phi_7219_ = _e2895;
+                                                                                phi_7220_ = true;
                                                                             }
-                                                                            let _e2976 = phi_7208_;
-                                                                            let _e2978 = phi_7209_;
-                                                                            if _e2978 {
-                                                                                phi_7213_ = false;
+                                                                            let _e2980 = phi_7219_;
+                                                                            let _e2982 = phi_7220_;
+                                                                            if _e2982 {
+                                                                                phi_7224_ = false;
                                                                             } else {
-                                                                                phi_7213_ = true;
+                                                                                phi_7224_ = true;
                                                                             }
-                                                                            let _e2980 = phi_7213_;
-                                                                            phi_7214_ = _e2976;
-                                                                            phi_7215_ = _e2978;
-                                                                            phi_7216_ = _e2980;
-                                                                            phi_7217_ = false;
+                                                                            let _e2984 = phi_7224_;
+                                                                            phi_7225_ = _e2980;
+                                                                            phi_7226_ = _e2982;
+                                                                            phi_7227_ = _e2984;
+                                                                            phi_7228_ = false;
                                                                         } else {
-                                                                            phi_7214_ = f64();
-                                                                            phi_7215_ = false;
-                                                                            phi_7216_ = false;
-                                                                            phi_7217_ = true;
+                                                                            phi_7225_ = f64();
+                                                                            phi_7226_ = false;
+                                                                            phi_7227_ = false;
+                                                                            phi_7228_ = true;
                                                                         }
-                                                                        let _e2982 = phi_7214_;
-                                                                        let _e2984 = phi_7215_;
-                                                                        let _e2986 = phi_7216_;
-                                                                        let _e2988 = phi_7217_;
-                                                                        phi_7218_ = _e2982;
-                                                                        phi_7219_ = _e2984;
-                                                                        phi_7220_ = _e2986;
-                                                                        phi_7221_ = _e2988;
+                                                                        let _e2986 = phi_7225_;
+                                                                        let _e2988 = phi_7226_;
+                                                                        let _e2990 = phi_7227_;
+                                                                        let _e2992 = phi_7228_;
+                                                                        phi_7229_ = _e2986;
+                                                                        phi_7230_ = _e2988;
+                                                                        phi_7231_ = _e2990;
+                                                                        phi_7232_ = _e2992;
                                                                     } else {
-                                                                        phi_7218_ = _e2891;
-                                                                        phi_7219_ = true;
-                                                                        phi_7220_ = false;
-                                                                        phi_7221_ = false;
+                                                                        phi_7229_ = _e2895;
+                                                                        phi_7230_ = true;
+                                                                        phi_7231_ = false;
+                                                                        phi_7232_ = false;
                                                                     }
-                                                                    let _e2990 = phi_7218_;
-                                                                    let _e2992 = phi_7219_;
-                                                                    let _e2994 = phi_7220_;
-                                                                    let _e2996 = phi_7221_;
-                                                                    phi_7078_ = _e2990;
-                                                                    phi_7222_ = _e2992;
-                                                                    phi_7223_ = false;
-                                                                    phi_7224_ = _e2994;
-                                                                    phi_7225_ = _e2996;
+                                                                    let _e2994 = phi_7229_;
+                                                                    let _e2996 = phi_7230_;
+                                                                    let _e2998 = phi_7231_;
+                                                                    let _e3000 = phi_7232_;
+                                                                    phi_7089_ = _e2994;
+                                                                    phi_7233_ = _e2996;
+                                                                    phi_7234_ = false;
+                                                                    phi_7235_ = _e2998;
+                                                                    phi_7236_ = _e3000;
                                                                 } else {
-                                                                    phi_7078_ = f64();
-                                                                    phi_7222_ = false;
-                                                                    phi_7223_ = true;
-                                                                    phi_7224_ = false;
-                                                                    phi_7225_ = false;
+                                                                    phi_7089_ = f64();
+                                                                    phi_7233_ = false;
+                                                                    phi_7234_ = true;
+                                                                    phi_7235_ = false;
+                                                                    phi_7236_ = false;
                                                                 }
-                                                                let _e2998 = phi_7078_;
-                                                                let _e3000 = phi_7222_;
-                                                                let _e3002 = phi_7223_;
-                                                                let _e3004 = phi_7224_;
-                                                                let _e3006 = phi_7225_;
-                                                                local_27 = _e3002;
-                                                                local_58 = _e3004;
-                                                                local_59 = _e3006;
+                                                                let _e3002 = phi_7089_;
+                                                                let _e3004 = phi_7233_;
+                                                                let _e3006 = phi_7234_;
+                                                                let _e3008 = phi_7235_;
+                                                                let _e3010 = phi_7236_;
+                                                                local_27 = _e3006;
+                                                                local_58 = _e3008;
+                                                                local_59 = _e3010;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_7074_ = _e2905;
-                                                                    phi_7077_ = _e2998;
-                                                                    break if !(_e3000);
+                                                                    phi_7085_ = _e2909;
+                                                                    phi_7088_ = _e3002;
+                                                                    break if !(_e3004);
                                                                 }
                                                             }
-                                                            let _e3009 = local_27;
-                                                            if _e3009 {
-                                                                let _e3011 = local_28;
-                                                                let _e3012 = (_e3011 > _e1428.member_1);
-                                                                if _e3012 {
-                                                                    phi_7247_ = false;
-                                                                    phi_7248_ = false;
-                                                                    phi_7249_ = false;
+                                                            let _e3013 = local_27;
+                                                            if _e3013 {
+                                                                let _e3015 = local_28;
+                                                                let _e3016 = (_e3015 > _e1432.member_1);
+                                                                if _e3016 {
+                                                                    phi_7258_ = false;
+                                                                    phi_7259_ = false;
+                                                                    phi_7260_ = false;
                                                                 } else {
-                                                                    let _e3014 = local_29;
-                                                                    if (_e3014 > _e2428) {
-                                                                        let _e3017 = local_30;
-                                                                        let _e3020 = ((_e3017 - _e2428) < f64(0.00000000023283064f));
-                                                                        if _e3020 {
-                                                                            phi_7243_ = false;
+                                                                    let _e3018 = local_29;
+                                                                    if (_e3018 > _e2432) {
+                                                                        let _e3021 = local_30;
+                                                                        let _e3024 = ((_e3021 - _e2432) < f64(0.00000000023283064f));
+                                                                        if _e3024 {
+                                                                            phi_7254_ = false;
                                                                         } else {
-                                                                            phi_7243_ = true;
+                                                                            phi_7254_ = true;
                                                                         }
-                                                                        let _e3022 = phi_7243_;
-                                                                        phi_7244_ = _e3022;
-                                                                        phi_7245_ = _e3020;
-                                                                        phi_7246_ = false;
+                                                                        let _e3026 = phi_7254_;
+                                                                        phi_7255_ = _e3026;
+                                                                        phi_7256_ = _e3024;
+                                                                        phi_7257_ = false;
                                                                     } else {
-                                                                        phi_7244_ = false;
-                                                                        phi_7245_ = false;
-                                                                        phi_7246_ = true;
+                                                                        phi_7255_ = false;
+                                                                        phi_7256_ = false;
+                                                                        phi_7257_ = true;
                                                                     }
-                                                                    let _e3024 = phi_7244_;
-                                                                    let _e3026 = phi_7245_;
-                                                                    let _e3028 = phi_7246_;
-                                                                    phi_7247_ = _e3024;
-                                                                    phi_7248_ = _e3026;
-                                                                    phi_7249_ = _e3028;
+                                                                    let _e3028 = phi_7255_;
+                                                                    let _e3030 = phi_7256_;
+                                                                    let _e3032 = phi_7257_;
+                                                                    phi_7258_ = _e3028;
+                                                                    phi_7259_ = _e3030;
+                                                                    phi_7260_ = _e3032;
                                                                 }
-                                                                let _e3030 = phi_7247_;
-                                                                let _e3032 = phi_7248_;
-                                                                let _e3034 = phi_7249_;
-                                                                phi_7250_ = _e3030;
-                                                                phi_7251_ = _e3012;
-                                                                phi_7252_ = _e3032;
-                                                                phi_7253_ = _e3034;
-                                                                phi_7254_ = false;
-                                                                phi_7255_ = false;
+                                                                let _e3034 = phi_7258_;
+                                                                let _e3036 = phi_7259_;
+                                                                let _e3038 = phi_7260_;
+                                                                phi_7261_ = _e3034;
+                                                                phi_7262_ = _e3016;
+                                                                phi_7263_ = _e3036;
+                                                                phi_7264_ = _e3038;
+                                                                phi_7265_ = false;
+                                                                phi_7266_ = false;
                                                             } else {
-                                                                phi_7250_ = false;
-                                                                phi_7251_ = false;
-                                                                phi_7252_ = false;
-                                                                phi_7253_ = false;
-                                                                let _e5500 = local_58;
-                                                                phi_7254_ = _e5500;
-                                                                let _e5503 = local_59;
-                                                                phi_7255_ = _e5503;
+                                                                phi_7261_ = false;
+                                                                phi_7262_ = false;
+                                                                phi_7263_ = false;
+                                                                phi_7264_ = false;
+                                                                let _e5504 = local_58;
+                                                                phi_7265_ = _e5504;
+                                                                let _e5507 = local_59;
+                                                                phi_7266_ = _e5507;
                                                             }
-                                                            let _e3036 = phi_7250_;
-                                                            let _e3038 = phi_7251_;
-                                                            let _e3040 = phi_7252_;
-                                                            let _e3042 = phi_7253_;
-                                                            let _e3044 = phi_7254_;
-                                                            let _e3046 = phi_7255_;
-                                                            let _e5506 = local_60;
-                                                            phi_7256_ = _e5506;
-                                                            let _e5509 = local_61;
-                                                            phi_7257_ = _e5509;
-                                                            phi_7258_ = _e3036;
-                                                            phi_7259_ = _e3038;
-                                                            phi_7260_ = _e3040;
-                                                            phi_7261_ = _e3042;
-                                                            phi_7262_ = _e3044;
-                                                            phi_7263_ = _e3046;
-                                                            phi_7264_ = false;
+                                                            let _e3040 = phi_7261_;
+                                                            let _e3042 = phi_7262_;
+                                                            let _e3044 = phi_7263_;
+                                                            let _e3046 = phi_7264_;
+                                                            let _e3048 = phi_7265_;
+                                                            let _e3050 = phi_7266_;
+                                                            let _e5510 = local_60;
+                                                            phi_7267_ = _e5510;
+                                                            let _e5513 = local_61;
+                                                            phi_7268_ = _e5513;
+                                                            phi_7269_ = _e3040;
+                                                            phi_7270_ = _e3042;
+                                                            phi_7271_ = _e3044;
+                                                            phi_7272_ = _e3046;
+                                                            phi_7273_ = _e3048;
+                                                            phi_7274_ = _e3050;
+                                                            phi_7275_ = false;
                                                         } else {
-                                                            phi_7256_ = f64();
-                                                            phi_7257_ = f64();
-                                                            phi_7258_ = false;
-                                                            phi_7259_ = false;
-                                                            phi_7260_ = false;
-                                                            phi_7261_ = false;
-                                                            phi_7262_ = false;
-                                                            phi_7263_ = false;
-                                                            phi_7264_ = true;
+                                                            phi_7267_ = f64();
+                                                            phi_7268_ = f64();
+                                                            phi_7269_ = false;
+                                                            phi_7270_ = false;
+                                                            phi_7271_ = false;
+                                                            phi_7272_ = false;
+                                                            phi_7273_ = false;
+                                                            phi_7274_ = false;
+                                                            phi_7275_ = true;
                                                         }
-                                                        let _e3048 = phi_7256_;
-                                                        let _e3050 = phi_7257_;
-                                                        let _e3052 = phi_7258_;
-                                                        let _e3054 = phi_7259_;
-                                                        let _e3056 = phi_7260_;
-                                                        let _e3058 = phi_7261_;
-                                                        let _e3060 = phi_7262_;
-                                                        let _e3062 = phi_7263_;
-                                                        let _e3064 = phi_7264_;
-                                                        phi_7265_ = _e3048;
-                                                        phi_7266_ = _e3050;
-                                                        phi_7267_ = _e3052;
-                                                        phi_7268_ = _e3054;
-                                                        phi_7269_ = _e3056;
-                                                        phi_7270_ = _e3058;
-                                                        phi_7271_ = _e3060;
-                                                        phi_7272_ = _e3062;
-                                                        phi_7273_ = _e3064;
-                                                        phi_7274_ = false;
+                                                        let _e3052 = phi_7267_;
+                                                        let _e3054 = phi_7268_;
+                                                        let _e3056 = phi_7269_;
+                                                        let _e3058 = phi_7270_;
+                                                        let _e3060 = phi_7271_;
+                                                        let _e3062 = phi_7272_;
+                                                        let _e3064 = phi_7273_;
+                                                        let _e3066 = phi_7274_;
+                                                        let _e3068 = phi_7275_;
+                                                        phi_7276_ = _e3052;
+                                                        phi_7277_ = _e3054;
+                                                        phi_7278_ = _e3056;
+                                                        phi_7279_ = _e3058;
+                                                        phi_7280_ = _e3060;
+                                                        phi_7281_ = _e3062;
+                                                        phi_7282_ = _e3064;
+                                                        phi_7283_ = _e3066;
+                                                        phi_7284_ = _e3068;
+                                                        phi_7285_ = false;
                                                     } else {
-                                                        phi_7265_ = f64();
-                                                        phi_7266_ = f64();
-                                                        phi_7267_ = false;
-                                                        phi_7268_ = false;
-                                                        phi_7269_ = false;
-                                                        phi_7270_ = false;
-                                                        phi_7271_ = false;
-                                                        phi_7272_ = false;
-                                                        phi_7273_ = false;
-                                                        phi_7274_ = true;
+                                                        phi_7276_ = f64();
+                                                        phi_7277_ = f64();
+                                                        phi_7278_ = false;
+                                                        phi_7279_ = false;
+                                                        phi_7280_ = false;
+                                                        phi_7281_ = false;
+                                                        phi_7282_ = false;
+                                                        phi_7283_ = false;
+                                                        phi_7284_ = false;
+                                                        phi_7285_ = true;
                                                     }
-                                                    let _e3066 = phi_7265_;
-                                                    let _e3068 = phi_7266_;
-                                                    let _e3070 = phi_7267_;
-                                                    let _e3072 = phi_7268_;
-                                                    let _e3074 = phi_7269_;
-                                                    let _e3076 = phi_7270_;
-                                                    let _e3078 = phi_7271_;
-                                                    let _e3080 = phi_7272_;
-                                                    let _e3082 = phi_7273_;
-                                                    let _e3084 = phi_7274_;
-                                                    phi_7275_ = _e3066;
-                                                    phi_6324_ = _e3068;
-                                                    phi_7276_ = _e3070;
-                                                    phi_7277_ = _e3072;
-                                                    phi_7278_ = _e3074;
-                                                    phi_7279_ = false;
-                                                    phi_7280_ = _e3076;
-                                                    phi_7281_ = _e3078;
-                                                    phi_7282_ = _e3080;
-                                                    phi_7283_ = _e3082;
-                                                    phi_7284_ = _e3084;
+                                                    let _e3070 = phi_7276_;
+                                                    let _e3072 = phi_7277_;
+                                                    let _e3074 = phi_7278_;
+                                                    let _e3076 = phi_7279_;
+                                                    let _e3078 = phi_7280_;
+                                                    let _e3080 = phi_7281_;
+                                                    let _e3082 = phi_7282_;
+                                                    let _e3084 = phi_7283_;
+                                                    let _e3086 = phi_7284_;
+                                                    let _e3088 = phi_7285_;
+                                                    phi_7286_ = _e3070;
+                                                    phi_6335_ = _e3072;
+                                                    phi_7287_ = _e3074;
+                                                    phi_7288_ = _e3076;
+                                                    phi_7289_ = _e3078;
+                                                    phi_7290_ = false;
+                                                    phi_7291_ = _e3080;
+                                                    phi_7292_ = _e3082;
+                                                    phi_7293_ = _e3084;
+                                                    phi_7294_ = _e3086;
+                                                    phi_7295_ = _e3088;
                                                 } else {
-                                                    phi_7275_ = f64();
-                                                    phi_6324_ = f64();
-                                                    phi_7276_ = false;
-                                                    phi_7277_ = false;
-                                                    phi_7278_ = false;
-                                                    phi_7279_ = true;
-                                                    phi_7280_ = false;
-                                                    phi_7281_ = false;
-                                                    phi_7282_ = false;
-                                                    phi_7283_ = false;
-                                                    phi_7284_ = false;
+                                                    phi_7286_ = f64();
+                                                    phi_6335_ = f64();
+                                                    phi_7287_ = false;
+                                                    phi_7288_ = false;
+                                                    phi_7289_ = false;
+                                                    phi_7290_ = true;
+                                                    phi_7291_ = false;
+                                                    phi_7292_ = false;
+                                                    phi_7293_ = false;
+                                                    phi_7294_ = false;
+                                                    phi_7295_ = false;
                                                 }
-                                                let _e3086 = phi_7275_;
-                                                let _e3088 = phi_6324_;
-                                                let _e3090 = phi_7276_;
-                                                let _e3092 = phi_7277_;
-                                                let _e3094 = phi_7278_;
-                                                let _e3096 = phi_7279_;
-                                                let _e3098 = phi_7280_;
-                                                let _e3100 = phi_7281_;
-                                                let _e3102 = phi_7282_;
-                                                let _e3104 = phi_7283_;
-                                                let _e3106 = phi_7284_;
-                                                local_31 = _e3092;
-                                                local_62 = _e3094;
-                                                local_63 = _e3096;
-                                                local_64 = _e3098;
-                                                local_65 = _e3100;
-                                                local_66 = _e3102;
-                                                local_67 = _e3104;
-                                                local_68 = _e3106;
-                                                local_69 = _e3086;
-                                                local_71 = _e3092;
+                                                let _e3090 = phi_7286_;
+                                                let _e3092 = phi_6335_;
+                                                let _e3094 = phi_7287_;
+                                                let _e3096 = phi_7288_;
+                                                let _e3098 = phi_7289_;
+                                                let _e3100 = phi_7290_;
+                                                let _e3102 = phi_7291_;
+                                                let _e3104 = phi_7292_;
+                                                let _e3106 = phi_7293_;
+                                                let _e3108 = phi_7294_;
+                                                let _e3110 = phi_7295_;
+                                                local_31 = _e3096;
+                                                local_62 = _e3098;
+                                                local_63 = _e3100;
+                                                local_64 = _e3102;
+                                                local_65 = _e3104;
+                                                local_66 = _e3106;
+                                                local_67 = _e3108;
+                                                local_68 = _e3110;
+                                                local_69 = _e3090;
+                                                local_71 = _e3096;
                                                 continue;
                                                 continuing {
-                                                    phi_6320_ = _e2442;
-                                                    phi_6323_ = _e3088;
-                                                    break if !(_e3090);
+                                                    phi_6331_ = _e2446;
+                                                    phi_6334_ = _e3092;
+                                                    break if !(_e3094);
                                                 }
                                             }
-                                            let _e3109 = local_31;
-                                            if _e3109 {
-                                                phi_7289_ = type_72(0u, type_72().member_1);
-                                                phi_7290_ = false;
-                                                phi_7291_ = false;
-                                                phi_7292_ = false;
-                                                phi_7293_ = false;
-                                                phi_7294_ = false;
-                                                phi_7295_ = false;
-                                                phi_7296_ = false;
-                                            } else {
-                                                phi_7289_ = type_72();
-                                                let _e5542 = local_62;
-                                                phi_7290_ = _e5542;
-                                                let _e5545 = local_63;
-                                                phi_7291_ = _e5545;
-                                                let _e5548 = local_64;
-                                                phi_7292_ = _e5548;
-                                                let _e5551 = local_65;
-                                                phi_7293_ = _e5551;
-                                                let _e5554 = local_66;
-                                                phi_7294_ = _e5554;
-                                                let _e5557 = local_67;
-                                                phi_7295_ = _e5557;
-                                                let _e5560 = local_68;
-                                                phi_7296_ = _e5560;
-                                            }
-                                            let _e3114 = phi_7289_;
-                                            let _e3116 = phi_7290_;
-                                            let _e3118 = phi_7291_;
-                                            let _e3120 = phi_7292_;
-                                            let _e3122 = phi_7293_;
-                                            let _e3124 = phi_7294_;
-                                            let _e3126 = phi_7295_;
-                                            let _e3128 = phi_7296_;
-                                            if _e3116 {
-                                                let _e5563 = local_69;
-                                                phi_7300_ = _e5563;
-                                                phi_7301_ = true;
+                                            let _e3113 = local_31;
+                                            if _e3113 {
+                                                phi_7300_ = type_72(0u, type_72().member_1);
+                                                phi_7301_ = false;
                                                 phi_7302_ = false;
                                                 phi_7303_ = false;
                                                 phi_7304_ = false;
@@ -5393,27 +5357,34 @@ fn function_1() {
                                                 phi_7306_ = false;
                                                 phi_7307_ = false;
                                             } else {
-                                                let _e5565 = local_70;
-                                                phi_7300_ = _e5565;
-                                                phi_7301_ = _e3118;
-                                                phi_7302_ = _e3120;
-                                                phi_7303_ = _e3122;
-                                                phi_7304_ = _e3124;
-                                                let _e5572 = local_71;
-                                                phi_7305_ = _e5572;
-                                                phi_7306_ = _e3126;
-                                                phi_7307_ = _e3128;
+                                                phi_7300_ = type_72();
+                                                let _e5546 = local_62;
+                                                phi_7301_ = _e5546;
+                                                let _e5549 = local_63;
+                                                phi_7302_ = _e5549;
+                                                let _e5552 = local_64;
+                                                phi_7303_ = _e5552;
+                                                let _e5555 = local_65;
+                                                phi_7304_ = _e5555;
+                                                let _e5558 = local_66;
+                                                phi_7305_ = _e5558;
+                                                let _e5561 = local_67;
+                                                phi_7306_ = _e5561;
+                                                let _e5564 = local_68;
+                                                phi_7307_ = _e5564;
                                             }
-                                            let _e3130 = phi_7300_;
-                                            let _e3132 = phi_7301_;
-                                            let _e3134 = phi_7302_;
-                                            let _e3136 = phi_7303_;
-                                            let _e3138 = phi_7304_;
-                                            let _e3140 = phi_7305_;
-                                            let _e3142 = phi_7306_;
-                                            let _e3144 = phi_7307_;
-                                            if _e3132 {
-                                                phi_7312_ = type_72(1u, _e3130);
+                                            let _e3118 = phi_7300_;
+                                            let _e3120 = phi_7301_;
+                                            let _e3122 = phi_7302_;
+                                            let _e3124 = phi_7303_;
+                                            let _e3126 = phi_7304_;
+                                            let _e3128 = phi_7305_;
+                                            let _e3130 = phi_7306_;
+                                            let _e3132 = phi_7307_;
+                                            if _e3120 {
+                                                let _e5567 = local_69;
+                                                phi_7311_ = _e5567;
+                                                phi_7312_ = true;
                                                 phi_7313_ = false;
                                                 phi_7314_ = false;
                                                 phi_7315_ = false;
@@ -5421,343 +5392,371 @@ fn function_1() {
                                                 phi_7317_ = false;
                                                 phi_7318_ = false;
                                             } else {
-                                                phi_7312_ = type_72();
-                                                phi_7313_ = _e3134;
-                                                phi_7314_ = _e3136;
-                                                phi_7315_ = _e3138;
-                                                phi_7316_ = _e3140;
-                                                phi_7317_ = _e3142;
-                                                phi_7318_ = _e3144;
+                                                let _e5569 = local_70;
+                                                phi_7311_ = _e5569;
+                                                phi_7312_ = _e3122;
+                                                phi_7313_ = _e3124;
+                                                phi_7314_ = _e3126;
+                                                phi_7315_ = _e3128;
+                                                let _e5576 = local_71;
+                                                phi_7316_ = _e5576;
+                                                phi_7317_ = _e3130;
+                                                phi_7318_ = _e3132;
                                             }
-                                            let _e3147 = phi_7312_;
-                                            let _e3149 = phi_7313_;
-                                            let _e3151 = phi_7314_;
-                                            let _e3153 = phi_7315_;
-                                            let _e3155 = phi_7316_;
-                                            let _e3157 = phi_7317_;
-                                            let _e3159 = phi_7318_;
-                                            if _e3149 {
-                                                let _e3161 = local_32;
-                                                phi_7323_ = type_72(1u, _e3161);
+                                            let _e3134 = phi_7311_;
+                                            let _e3136 = phi_7312_;
+                                            let _e3138 = phi_7313_;
+                                            let _e3140 = phi_7314_;
+                                            let _e3142 = phi_7315_;
+                                            let _e3144 = phi_7316_;
+                                            let _e3146 = phi_7317_;
+                                            let _e3148 = phi_7318_;
+                                            if _e3136 {
+                                                phi_7323_ = type_72(1u, _e3134);
                                                 phi_7324_ = false;
                                                 phi_7325_ = false;
-                                                phi_7326_ = true;
+                                                phi_7326_ = false;
                                                 phi_7327_ = false;
                                                 phi_7328_ = false;
+                                                phi_7329_ = false;
                                             } else {
-                                                phi_7323_ = _e3114;
-                                                phi_7324_ = _e3151;
-                                                phi_7325_ = _e3153;
-                                                phi_7326_ = _e3155;
-                                                phi_7327_ = _e3157;
-                                                phi_7328_ = _e3159;
+                                                phi_7323_ = type_72();
+                                                phi_7324_ = _e3138;
+                                                phi_7325_ = _e3140;
+                                                phi_7326_ = _e3142;
+                                                phi_7327_ = _e3144;
+                                                phi_7328_ = _e3146;
+                                                phi_7329_ = _e3148;
                                             }
-                                            let _e3164 = phi_7323_;
-                                            let _e3166 = phi_7324_;
-                                            let _e3168 = phi_7325_;
-                                            let _e3170 = phi_7326_;
-                                            let _e3172 = phi_7327_;
-                                            let _e3174 = phi_7328_;
-                                            if _e3166 {
-                                                let _e3176 = local_33;
-                                                phi_7333_ = type_72(1u, _e3176);
-                                                phi_7334_ = false;
+                                            let _e3151 = phi_7323_;
+                                            let _e3153 = phi_7324_;
+                                            let _e3155 = phi_7325_;
+                                            let _e3157 = phi_7326_;
+                                            let _e3159 = phi_7327_;
+                                            let _e3161 = phi_7328_;
+                                            let _e3163 = phi_7329_;
+                                            if _e3153 {
+                                                let _e3165 = local_32;
+                                                phi_7334_ = type_72(1u, _e3165);
                                                 phi_7335_ = false;
                                                 phi_7336_ = false;
-                                                phi_7337_ = false;
+                                                phi_7337_ = true;
+                                                phi_7338_ = false;
+                                                phi_7339_ = false;
                                             } else {
-                                                phi_7333_ = type_72();
-                                                phi_7334_ = _e3168;
-                                                phi_7335_ = _e3170;
-                                                phi_7336_ = _e3172;
-                                                phi_7337_ = _e3174;
+                                                phi_7334_ = _e3118;
+                                                phi_7335_ = _e3155;
+                                                phi_7336_ = _e3157;
+                                                phi_7337_ = _e3159;
+                                                phi_7338_ = _e3161;
+                                                phi_7339_ = _e3163;
                                             }
-                                            let _e3179 = phi_7333_;
-                                            let _e3181 = phi_7334_;
-                                            let _e3183 = phi_7335_;
-                                            let _e3185 = phi_7336_;
-                                            let _e3187 = phi_7337_;
-                                            if _e3181 {
-                                                let _e3189 = local_34;
-                                                phi_7342_ = type_72(1u, _e3189);
-                                                phi_7343_ = true;
-                                                phi_7344_ = false;
+                                            let _e3168 = phi_7334_;
+                                            let _e3170 = phi_7335_;
+                                            let _e3172 = phi_7336_;
+                                            let _e3174 = phi_7337_;
+                                            let _e3176 = phi_7338_;
+                                            let _e3178 = phi_7339_;
+                                            if _e3170 {
+                                                let _e3180 = local_33;
+                                                phi_7344_ = type_72(1u, _e3180);
                                                 phi_7345_ = false;
                                                 phi_7346_ = false;
+                                                phi_7347_ = false;
+                                                phi_7348_ = false;
                                             } else {
-                                                phi_7342_ = _e3179;
-                                                phi_7343_ = _e3166;
-                                                phi_7344_ = _e3183;
-                                                phi_7345_ = _e3185;
-                                                phi_7346_ = _e3187;
+                                                phi_7344_ = type_72();
+                                                phi_7345_ = _e3172;
+                                                phi_7346_ = _e3174;
+                                                phi_7347_ = _e3176;
+                                                phi_7348_ = _e3178;
                                             }
-                                            let _e3192 = phi_7342_;
-                                            let _e3194 = phi_7343_;
-                                            let _e3196 = phi_7344_;
-                                            let _e3198 = phi_7345_;
-                                            let _e3200 = phi_7346_;
-                                            if _e3194 {
-                                                phi_7350_ = _e3192;
-                                                phi_7351_ = true;
-                                                phi_7352_ = false;
-                                                phi_7353_ = false;
-                                            } else {
-                                                phi_7350_ = _e3164;
-                                                phi_7351_ = _e3196;
-                                                phi_7352_ = _e3198;
-                                                phi_7353_ = _e3200;
-                                            }
-                                            let _e3202 = phi_7350_;
-                                            let _e3204 = phi_7351_;
-                                            let _e3206 = phi_7352_;
-                                            let _e3208 = phi_7353_;
-                                            if _e3204 {
+                                            let _e3183 = phi_7344_;
+                                            let _e3185 = phi_7345_;
+                                            let _e3187 = phi_7346_;
+                                            let _e3189 = phi_7347_;
+                                            let _e3191 = phi_7348_;
+                                            if _e3185 {
+                                                let _e3193 = local_34;
+                                                phi_7353_ = type_72(1u, _e3193);
+                                                phi_7354_ = true;
+                                                phi_7355_ = false;
+                                                phi_7356_ = false;
                                                 phi_7357_ = false;
-                                                phi_7358_ = false;
                                             } else {
-                                                phi_7357_ = _e3206;
-                                                phi_7358_ = _e3208;
+                                                phi_7353_ = _e3183;
+                                                phi_7354_ = _e3170;
+                                                phi_7355_ = _e3187;
+                                                phi_7356_ = _e3189;
+                                                phi_7357_ = _e3191;
                                             }
-                                            let _e3210 = phi_7357_;
-                                            let _e3212 = phi_7358_;
-                                            if _e3210 {
-                                                phi_7362_ = false;
+                                            let _e3196 = phi_7353_;
+                                            let _e3198 = phi_7354_;
+                                            let _e3200 = phi_7355_;
+                                            let _e3202 = phi_7356_;
+                                            let _e3204 = phi_7357_;
+                                            if _e3198 {
+                                                phi_7361_ = _e3196;
+                                                phi_7362_ = true;
                                                 phi_7363_ = false;
+                                                phi_7364_ = false;
                                             } else {
-                                                phi_7362_ = _e3212;
-                                                phi_7363_ = _e3204;
+                                                phi_7361_ = _e3168;
+                                                phi_7362_ = _e3200;
+                                                phi_7363_ = _e3202;
+                                                phi_7364_ = _e3204;
                                             }
-                                            let _e3214 = phi_7362_;
-                                            let _e3216 = phi_7363_;
-                                            if _e3214 {
-                                                phi_7367_ = true;
+                                            let _e3206 = phi_7361_;
+                                            let _e3208 = phi_7362_;
+                                            let _e3210 = phi_7363_;
+                                            let _e3212 = phi_7364_;
+                                            if _e3208 {
                                                 phi_7368_ = false;
+                                                phi_7369_ = false;
                                             } else {
-                                                phi_7367_ = _e3210;
-                                                phi_7368_ = _e3216;
+                                                phi_7368_ = _e3210;
+                                                phi_7369_ = _e3212;
                                             }
-                                            let _e3218 = phi_7367_;
-                                            let _e3220 = phi_7368_;
+                                            let _e3214 = phi_7368_;
+                                            let _e3216 = phi_7369_;
+                                            if _e3214 {
+                                                phi_7373_ = false;
+                                                phi_7374_ = false;
+                                            } else {
+                                                phi_7373_ = _e3216;
+                                                phi_7374_ = _e3208;
+                                            }
+                                            let _e3218 = phi_7373_;
+                                            let _e3220 = phi_7374_;
                                             if _e3218 {
-                                                let _e3222 = local_35;
-                                                phi_7373_ = type_72(1u, _e3222);
-                                                phi_7374_ = true;
+                                                phi_7378_ = true;
+                                                phi_7379_ = false;
                                             } else {
-                                                phi_7373_ = _e3202;
-                                                phi_7374_ = _e3220;
+                                                phi_7378_ = _e3214;
+                                                phi_7379_ = _e3220;
                                             }
-                                            let _e3225 = phi_7373_;
-                                            let _e3227 = phi_7374_;
-                                            if _e3227 {
-                                                phi_7378_ = _e3225;
-                                            } else {
-                                                phi_7378_ = _e3147;
-                                            }
-                                            let _e3229 = phi_7378_;
-                                            let _e3232 = (_e3229.member != 0u);
-                                            if _e3232 {
-                                                phi_7385_ = false;
-                                            } else {
+                                            let _e3222 = phi_7378_;
+                                            let _e3224 = phi_7379_;
+                                            if _e3222 {
+                                                let _e3226 = local_35;
+                                                phi_7384_ = type_72(1u, _e3226);
                                                 phi_7385_ = true;
+                                            } else {
+                                                phi_7384_ = _e3206;
+                                                phi_7385_ = _e3224;
                                             }
-                                            let _e3234 = phi_7385_;
-                                            phi_7386_ = _e3229.member_1;
-                                            phi_7387_ = _e3234;
-                                            phi_7388_ = _e3232;
-                                            phi_7389_ = false;
+                                            let _e3229 = phi_7384_;
+                                            let _e3231 = phi_7385_;
+                                            if _e3231 {
+                                                phi_7389_ = _e3229;
+                                            } else {
+                                                phi_7389_ = _e3151;
+                                            }
+                                            let _e3233 = phi_7389_;
+                                            let _e3236 = (_e3233.member != 0u);
+                                            if _e3236 {
+                                                phi_7396_ = false;
+                                            } else {
+                                                phi_7396_ = true;
+                                            }
+                                            let _e3238 = phi_7396_;
+                                            phi_7397_ = _e3233.member_1;
+                                            phi_7398_ = _e3238;
+                                            phi_7399_ = _e3236;
+                                            phi_7400_ = false;
                                         } else {
-                                            phi_7386_ = f64();
-                                            phi_7387_ = false;
-                                            phi_7388_ = false;
-                                            phi_7389_ = true;
+                                            phi_7397_ = f64();
+                                            phi_7398_ = false;
+                                            phi_7399_ = false;
+                                            phi_7400_ = true;
                                         }
-                                        let _e3236 = phi_7386_;
-                                        let _e3238 = phi_7387_;
-                                        let _e3240 = phi_7388_;
-                                        let _e3242 = phi_7389_;
-                                        phi_7390_ = _e3236;
-                                        phi_7391_ = _e3238;
-                                        phi_7392_ = _e3240;
-                                        phi_7393_ = _e3242;
+                                        let _e3240 = phi_7397_;
+                                        let _e3242 = phi_7398_;
+                                        let _e3244 = phi_7399_;
+                                        let _e3246 = phi_7400_;
+                                        phi_7401_ = _e3240;
+                                        phi_7402_ = _e3242;
+                                        phi_7403_ = _e3244;
+                                        phi_7404_ = _e3246;
                                     }
-                                    let _e3244 = phi_7390_;
-                                    let _e3246 = phi_7391_;
-                                    let _e3248 = phi_7392_;
-                                    let _e3250 = phi_7393_;
-                                    phi_7394_ = _e3244;
-                                    phi_7395_ = _e2170;
-                                    phi_7396_ = _e3246;
-                                    phi_7397_ = _e3248;
-                                    phi_7398_ = _e3250;
+                                    let _e3248 = phi_7401_;
+                                    let _e3250 = phi_7402_;
+                                    let _e3252 = phi_7403_;
+                                    let _e3254 = phi_7404_;
+                                    phi_7405_ = _e3248;
+                                    phi_7406_ = _e2174;
+                                    phi_7407_ = _e3250;
+                                    phi_7408_ = _e3252;
+                                    phi_7409_ = _e3254;
                                 }
-                                let _e3252 = phi_7394_;
-                                let _e3254 = phi_7395_;
-                                let _e3256 = phi_7396_;
-                                let _e3258 = phi_7397_;
-                                let _e3260 = phi_7398_;
-                                if _e3254 {
-                                    phi_7402_ = true;
-                                    phi_7403_ = false;
-                                    phi_7404_ = false;
+                                let _e3256 = phi_7405_;
+                                let _e3258 = phi_7406_;
+                                let _e3260 = phi_7407_;
+                                let _e3262 = phi_7408_;
+                                let _e3264 = phi_7409_;
+                                if _e3258 {
+                                    phi_7413_ = true;
+                                    phi_7414_ = false;
+                                    phi_7415_ = false;
                                 } else {
-                                    phi_7402_ = _e3256;
-                                    phi_7403_ = _e3258;
-                                    phi_7404_ = _e3260;
+                                    phi_7413_ = _e3260;
+                                    phi_7414_ = _e3262;
+                                    phi_7415_ = _e3264;
                                 }
-                                let _e3262 = phi_7402_;
-                                let _e3264 = phi_7403_;
-                                let _e3266 = phi_7404_;
-                                phi_7405_ = _e3252;
-                                phi_7406_ = _e1428;
-                                phi_7407_ = _e3262;
-                                phi_7408_ = false;
-                                phi_7409_ = _e3264;
-                                phi_7410_ = _e3266;
+                                let _e3266 = phi_7413_;
+                                let _e3268 = phi_7414_;
+                                let _e3270 = phi_7415_;
+                                phi_7416_ = _e3256;
+                                phi_7417_ = _e1432;
+                                phi_7418_ = _e3266;
+                                phi_7419_ = false;
+                                phi_7420_ = _e3268;
+                                phi_7421_ = _e3270;
                             } else {
-                                phi_7405_ = f64();
-                                phi_7406_ = type_73();
-                                phi_7407_ = false;
-                                phi_7408_ = true;
-                                phi_7409_ = false;
-                                phi_7410_ = false;
+                                phi_7416_ = f64();
+                                phi_7417_ = type_73();
+                                phi_7418_ = false;
+                                phi_7419_ = true;
+                                phi_7420_ = false;
+                                phi_7421_ = false;
                             }
-                            let _e3268 = phi_7405_;
-                            let _e3270 = phi_7406_;
-                            let _e3272 = phi_7407_;
-                            let _e3274 = phi_7408_;
-                            let _e3276 = phi_7409_;
-                            let _e3278 = phi_7410_;
-                            local_36 = _e3274;
-                            local_72 = _e3276;
-                            local_73 = _e3278;
-                            local_37 = _e3268;
-                            local_38 = _e3270;
+                            let _e3272 = phi_7416_;
+                            let _e3274 = phi_7417_;
+                            let _e3276 = phi_7418_;
+                            let _e3278 = phi_7419_;
+                            let _e3280 = phi_7420_;
+                            let _e3282 = phi_7421_;
+                            local_36 = _e3278;
+                            local_72 = _e3280;
+                            local_73 = _e3282;
+                            local_37 = _e3272;
+                            local_38 = _e3274;
                             continue;
                             continuing {
-                                phi_4359_ = _e1109;
-                                break if !(_e3272);
+                                phi_4370_ = _e1113;
+                                break if !(_e3276);
                             }
                         }
-                        let _e3281 = local_36;
-                        if _e3281 {
-                            phi_7415_ = type_72(0u, type_72().member_1);
-                            phi_7416_ = false;
-                            phi_7417_ = false;
+                        let _e3285 = local_36;
+                        if _e3285 {
+                            phi_7426_ = type_72(0u, type_72().member_1);
+                            phi_7427_ = false;
+                            phi_7428_ = false;
                         } else {
-                            phi_7415_ = type_72();
-                            let _e5642 = local_72;
-                            phi_7416_ = _e5642;
-                            let _e5645 = local_73;
-                            phi_7417_ = _e5645;
+                            phi_7426_ = type_72();
+                            let _e5646 = local_72;
+                            phi_7427_ = _e5646;
+                            let _e5649 = local_73;
+                            phi_7428_ = _e5649;
                         }
-                        let _e3286 = phi_7415_;
-                        let _e3288 = phi_7416_;
-                        let _e3290 = phi_7417_;
-                        if _e3288 {
-                            let _e3292 = local_37;
-                            phi_7422_ = type_72(2u, _e3292);
-                            phi_7423_ = false;
+                        let _e3290 = phi_7426_;
+                        let _e3292 = phi_7427_;
+                        let _e3294 = phi_7428_;
+                        if _e3292 {
+                            let _e3296 = local_37;
+                            phi_7433_ = type_72(2u, _e3296);
+                            phi_7434_ = false;
                         } else {
-                            phi_7422_ = type_72();
-                            phi_7423_ = _e3290;
+                            phi_7433_ = type_72();
+                            phi_7434_ = _e3294;
                         }
-                        let _e3295 = phi_7422_;
-                        let _e3297 = phi_7423_;
-                        if _e3297 {
-                            let _e3299 = local_38;
-                            phi_7429_ = type_72(1u, _e3299.member);
-                            phi_7430_ = true;
+                        let _e3299 = phi_7433_;
+                        let _e3301 = phi_7434_;
+                        if _e3301 {
+                            let _e3303 = local_38;
+                            phi_7440_ = type_72(1u, _e3303.member);
+                            phi_7441_ = true;
                         } else {
-                            phi_7429_ = _e3295;
-                            phi_7430_ = _e3288;
+                            phi_7440_ = _e3299;
+                            phi_7441_ = _e3292;
                         }
-                        let _e3303 = phi_7429_;
-                        let _e3305 = phi_7430_;
-                        if _e3305 {
-                            phi_7434_ = _e3303;
+                        let _e3307 = phi_7440_;
+                        let _e3309 = phi_7441_;
+                        if _e3309 {
+                            phi_7445_ = _e3307;
                         } else {
-                            phi_7434_ = _e3286;
+                            phi_7445_ = _e3290;
                         }
-                        let _e3307 = phi_7434_;
-                        phi_7438_ = _e3307;
+                        let _e3311 = phi_7445_;
+                        phi_7449_ = _e3311;
                     }
-                    let _e5013 = phi_7438_;
-                    phi_7439_ = _e5013;
+                    let _e5017 = phi_7449_;
+                    phi_7450_ = _e5017;
                 }
-                let _e5018 = phi_7439_;
-                switch bitcast<i32>(_e5018.member) {
+                let _e5022 = phi_7450_;
+                switch bitcast<i32>(_e5022.member) {
                     case 0: {
-                        phi_7452_ = type_46(0u, array<u32, 2>(0u, 0u), false);
+                        phi_7463_ = type_55(0u, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e5024 = function_(_e5018.member_1);
-                        phi_7452_ = type_46(0u, _e5024, true);
+                        let _e5028 = function_(_e5022.member_1);
+                        phi_7463_ = type_55(0u, _e5028, true);
                         break;
                     }
                     case 2: {
-                        let _e5022 = function_(_e5018.member_1);
-                        phi_7452_ = type_46(1u, _e5022, true);
+                        let _e5026 = function_(_e5022.member_1);
+                        phi_7463_ = type_55(1u, _e5026, true);
                         break;
                     }
                     default: {
-                        phi_7452_ = type_46();
+                        phi_7463_ = type_55();
                         break;
                     }
                 }
-                let _e5027 = phi_7452_;
-                if _e5027.member_2 {
-                    let _e5034 = (_e5027.member_1[1] >> bitcast<u32>(20i));
-                    if (_e5034 <= 896u) {
-                        phi_7475_ = 0u;
+                let _e5031 = phi_7463_;
+                if _e5031.member_2 {
+                    let _e5038 = (_e5031.member_1[1] >> bitcast<u32>(20i));
+                    if (_e5038 <= 896u) {
+                        phi_7486_ = 0u;
                     } else {
-                        phi_7475_ = ((((_e5034 - 896u) << bitcast<u32>(23i)) | ((_e5027.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e5027.member_1[0] >> bitcast<u32>(29i)));
+                        phi_7486_ = ((((_e5038 - 896u) << bitcast<u32>(23i)) | ((_e5031.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e5031.member_1[0] >> bitcast<u32>(29i)));
                     }
-                    let _e5049 = phi_7475_;
-                    let _e5051 = atomicMin((&earliest.member[0u]), _e5049);
+                    let _e5053 = phi_7486_;
+                    let _e5055 = atomicMin((&earliest.member[0u]), _e5053);
                 }
-                phi_7479_ = type_45(_e186, _e5027.member, _e192, _e195, _e5027.member_1);
-                phi_7480_ = _e5027.member_2;
+                phi_7490_ = type_54(_e186, _e5031.member, _e192, _e195, _e5031.member_1);
+                phi_7491_ = _e5031.member_2;
             } else {
-                phi_7479_ = type_45(_e186, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
-                phi_7480_ = false;
+                phi_7490_ = type_54(_e186, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
+                phi_7491_ = false;
             }
-            let _e5053 = phi_7479_;
-            let _e5055 = phi_7480_;
-            let _e5057 = params.member.member_1;
-            if ((_e5057 & 16u) != 0u) {
+            let _e5057 = phi_7490_;
+            let _e5059 = phi_7491_;
+            let _e5061 = params.member.member_1;
+            if ((_e5061 & 16u) != 0u) {
                 if (_e117 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e5055 {
-                    let _e5063 = atomicAdd((&counters[0u]), 1u);
-                    phi_7498_ = _e5063;
+                if _e5059 {
+                    let _e5067 = atomicAdd((&counters[0u]), 1u);
+                    phi_7509_ = _e5067;
                 } else {
-                    phi_7498_ = 0u;
+                    phi_7509_ = 0u;
                 }
-                let _e5065 = phi_7498_;
+                let _e5069 = phi_7509_;
                 workgroupBarrier();
                 if (_e117 == 0u) {
-                    let _e5068 = atomicLoad((&counters[0u]));
-                    if (_e5068 > 0u) {
-                        let _e5071 = atomicAdd((&contacts.member[0u]), _e5068);
-                        atomicStore((&counters[1u]), _e5071);
+                    let _e5072 = atomicLoad((&counters[0u]));
+                    if (_e5072 > 0u) {
+                        let _e5075 = atomicAdd((&contacts.member[0u]), _e5072);
+                        atomicStore((&counters[1u]), _e5075);
                     }
                 }
                 workgroupBarrier();
-                let _e5074 = atomicLoad((&counters[1u]));
-                let _e5075 = (_e5074 + _e5065);
-                if _e5055 {
-                    let _e5077 = params.member.member_16;
-                    if (_e5075 < _e5077) {
-                        let _e5079 = (6u * _e5075);
-                        atomicStore((&contacts.member[(4u + _e5079)]), _e5053.member);
-                        atomicStore((&contacts.member[(_e5079 + 5u)]), _e5053.member_1);
-                        atomicStore((&contacts.member[(_e5079 + 6u)]), _e5053.member_2);
-                        atomicStore((&contacts.member[(_e5079 + 7u)]), _e5053.member_3);
-                        atomicStore((&contacts.member[(_e5079 + 8u)]), _e5053.member_4[0]);
-                        atomicStore((&contacts.member[(_e5079 + 9u)]), _e5053.member_4[1]);
+                let _e5078 = atomicLoad((&counters[1u]));
+                let _e5079 = (_e5078 + _e5069);
+                if _e5059 {
+                    let _e5081 = params.member.member_16;
+                    if (_e5079 < _e5081) {
+                        let _e5083 = (6u * _e5079);
+                        atomicStore((&contacts.member[(4u + _e5083)]), _e5057.member);
+                        atomicStore((&contacts.member[(_e5083 + 5u)]), _e5057.member_1);
+                        atomicStore((&contacts.member[(_e5083 + 6u)]), _e5057.member_2);
+                        atomicStore((&contacts.member[(_e5083 + 7u)]), _e5057.member_3);
+                        atomicStore((&contacts.member[(_e5083 + 8u)]), _e5057.member_4[0]);
+                        atomicStore((&contacts.member[(_e5083 + 9u)]), _e5057.member_4[1]);
                     }
                 }
             }

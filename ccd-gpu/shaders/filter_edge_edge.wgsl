@@ -3,7 +3,7 @@ struct type_6 {
     member_1: array<f32, 3>,
 }
 
-struct type_11 {
+struct type_12 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -22,56 +22,58 @@ struct type_11 {
     member_15: u32,
     member_16: u32,
     member_17: u32,
-    member_18: array<array<u32, 4>, 8>,
+    member_18: array<array<u32, 2>, 3>,
+    member_19: array<u32, 2>,
+    member_20: array<array<u32, 4>, 8>,
 }
 
-struct type_13 {
-    member: type_11,
+struct type_14 {
+    member: type_12,
 }
 
-struct type_17 {
+struct type_18 {
     member: array<type_6>,
 }
 
-struct type_21 {
+struct type_22 {
     member: array<u32>,
 }
 
-struct type_23 {
+struct type_24 {
     member: array<u32, 3>,
     member_1: u32,
 }
 
-struct type_26 {
-    member: array<type_23>,
+struct type_27 {
+    member: array<type_24>,
 }
 
-struct type_35 {
+struct type_36 {
     member: u32,
     member_1: u32,
 }
 
-struct type_44 {
+struct type_45 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
 }
 
-struct type_47 {
-    member: array<type_44>,
+struct type_48 {
+    member: array<type_45>,
 }
 
-struct type_63 {
+struct type_53 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-struct type_70 {
+struct type_71 {
     member: array<array<f32, 3>, 2>,
     member_1: array<array<f32, 3>, 2>,
     member_2: array<array<f32, 3>, 2>,
     member_3: f32,
 }
 
-struct type_78 {
+struct type_79 {
     member: array<atomic<u32>>,
 }
 
@@ -79,36 +81,36 @@ var<private> id_1: vec3<u32>;
 var<private> n_1: vec3<u32>;
 var<private> lane_1: u32;
 @group(0) @binding(0) 
-var<storage> params: type_13;
+var<storage> params: type_14;
 @group(0) @binding(1) 
-var<storage> nodes: type_17;
+var<storage> nodes: type_18;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
 var<workgroup> columns: array<type_6, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
 @group(0) @binding(2) 
-var<storage> leaves: type_26;
+var<storage> leaves: type_27;
 @group(0) @binding(3) 
-var<storage> bodies: type_21;
+var<storage> bodies: type_22;
 @group(0) @binding(4) 
-var<storage> keys: type_63;
+var<storage> keys: type_53;
 @group(0) @binding(5) 
-var<storage> paths: type_47;
+var<storage> paths: type_48;
 @group(0) @binding(6) 
-var<storage> input: type_21;
+var<storage> input: type_22;
 @group(0) @binding(7) 
-var<storage, read_write> output: type_78;
+var<storage, read_write> output: type_79;
 
 fn function_() {
     var local: array<array<f32, 3>, 4>;
     var local_1: array<array<f32, 3>, 4>;
     var local_2: array<array<f32, 3>, 4>;
     var local_3: array<array<f32, 3>, 4>;
-    var local_4: array<type_70, 2>;
+    var local_4: array<type_71, 2>;
     var local_5: array<array<f32, 3>, 4>;
     var local_6: array<array<f32, 3>, 4>;
-    var local_7: type_70;
+    var local_7: type_71;
     var local_8: array<array<u32, 2>, 6>;
     var local_9: array<array<u32, 2>, 6>;
     var local_10: array<array<u32, 2>, 6>;
@@ -125,586 +127,586 @@ fn function_() {
     var local_21: array<array<u32, 2>, 6>;
     var local_22: array<array<u32, 2>, 6>;
     var local_23: array<array<u32, 2>, 6>;
-    var local_24: type_23;
-    var local_25: type_23;
-    var local_26: type_23;
-    var local_27: type_23;
-    var phi_232_: u32;
-    var phi_270_: u32;
+    var local_24: type_24;
+    var local_25: type_24;
+    var local_26: type_24;
+    var local_27: type_24;
+    var phi_233_: u32;
     var phi_271_: u32;
-    var phi_278_: u32;
-    var phi_294_: u32;
-    var phi_315_: u32;
+    var phi_272_: u32;
+    var phi_279_: u32;
+    var phi_295_: u32;
     var phi_316_: u32;
-    var phi_319_: type_35;
-    var phi_320_: type_35;
-    var phi_343_: type_35;
-    var phi_381_: u32;
+    var phi_317_: u32;
+    var phi_320_: type_36;
+    var phi_321_: type_36;
+    var phi_344_: type_36;
     var phi_382_: u32;
-    var phi_389_: u32;
-    var phi_399_: u32;
-    var phi_478_: array<u32, 2>;
-    var phi_672_: bool;
+    var phi_383_: u32;
+    var phi_390_: u32;
+    var phi_400_: u32;
+    var phi_479_: array<u32, 2>;
     var phi_673_: bool;
-    var phi_677_: type_6;
-    var phi_690_: type_35;
-    var phi_693_: u32;
-    var phi_691_: type_35;
-    var phi_716_: type_35;
-    var phi_782_: bool;
+    var phi_674_: bool;
+    var phi_678_: type_6;
+    var phi_691_: type_36;
+    var phi_694_: u32;
+    var phi_692_: type_36;
+    var phi_717_: type_36;
     var phi_783_: bool;
     var phi_784_: bool;
-    var phi_788_: bool;
-    var phi_806_: u32;
+    var phi_785_: bool;
+    var phi_789_: bool;
     var phi_807_: u32;
     var phi_808_: u32;
-    var phi_694_: u32;
-    var phi_811_: type_35;
-    var phi_814_: u32;
-    var phi_812_: type_35;
-    var phi_837_: type_35;
-    var phi_983_: bool;
+    var phi_809_: u32;
+    var phi_695_: u32;
+    var phi_812_: type_36;
+    var phi_815_: u32;
+    var phi_813_: type_36;
+    var phi_838_: type_36;
     var phi_984_: bool;
     var phi_985_: bool;
     var phi_986_: bool;
     var phi_987_: bool;
-    var phi_991_: bool;
-    var phi_947_: bool;
+    var phi_988_: bool;
+    var phi_992_: bool;
     var phi_948_: bool;
     var phi_949_: bool;
-    var phi_953_: bool;
-    var phi_992_: bool;
-    var phi_996_: bool;
+    var phi_950_: bool;
+    var phi_954_: bool;
+    var phi_993_: bool;
     var phi_997_: bool;
-    var phi_1043_: bool;
-    var phi_1053_: bool;
+    var phi_998_: bool;
+    var phi_1044_: bool;
     var phi_1054_: bool;
-    var phi_1058_: bool;
+    var phi_1055_: bool;
     var phi_1059_: bool;
-    var phi_1108_: type_35;
-    var phi_1111_: bool;
-    var phi_1109_: type_35;
-    var phi_1134_: type_35;
-    var phi_1191_: type_35;
-    var phi_1194_: array<u32, 2>;
-    var phi_1192_: type_35;
-    var phi_1217_: type_35;
-    var phi_1292_: bool;
-    var phi_1293_: bool;
-    var phi_1297_: array<u32, 2>;
+    var phi_1060_: bool;
+    var phi_1109_: type_36;
+    var phi_1112_: bool;
+    var phi_1110_: type_36;
+    var phi_1135_: type_36;
+    var phi_1192_: type_36;
     var phi_1195_: array<u32, 2>;
-    var phi_1348_: type_35;
-    var phi_1351_: array<u32, 2>;
-    var phi_1349_: type_35;
-    var phi_1374_: type_35;
-    var phi_1450_: bool;
-    var phi_1451_: bool;
-    var phi_1455_: array<u32, 2>;
+    var phi_1193_: type_36;
+    var phi_1218_: type_36;
+    var phi_1293_: bool;
+    var phi_1294_: bool;
+    var phi_1298_: array<u32, 2>;
+    var phi_1196_: array<u32, 2>;
+    var phi_1349_: type_36;
     var phi_1352_: array<u32, 2>;
+    var phi_1350_: type_36;
+    var phi_1375_: type_36;
+    var phi_1451_: bool;
+    var phi_1452_: bool;
+    var phi_1456_: array<u32, 2>;
+    var phi_1353_: array<u32, 2>;
     var local_28: array<u32, 2>;
     var local_29: array<u32, 2>;
     var local_30: array<u32, 2>;
     var local_31: array<u32, 2>;
     var local_32: array<u32, 2>;
     var local_33: array<u32, 2>;
-    var phi_1471_: bool;
     var phi_1472_: bool;
-    var phi_1523_: type_35;
-    var phi_1526_: array<u32, 2>;
-    var phi_1524_: type_35;
-    var phi_1549_: type_35;
-    var phi_1624_: bool;
-    var phi_1625_: bool;
-    var phi_1629_: array<u32, 2>;
+    var phi_1473_: bool;
+    var phi_1524_: type_36;
     var phi_1527_: array<u32, 2>;
-    var phi_1680_: type_35;
-    var phi_1683_: array<u32, 2>;
-    var phi_1681_: type_35;
-    var phi_1706_: type_35;
-    var phi_1782_: bool;
-    var phi_1783_: bool;
-    var phi_1787_: array<u32, 2>;
+    var phi_1525_: type_36;
+    var phi_1550_: type_36;
+    var phi_1625_: bool;
+    var phi_1626_: bool;
+    var phi_1630_: array<u32, 2>;
+    var phi_1528_: array<u32, 2>;
+    var phi_1681_: type_36;
     var phi_1684_: array<u32, 2>;
+    var phi_1682_: type_36;
+    var phi_1707_: type_36;
+    var phi_1783_: bool;
+    var phi_1784_: bool;
+    var phi_1788_: array<u32, 2>;
+    var phi_1685_: array<u32, 2>;
     var local_34: array<u32, 2>;
     var local_35: array<u32, 2>;
     var local_36: array<u32, 2>;
     var local_37: array<u32, 2>;
     var local_38: array<u32, 2>;
     var local_39: array<u32, 2>;
-    var phi_1803_: bool;
     var phi_1804_: bool;
-    var phi_1112_: bool;
-    var phi_1808_: bool;
+    var phi_1805_: bool;
+    var phi_1113_: bool;
     var phi_1809_: bool;
     var phi_1810_: bool;
-    var phi_1814_: bool;
+    var phi_1811_: bool;
     var phi_1815_: bool;
     var phi_1816_: bool;
     var phi_1817_: bool;
     var phi_1818_: bool;
-    var phi_1822_: bool;
-    var phi_1842_: type_35;
-    var phi_1869_: u32;
-    var phi_1870_: bool;
-    var phi_815_: u32;
+    var phi_1819_: bool;
+    var phi_1823_: bool;
+    var phi_1843_: type_36;
+    var phi_1870_: u32;
     var phi_1871_: bool;
-    var phi_1878_: u32;
-    var phi_1881_: type_35;
-    var phi_1882_: type_35;
-    var phi_1905_: type_35;
-    var phi_2059_: bool;
+    var phi_816_: u32;
+    var phi_1872_: bool;
+    var phi_1879_: u32;
+    var phi_1882_: type_36;
+    var phi_1883_: type_36;
+    var phi_1906_: type_36;
     var phi_2060_: bool;
     var phi_2061_: bool;
     var phi_2062_: bool;
     var phi_2063_: bool;
-    var phi_2067_: bool;
-    var phi_2023_: bool;
+    var phi_2064_: bool;
+    var phi_2068_: bool;
     var phi_2024_: bool;
     var phi_2025_: bool;
-    var phi_2029_: bool;
-    var phi_2068_: bool;
-    var phi_2072_: bool;
+    var phi_2026_: bool;
+    var phi_2030_: bool;
+    var phi_2069_: bool;
     var phi_2073_: bool;
-    var phi_2119_: bool;
-    var phi_2129_: bool;
+    var phi_2074_: bool;
+    var phi_2120_: bool;
     var phi_2130_: bool;
-    var phi_2134_: bool;
+    var phi_2131_: bool;
     var phi_2135_: bool;
-    var phi_2184_: type_35;
-    var phi_2187_: bool;
-    var phi_2185_: type_35;
-    var phi_2210_: type_35;
-    var phi_2267_: type_35;
-    var phi_2270_: array<u32, 2>;
-    var phi_2268_: type_35;
-    var phi_2293_: type_35;
-    var phi_2368_: bool;
-    var phi_2369_: bool;
-    var phi_2373_: array<u32, 2>;
+    var phi_2136_: bool;
+    var phi_2185_: type_36;
+    var phi_2188_: bool;
+    var phi_2186_: type_36;
+    var phi_2211_: type_36;
+    var phi_2268_: type_36;
     var phi_2271_: array<u32, 2>;
-    var phi_2424_: type_35;
-    var phi_2427_: array<u32, 2>;
-    var phi_2425_: type_35;
-    var phi_2450_: type_35;
-    var phi_2526_: bool;
-    var phi_2527_: bool;
-    var phi_2531_: array<u32, 2>;
+    var phi_2269_: type_36;
+    var phi_2294_: type_36;
+    var phi_2369_: bool;
+    var phi_2370_: bool;
+    var phi_2374_: array<u32, 2>;
+    var phi_2272_: array<u32, 2>;
+    var phi_2425_: type_36;
     var phi_2428_: array<u32, 2>;
+    var phi_2426_: type_36;
+    var phi_2451_: type_36;
+    var phi_2527_: bool;
+    var phi_2528_: bool;
+    var phi_2532_: array<u32, 2>;
+    var phi_2429_: array<u32, 2>;
     var local_40: array<u32, 2>;
     var local_41: array<u32, 2>;
     var local_42: array<u32, 2>;
     var local_43: array<u32, 2>;
     var local_44: array<u32, 2>;
     var local_45: array<u32, 2>;
-    var phi_2547_: bool;
     var phi_2548_: bool;
-    var phi_2599_: type_35;
-    var phi_2602_: array<u32, 2>;
-    var phi_2600_: type_35;
-    var phi_2625_: type_35;
-    var phi_2700_: bool;
-    var phi_2701_: bool;
-    var phi_2705_: array<u32, 2>;
+    var phi_2549_: bool;
+    var phi_2600_: type_36;
     var phi_2603_: array<u32, 2>;
-    var phi_2756_: type_35;
-    var phi_2759_: array<u32, 2>;
-    var phi_2757_: type_35;
-    var phi_2782_: type_35;
-    var phi_2858_: bool;
-    var phi_2859_: bool;
-    var phi_2863_: array<u32, 2>;
+    var phi_2601_: type_36;
+    var phi_2626_: type_36;
+    var phi_2701_: bool;
+    var phi_2702_: bool;
+    var phi_2706_: array<u32, 2>;
+    var phi_2604_: array<u32, 2>;
+    var phi_2757_: type_36;
     var phi_2760_: array<u32, 2>;
+    var phi_2758_: type_36;
+    var phi_2783_: type_36;
+    var phi_2859_: bool;
+    var phi_2860_: bool;
+    var phi_2864_: array<u32, 2>;
+    var phi_2761_: array<u32, 2>;
     var local_46: array<u32, 2>;
     var local_47: array<u32, 2>;
     var local_48: array<u32, 2>;
     var local_49: array<u32, 2>;
     var local_50: array<u32, 2>;
     var local_51: array<u32, 2>;
-    var phi_2879_: bool;
     var phi_2880_: bool;
-    var phi_2188_: bool;
-    var phi_2884_: bool;
+    var phi_2881_: bool;
+    var phi_2189_: bool;
     var phi_2885_: bool;
     var phi_2886_: bool;
-    var phi_2890_: bool;
+    var phi_2887_: bool;
     var phi_2891_: bool;
     var phi_2892_: bool;
     var phi_2893_: bool;
     var phi_2894_: bool;
-    var phi_2898_: bool;
-    var phi_2944_: type_23;
-    var phi_2945_: type_23;
-    var phi_3334_: f32;
-    var phi_3341_: f32;
-    var phi_3346_: f32;
-    var phi_3353_: f32;
-    var phi_3358_: f32;
-    var phi_3371_: f32;
-    var phi_3378_: f32;
-    var phi_3383_: f32;
-    var phi_3390_: f32;
-    var phi_3395_: f32;
-    var phi_3400_: f32;
-    var phi_3417_: f32;
-    var phi_3424_: f32;
-    var phi_3429_: f32;
-    var phi_3436_: f32;
-    var phi_3441_: f32;
-    var phi_3455_: f32;
-    var phi_3462_: f32;
-    var phi_3467_: f32;
-    var phi_3474_: f32;
-    var phi_3479_: f32;
-    var phi_3484_: f32;
-    var phi_3501_: f32;
-    var phi_3508_: f32;
-    var phi_3513_: f32;
-    var phi_3520_: f32;
-    var phi_3525_: f32;
-    var phi_3539_: f32;
-    var phi_3546_: f32;
-    var phi_3551_: f32;
-    var phi_3558_: f32;
-    var phi_3563_: f32;
-    var phi_3568_: f32;
-    var phi_3599_: f32;
-    var phi_3605_: f32;
-    var phi_3612_: f32;
-    var phi_3619_: f32;
-    var phi_3625_: f32;
-    var phi_3632_: f32;
-    var phi_3638_: f32;
-    var phi_3644_: f32;
-    var phi_3650_: f32;
-    var phi_3657_: f32;
-    var phi_3664_: f32;
-    var phi_3688_: f32;
-    var phi_3693_: f32;
-    var phi_3698_: f32;
-    var phi_3703_: f32;
-    var phi_3708_: f32;
-    var phi_3713_: f32;
-    var phi_3723_: f32;
-    var phi_3974_: f32;
-    var phi_3981_: f32;
-    var phi_3986_: f32;
-    var phi_3993_: f32;
-    var phi_3998_: f32;
-    var phi_4011_: f32;
-    var phi_4018_: f32;
-    var phi_4023_: f32;
-    var phi_4030_: f32;
-    var phi_4035_: f32;
-    var phi_4040_: f32;
-    var phi_4057_: f32;
-    var phi_4064_: f32;
-    var phi_4069_: f32;
-    var phi_4076_: f32;
-    var phi_4081_: f32;
-    var phi_4095_: f32;
-    var phi_4102_: f32;
-    var phi_4107_: f32;
-    var phi_4114_: f32;
-    var phi_4119_: f32;
-    var phi_4124_: f32;
-    var phi_4141_: f32;
-    var phi_4148_: f32;
-    var phi_4153_: f32;
-    var phi_4160_: f32;
-    var phi_4165_: f32;
-    var phi_4179_: f32;
-    var phi_4186_: f32;
-    var phi_4191_: f32;
-    var phi_4198_: f32;
-    var phi_4203_: f32;
-    var phi_4208_: f32;
-    var phi_4246_: type_35;
-    var phi_4249_: f32;
-    var phi_4251_: f32;
-    var phi_4247_: type_35;
-    var phi_4274_: type_35;
-    var phi_4324_: f32;
-    var phi_4329_: f32;
-    var phi_4334_: f32;
-    var phi_4339_: f32;
+    var phi_2895_: bool;
+    var phi_2899_: bool;
+    var phi_2945_: type_24;
+    var phi_2946_: type_24;
+    var phi_3335_: f32;
+    var phi_3342_: f32;
+    var phi_3347_: f32;
+    var phi_3354_: f32;
+    var phi_3359_: f32;
+    var phi_3372_: f32;
+    var phi_3379_: f32;
+    var phi_3384_: f32;
+    var phi_3391_: f32;
+    var phi_3396_: f32;
+    var phi_3401_: f32;
+    var phi_3418_: f32;
+    var phi_3425_: f32;
+    var phi_3430_: f32;
+    var phi_3437_: f32;
+    var phi_3442_: f32;
+    var phi_3456_: f32;
+    var phi_3463_: f32;
+    var phi_3468_: f32;
+    var phi_3475_: f32;
+    var phi_3480_: f32;
+    var phi_3485_: f32;
+    var phi_3502_: f32;
+    var phi_3509_: f32;
+    var phi_3514_: f32;
+    var phi_3521_: f32;
+    var phi_3526_: f32;
+    var phi_3540_: f32;
+    var phi_3547_: f32;
+    var phi_3552_: f32;
+    var phi_3559_: f32;
+    var phi_3564_: f32;
+    var phi_3569_: f32;
+    var phi_3600_: f32;
+    var phi_3606_: f32;
+    var phi_3613_: f32;
+    var phi_3620_: f32;
+    var phi_3626_: f32;
+    var phi_3633_: f32;
+    var phi_3639_: f32;
+    var phi_3645_: f32;
+    var phi_3651_: f32;
+    var phi_3658_: f32;
+    var phi_3665_: f32;
+    var phi_3689_: f32;
+    var phi_3694_: f32;
+    var phi_3699_: f32;
+    var phi_3704_: f32;
+    var phi_3709_: f32;
+    var phi_3714_: f32;
+    var phi_3724_: f32;
+    var phi_3975_: f32;
+    var phi_3982_: f32;
+    var phi_3987_: f32;
+    var phi_3994_: f32;
+    var phi_3999_: f32;
+    var phi_4012_: f32;
+    var phi_4019_: f32;
+    var phi_4024_: f32;
+    var phi_4031_: f32;
+    var phi_4036_: f32;
+    var phi_4041_: f32;
+    var phi_4058_: f32;
+    var phi_4065_: f32;
+    var phi_4070_: f32;
+    var phi_4077_: f32;
+    var phi_4082_: f32;
+    var phi_4096_: f32;
+    var phi_4103_: f32;
+    var phi_4108_: f32;
+    var phi_4115_: f32;
+    var phi_4120_: f32;
+    var phi_4125_: f32;
+    var phi_4142_: f32;
+    var phi_4149_: f32;
+    var phi_4154_: f32;
+    var phi_4161_: f32;
+    var phi_4166_: f32;
+    var phi_4180_: f32;
+    var phi_4187_: f32;
+    var phi_4192_: f32;
+    var phi_4199_: f32;
+    var phi_4204_: f32;
+    var phi_4209_: f32;
+    var phi_4247_: type_36;
     var phi_4250_: f32;
     var phi_4252_: f32;
-    var phi_4345_: f32;
-    var phi_4351_: f32;
-    var phi_4358_: f32;
+    var phi_4248_: type_36;
+    var phi_4275_: type_36;
+    var phi_4325_: f32;
+    var phi_4330_: f32;
+    var phi_4335_: f32;
+    var phi_4340_: f32;
+    var phi_4251_: f32;
+    var phi_4253_: f32;
+    var phi_4346_: f32;
+    var phi_4352_: f32;
+    var phi_4359_: f32;
     var local_52: f32;
     var local_53: f32;
-    var phi_4368_: f32;
-    var phi_4399_: type_35;
-    var phi_4402_: f32;
-    var phi_4404_: f32;
-    var phi_4400_: type_35;
-    var phi_4427_: type_35;
-    var phi_4477_: f32;
-    var phi_4482_: f32;
-    var phi_4487_: f32;
-    var phi_4492_: f32;
+    var phi_4369_: f32;
+    var phi_4400_: type_36;
     var phi_4403_: f32;
     var phi_4405_: f32;
-    var phi_4498_: f32;
-    var phi_4504_: f32;
-    var phi_4511_: f32;
+    var phi_4401_: type_36;
+    var phi_4428_: type_36;
+    var phi_4478_: f32;
+    var phi_4483_: f32;
+    var phi_4488_: f32;
+    var phi_4493_: f32;
+    var phi_4404_: f32;
+    var phi_4406_: f32;
+    var phi_4499_: f32;
+    var phi_4505_: f32;
+    var phi_4512_: f32;
     var local_54: f32;
     var local_55: f32;
-    var phi_4521_: f32;
-    var phi_4531_: f32;
-    var phi_4699_: bool;
-    var phi_5156_: f32;
-    var phi_5163_: f32;
-    var phi_5168_: f32;
-    var phi_5175_: f32;
-    var phi_5180_: f32;
-    var phi_5193_: f32;
-    var phi_5200_: f32;
-    var phi_5205_: f32;
-    var phi_5212_: f32;
-    var phi_5217_: f32;
-    var phi_5222_: f32;
-    var phi_5239_: f32;
-    var phi_5246_: f32;
-    var phi_5251_: f32;
-    var phi_5258_: f32;
-    var phi_5263_: f32;
-    var phi_5277_: f32;
-    var phi_5284_: f32;
-    var phi_5289_: f32;
-    var phi_5296_: f32;
-    var phi_5301_: f32;
-    var phi_5306_: f32;
-    var phi_5323_: f32;
-    var phi_5330_: f32;
-    var phi_5335_: f32;
-    var phi_5342_: f32;
-    var phi_5347_: f32;
-    var phi_5361_: f32;
-    var phi_5368_: f32;
-    var phi_5373_: f32;
-    var phi_5380_: f32;
-    var phi_5385_: f32;
-    var phi_5390_: f32;
-    var phi_5421_: f32;
-    var phi_5427_: f32;
-    var phi_5434_: f32;
-    var phi_5441_: f32;
-    var phi_5447_: f32;
-    var phi_5454_: f32;
-    var phi_5460_: f32;
-    var phi_5466_: f32;
-    var phi_5472_: f32;
-    var phi_5479_: f32;
-    var phi_5486_: f32;
-    var phi_5510_: f32;
-    var phi_5515_: f32;
-    var phi_5520_: f32;
-    var phi_5525_: f32;
-    var phi_5530_: f32;
-    var phi_5535_: f32;
-    var phi_5545_: f32;
-    var phi_5796_: f32;
-    var phi_5803_: f32;
-    var phi_5808_: f32;
-    var phi_5815_: f32;
-    var phi_5820_: f32;
-    var phi_5833_: f32;
-    var phi_5840_: f32;
-    var phi_5845_: f32;
-    var phi_5852_: f32;
-    var phi_5857_: f32;
-    var phi_5862_: f32;
-    var phi_5879_: f32;
-    var phi_5886_: f32;
-    var phi_5891_: f32;
-    var phi_5898_: f32;
-    var phi_5903_: f32;
-    var phi_5917_: f32;
-    var phi_5924_: f32;
-    var phi_5929_: f32;
-    var phi_5936_: f32;
-    var phi_5941_: f32;
-    var phi_5946_: f32;
-    var phi_5963_: f32;
-    var phi_5970_: f32;
-    var phi_5975_: f32;
-    var phi_5982_: f32;
-    var phi_5987_: f32;
-    var phi_6001_: f32;
-    var phi_6008_: f32;
-    var phi_6013_: f32;
-    var phi_6020_: f32;
-    var phi_6025_: f32;
-    var phi_6030_: f32;
-    var phi_6068_: type_35;
-    var phi_6071_: f32;
-    var phi_6073_: f32;
-    var phi_6069_: type_35;
-    var phi_6096_: type_35;
-    var phi_6146_: f32;
-    var phi_6151_: f32;
-    var phi_6156_: f32;
-    var phi_6161_: f32;
+    var phi_4522_: f32;
+    var phi_4532_: f32;
+    var phi_4700_: bool;
+    var phi_5157_: f32;
+    var phi_5164_: f32;
+    var phi_5169_: f32;
+    var phi_5176_: f32;
+    var phi_5181_: f32;
+    var phi_5194_: f32;
+    var phi_5201_: f32;
+    var phi_5206_: f32;
+    var phi_5213_: f32;
+    var phi_5218_: f32;
+    var phi_5223_: f32;
+    var phi_5240_: f32;
+    var phi_5247_: f32;
+    var phi_5252_: f32;
+    var phi_5259_: f32;
+    var phi_5264_: f32;
+    var phi_5278_: f32;
+    var phi_5285_: f32;
+    var phi_5290_: f32;
+    var phi_5297_: f32;
+    var phi_5302_: f32;
+    var phi_5307_: f32;
+    var phi_5324_: f32;
+    var phi_5331_: f32;
+    var phi_5336_: f32;
+    var phi_5343_: f32;
+    var phi_5348_: f32;
+    var phi_5362_: f32;
+    var phi_5369_: f32;
+    var phi_5374_: f32;
+    var phi_5381_: f32;
+    var phi_5386_: f32;
+    var phi_5391_: f32;
+    var phi_5422_: f32;
+    var phi_5428_: f32;
+    var phi_5435_: f32;
+    var phi_5442_: f32;
+    var phi_5448_: f32;
+    var phi_5455_: f32;
+    var phi_5461_: f32;
+    var phi_5467_: f32;
+    var phi_5473_: f32;
+    var phi_5480_: f32;
+    var phi_5487_: f32;
+    var phi_5511_: f32;
+    var phi_5516_: f32;
+    var phi_5521_: f32;
+    var phi_5526_: f32;
+    var phi_5531_: f32;
+    var phi_5536_: f32;
+    var phi_5546_: f32;
+    var phi_5797_: f32;
+    var phi_5804_: f32;
+    var phi_5809_: f32;
+    var phi_5816_: f32;
+    var phi_5821_: f32;
+    var phi_5834_: f32;
+    var phi_5841_: f32;
+    var phi_5846_: f32;
+    var phi_5853_: f32;
+    var phi_5858_: f32;
+    var phi_5863_: f32;
+    var phi_5880_: f32;
+    var phi_5887_: f32;
+    var phi_5892_: f32;
+    var phi_5899_: f32;
+    var phi_5904_: f32;
+    var phi_5918_: f32;
+    var phi_5925_: f32;
+    var phi_5930_: f32;
+    var phi_5937_: f32;
+    var phi_5942_: f32;
+    var phi_5947_: f32;
+    var phi_5964_: f32;
+    var phi_5971_: f32;
+    var phi_5976_: f32;
+    var phi_5983_: f32;
+    var phi_5988_: f32;
+    var phi_6002_: f32;
+    var phi_6009_: f32;
+    var phi_6014_: f32;
+    var phi_6021_: f32;
+    var phi_6026_: f32;
+    var phi_6031_: f32;
+    var phi_6069_: type_36;
     var phi_6072_: f32;
     var phi_6074_: f32;
-    var phi_6167_: f32;
-    var phi_6173_: f32;
-    var phi_6180_: f32;
+    var phi_6070_: type_36;
+    var phi_6097_: type_36;
+    var phi_6147_: f32;
+    var phi_6152_: f32;
+    var phi_6157_: f32;
+    var phi_6162_: f32;
+    var phi_6073_: f32;
+    var phi_6075_: f32;
+    var phi_6168_: f32;
+    var phi_6174_: f32;
+    var phi_6181_: f32;
     var local_56: f32;
     var local_57: f32;
-    var phi_6190_: f32;
-    var phi_6221_: type_35;
-    var phi_6224_: f32;
-    var phi_6226_: f32;
-    var phi_6222_: type_35;
-    var phi_6249_: type_35;
-    var phi_6299_: f32;
-    var phi_6304_: f32;
-    var phi_6309_: f32;
-    var phi_6314_: f32;
+    var phi_6191_: f32;
+    var phi_6222_: type_36;
     var phi_6225_: f32;
     var phi_6227_: f32;
-    var phi_6320_: f32;
-    var phi_6326_: f32;
-    var phi_6333_: f32;
+    var phi_6223_: type_36;
+    var phi_6250_: type_36;
+    var phi_6300_: f32;
+    var phi_6305_: f32;
+    var phi_6310_: f32;
+    var phi_6315_: f32;
+    var phi_6226_: f32;
+    var phi_6228_: f32;
+    var phi_6321_: f32;
+    var phi_6327_: f32;
+    var phi_6334_: f32;
     var local_58: f32;
     var local_59: f32;
-    var phi_6343_: f32;
-    var phi_6353_: f32;
-    var phi_6521_: bool;
-    var phi_6767_: f32;
-    var phi_6774_: f32;
-    var phi_6779_: f32;
-    var phi_6786_: f32;
-    var phi_6791_: f32;
-    var phi_6804_: f32;
-    var phi_6811_: f32;
-    var phi_6816_: f32;
-    var phi_6823_: f32;
-    var phi_6828_: f32;
-    var phi_6833_: f32;
-    var phi_6850_: f32;
-    var phi_6857_: f32;
-    var phi_6862_: f32;
-    var phi_6869_: f32;
-    var phi_6874_: f32;
-    var phi_6888_: f32;
-    var phi_6895_: f32;
-    var phi_6900_: f32;
-    var phi_6907_: f32;
-    var phi_6912_: f32;
-    var phi_6917_: f32;
-    var phi_6934_: f32;
-    var phi_6941_: f32;
-    var phi_6946_: f32;
-    var phi_6953_: f32;
-    var phi_6958_: f32;
-    var phi_6972_: f32;
-    var phi_6979_: f32;
-    var phi_6984_: f32;
-    var phi_6991_: f32;
-    var phi_6996_: f32;
-    var phi_7001_: f32;
-    var phi_7032_: f32;
-    var phi_7038_: f32;
-    var phi_7045_: f32;
-    var phi_7052_: f32;
-    var phi_7058_: f32;
-    var phi_7065_: f32;
-    var phi_7071_: f32;
-    var phi_7077_: f32;
-    var phi_7083_: f32;
-    var phi_7090_: f32;
-    var phi_7097_: f32;
-    var phi_7121_: f32;
-    var phi_7126_: f32;
-    var phi_7131_: f32;
-    var phi_7136_: f32;
-    var phi_7141_: f32;
-    var phi_7146_: f32;
-    var phi_7156_: f32;
-    var phi_7407_: f32;
-    var phi_7414_: f32;
-    var phi_7419_: f32;
-    var phi_7426_: f32;
-    var phi_7431_: f32;
-    var phi_7444_: f32;
-    var phi_7451_: f32;
-    var phi_7456_: f32;
-    var phi_7463_: f32;
-    var phi_7468_: f32;
-    var phi_7473_: f32;
-    var phi_7490_: f32;
-    var phi_7497_: f32;
-    var phi_7502_: f32;
-    var phi_7509_: f32;
-    var phi_7514_: f32;
-    var phi_7528_: f32;
-    var phi_7535_: f32;
-    var phi_7540_: f32;
-    var phi_7547_: f32;
-    var phi_7552_: f32;
-    var phi_7557_: f32;
-    var phi_7574_: f32;
-    var phi_7581_: f32;
-    var phi_7586_: f32;
-    var phi_7593_: f32;
-    var phi_7598_: f32;
-    var phi_7612_: f32;
-    var phi_7619_: f32;
-    var phi_7624_: f32;
-    var phi_7631_: f32;
-    var phi_7636_: f32;
-    var phi_7641_: f32;
-    var phi_7679_: type_35;
-    var phi_7682_: f32;
-    var phi_7684_: f32;
-    var phi_7680_: type_35;
-    var phi_7707_: type_35;
-    var phi_7757_: f32;
-    var phi_7762_: f32;
-    var phi_7767_: f32;
-    var phi_7772_: f32;
+    var phi_6344_: f32;
+    var phi_6354_: f32;
+    var phi_6522_: bool;
+    var phi_6768_: f32;
+    var phi_6775_: f32;
+    var phi_6780_: f32;
+    var phi_6787_: f32;
+    var phi_6792_: f32;
+    var phi_6805_: f32;
+    var phi_6812_: f32;
+    var phi_6817_: f32;
+    var phi_6824_: f32;
+    var phi_6829_: f32;
+    var phi_6834_: f32;
+    var phi_6851_: f32;
+    var phi_6858_: f32;
+    var phi_6863_: f32;
+    var phi_6870_: f32;
+    var phi_6875_: f32;
+    var phi_6889_: f32;
+    var phi_6896_: f32;
+    var phi_6901_: f32;
+    var phi_6908_: f32;
+    var phi_6913_: f32;
+    var phi_6918_: f32;
+    var phi_6935_: f32;
+    var phi_6942_: f32;
+    var phi_6947_: f32;
+    var phi_6954_: f32;
+    var phi_6959_: f32;
+    var phi_6973_: f32;
+    var phi_6980_: f32;
+    var phi_6985_: f32;
+    var phi_6992_: f32;
+    var phi_6997_: f32;
+    var phi_7002_: f32;
+    var phi_7033_: f32;
+    var phi_7039_: f32;
+    var phi_7046_: f32;
+    var phi_7053_: f32;
+    var phi_7059_: f32;
+    var phi_7066_: f32;
+    var phi_7072_: f32;
+    var phi_7078_: f32;
+    var phi_7084_: f32;
+    var phi_7091_: f32;
+    var phi_7098_: f32;
+    var phi_7122_: f32;
+    var phi_7127_: f32;
+    var phi_7132_: f32;
+    var phi_7137_: f32;
+    var phi_7142_: f32;
+    var phi_7147_: f32;
+    var phi_7157_: f32;
+    var phi_7408_: f32;
+    var phi_7415_: f32;
+    var phi_7420_: f32;
+    var phi_7427_: f32;
+    var phi_7432_: f32;
+    var phi_7445_: f32;
+    var phi_7452_: f32;
+    var phi_7457_: f32;
+    var phi_7464_: f32;
+    var phi_7469_: f32;
+    var phi_7474_: f32;
+    var phi_7491_: f32;
+    var phi_7498_: f32;
+    var phi_7503_: f32;
+    var phi_7510_: f32;
+    var phi_7515_: f32;
+    var phi_7529_: f32;
+    var phi_7536_: f32;
+    var phi_7541_: f32;
+    var phi_7548_: f32;
+    var phi_7553_: f32;
+    var phi_7558_: f32;
+    var phi_7575_: f32;
+    var phi_7582_: f32;
+    var phi_7587_: f32;
+    var phi_7594_: f32;
+    var phi_7599_: f32;
+    var phi_7613_: f32;
+    var phi_7620_: f32;
+    var phi_7625_: f32;
+    var phi_7632_: f32;
+    var phi_7637_: f32;
+    var phi_7642_: f32;
+    var phi_7680_: type_36;
     var phi_7683_: f32;
     var phi_7685_: f32;
-    var phi_7778_: f32;
-    var phi_7784_: f32;
-    var phi_7791_: f32;
+    var phi_7681_: type_36;
+    var phi_7708_: type_36;
+    var phi_7758_: f32;
+    var phi_7763_: f32;
+    var phi_7768_: f32;
+    var phi_7773_: f32;
+    var phi_7684_: f32;
+    var phi_7686_: f32;
+    var phi_7779_: f32;
+    var phi_7785_: f32;
+    var phi_7792_: f32;
     var local_60: f32;
     var local_61: f32;
-    var phi_7801_: f32;
-    var phi_7832_: type_35;
-    var phi_7835_: f32;
-    var phi_7837_: f32;
-    var phi_7833_: type_35;
-    var phi_7860_: type_35;
-    var phi_7910_: f32;
-    var phi_7915_: f32;
-    var phi_7920_: f32;
-    var phi_7925_: f32;
+    var phi_7802_: f32;
+    var phi_7833_: type_36;
     var phi_7836_: f32;
     var phi_7838_: f32;
-    var phi_7931_: f32;
-    var phi_7937_: f32;
-    var phi_7944_: f32;
+    var phi_7834_: type_36;
+    var phi_7861_: type_36;
+    var phi_7911_: f32;
+    var phi_7916_: f32;
+    var phi_7921_: f32;
+    var phi_7926_: f32;
+    var phi_7837_: f32;
+    var phi_7839_: f32;
+    var phi_7932_: f32;
+    var phi_7938_: f32;
+    var phi_7945_: f32;
     var local_62: f32;
     var local_63: f32;
-    var phi_7954_: f32;
-    var phi_7964_: f32;
-    var phi_8132_: bool;
+    var phi_7955_: f32;
+    var phi_7965_: f32;
     var phi_8133_: bool;
-    var phi_8135_: bool;
-    var phi_8145_: bool;
+    var phi_8134_: bool;
+    var phi_8136_: bool;
     var phi_8146_: bool;
-    var phi_8178_: type_35;
-    var phi_8179_: type_35;
-    var phi_8202_: type_35;
-    var phi_8225_: u32;
-    var phi_8279_: type_35;
-    var phi_8300_: bool;
+    var phi_8147_: bool;
+    var phi_8179_: type_36;
+    var phi_8180_: type_36;
+    var phi_8203_: type_36;
+    var phi_8226_: u32;
+    var phi_8280_: type_36;
     var phi_8301_: bool;
+    var phi_8302_: bool;
     var local_64: u32;
     var local_65: bool;
     var local_66: bool;
@@ -723,11 +725,11 @@ fn function_() {
     let _e128 = params.member.member_15;
     let _e130 = input.member[0u];
     if (_e128 < _e130) {
-        phi_232_ = _e128;
+        phi_233_ = _e128;
     } else {
-        phi_232_ = _e130;
+        phi_233_ = _e130;
     }
-    let _e133 = phi_232_;
+    let _e133 = phi_233_;
     let _e134 = (_e110 / 32u);
     let _e135 = (_e110 % 32u);
     let _e137 = params.member.member_12;
@@ -743,30 +745,30 @@ fn function_() {
             return;
         }
         if ((_e141 % _e143) > 0u) {
-            phi_270_ = (_e145 + 1u);
+            phi_271_ = (_e145 + 1u);
         } else {
-            phi_270_ = _e145;
+            phi_271_ = _e145;
         }
-        let _e151 = phi_270_;
-        phi_271_ = _e151;
+        let _e151 = phi_271_;
+        phi_272_ = _e151;
     } else {
-        phi_271_ = 0u;
+        phi_272_ = 0u;
     }
-    let _e153 = phi_271_;
+    let _e153 = phi_272_;
     let _e155 = params.member.member_14;
     if (_e155 < _e153) {
-        phi_278_ = _e155;
+        phi_279_ = _e155;
     } else {
-        phi_278_ = _e153;
+        phi_279_ = _e153;
     }
-    let _e158 = phi_278_;
+    let _e158 = phi_279_;
     let _e159 = (_e158 / 4u);
     if ((_e158 % 4u) > 0u) {
-        phi_294_ = (_e159 + 1u);
+        phi_295_ = (_e159 + 1u);
     } else {
-        phi_294_ = _e159;
+        phi_295_ = _e159;
     }
-    let _e164 = phi_294_;
+    let _e164 = phi_295_;
     if (_e164 > _e123) {
         let _e166 = (_e164 - _e123);
         if (_e126 == 0u) {
@@ -777,28 +779,28 @@ fn function_() {
             return;
         }
         if ((_e166 % _e126) > 0u) {
-            phi_315_ = (_e168 + 1u);
+            phi_316_ = (_e168 + 1u);
         } else {
-            phi_315_ = _e168;
+            phi_316_ = _e168;
         }
-        let _e174 = phi_315_;
-        phi_316_ = _e174;
+        let _e174 = phi_316_;
+        phi_317_ = _e174;
     } else {
-        phi_316_ = 0u;
+        phi_317_ = 0u;
     }
-    let _e176 = phi_316_;
-    phi_319_ = type_35(0u, _e176);
+    let _e176 = phi_317_;
+    phi_320_ = type_36(0u, _e176);
     loop {
-        let _e179 = phi_319_;
+        let _e179 = phi_320_;
         if (_e179.member < _e179.member_1) {
-            phi_320_ = type_35((_e179.member + 1u), _e179.member_1);
-            phi_343_ = type_35(1u, _e179.member);
+            phi_321_ = type_36((_e179.member + 1u), _e179.member_1);
+            phi_344_ = type_36(1u, _e179.member);
         } else {
-            phi_320_ = _e179;
-            phi_343_ = type_35(0u, type_35().member_1);
+            phi_321_ = _e179;
+            phi_344_ = type_36(0u, type_36().member_1);
         }
-        let _e193 = phi_320_;
-        let _e195 = phi_343_;
+        let _e193 = phi_321_;
+        let _e195 = phi_344_;
         let _e199 = (bitcast<i32>(_e195.member) != 0i);
         if _e199 {
             let _e203 = (((_e123 + (_e195.member_1 * _e126)) * 4u) + _e134);
@@ -815,32 +817,32 @@ fn function_() {
                     return;
                 }
                 if ((_e209 % _e211) > 0u) {
-                    phi_381_ = (_e213 + 1u);
+                    phi_382_ = (_e213 + 1u);
                 } else {
-                    phi_381_ = _e213;
+                    phi_382_ = _e213;
                 }
-                let _e219 = phi_381_;
-                phi_382_ = _e219;
+                let _e219 = phi_382_;
+                phi_383_ = _e219;
             } else {
-                phi_382_ = 0u;
+                phi_383_ = 0u;
             }
-            let _e221 = phi_382_;
+            let _e221 = phi_383_;
             let _e223 = params.member.member_14;
             if (_e223 < _e221) {
-                phi_389_ = _e223;
+                phi_390_ = _e223;
             } else {
-                phi_389_ = _e221;
+                phi_390_ = _e221;
             }
-            let _e226 = phi_389_;
+            let _e226 = phi_390_;
             let _e227 = (_e203 < _e226);
             let _e229 = params.member.member_12;
             if _e227 {
                 let _e231 = params.member.member_13;
-                phi_399_ = (_e203 * _e231);
+                phi_400_ = (_e203 * _e231);
             } else {
-                phi_399_ = 0u;
+                phi_400_ = 0u;
             }
-            let _e234 = phi_399_;
+            let _e234 = phi_400_;
             let _e236 = (2u * (_e229 + _e234));
             let _e239 = input.member[(4u + _e236)];
             let _e242 = input.member[(_e236 + 5u)];
@@ -848,9 +850,9 @@ fn function_() {
                 atomicStore((&counters[_e110]), 0u);
             }
             workgroupBarrier();
-            let _e249 = params.member.member_18[0u][1u];
+            let _e249 = params.member.member_20[0u][1u];
             let _e250 = (_e249 + (_e239 * 32u));
-            let _e255 = params.member.member_18[0u][1u];
+            let _e255 = params.member.member_20[0u][1u];
             let _e256 = (_e255 + (_e242 * 32u));
             if (_e135 == 0u) {
                 firsts[(2u * _e134)] = _e250;
@@ -858,11 +860,11 @@ fn function_() {
             }
             let _e264 = params.member.member_8;
             if (_e264 == 0u) {
-                phi_478_ = array<u32, 2>(0u, 2u);
+                phi_479_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_478_ = array<u32, 2>(1u, 1u);
+                phi_479_ = array<u32, 2>(1u, 1u);
             }
-            let _e267 = phi_478_;
+            let _e267 = phi_479_;
             let _e270 = (_e110 / 32u);
             let _e271 = (_e110 % 32u);
             let _e273 = params.member.member_9;
@@ -874,7 +876,7 @@ fn function_() {
             } else {
                 return;
             }
-            let _e279 = params.member.member_18[_e273][_e267[0]];
+            let _e279 = params.member.member_20[_e273][_e267[0]];
             let _e282 = nodes.member[(_e279 + _e239)];
             let _e284 = params.member.member_9;
             if (_e284 < 8u) {
@@ -885,7 +887,7 @@ fn function_() {
             } else {
                 return;
             }
-            let _e290 = params.member.member_18[_e284][_e267[1]];
+            let _e290 = params.member.member_20[_e284][_e267[1]];
             let _e293 = nodes.member[(_e290 + _e242)];
             let _e295 = params.member.member_9;
             let _e296 = (_e295 - 1u);
@@ -897,7 +899,7 @@ fn function_() {
             } else {
                 return;
             }
-            let _e304 = params.member.member_18[_e296][_e267[0]];
+            let _e304 = params.member.member_20[_e296][_e267[0]];
             let _e307 = nodes.member[(_e304 + ((_e239 * 32u) + _e271))];
             let _e309 = params.member.member_9;
             let _e310 = (_e309 - 1u);
@@ -909,7 +911,7 @@ fn function_() {
             } else {
                 return;
             }
-            let _e318 = params.member.member_18[_e310][_e267[1]];
+            let _e318 = params.member.member_20[_e310][_e267[1]];
             let _e321 = nodes.member[(_e318 + ((_e242 * 32u) + _e271))];
             if _e227 {
                 if ((((((_e321.member[0] <= _e282.member_1[0]) && (_e282.member[0] <= _e321.member_1[0])) && (_e321.member[1] <= _e282.member_1[1])) && (_e282.member[1] <= _e321.member_1[1])) && (_e321.member[2] <= _e282.member_1[2])) && (_e282.member[2] <= _e321.member_1[2])) {
@@ -922,40 +924,40 @@ fn function_() {
             workgroupBarrier();
             if _e227 {
                 if ((((((_e307.member[0] <= _e293.member_1[0]) && (_e293.member[0] <= _e307.member_1[0])) && (_e307.member[1] <= _e293.member_1[1])) && (_e293.member[1] <= _e307.member_1[1])) && (_e307.member[2] <= _e293.member_1[2])) && (_e293.member[2] <= _e307.member_1[2])) {
-                    phi_672_ = false;
+                    phi_673_ = false;
                 } else {
-                    phi_672_ = true;
+                    phi_673_ = true;
                 }
-                let _e410 = phi_672_;
-                phi_673_ = _e410;
+                let _e410 = phi_673_;
+                phi_674_ = _e410;
             } else {
-                phi_673_ = true;
+                phi_674_ = true;
             }
-            let _e412 = phi_673_;
+            let _e412 = phi_674_;
             if _e412 {
-                phi_677_ = type_6(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_678_ = type_6(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_677_ = _e307;
+                phi_678_ = _e307;
             }
-            let _e414 = phi_677_;
+            let _e414 = phi_678_;
             let _e416 = (_e110 / 32u);
             let _e417 = (_e110 % 32u);
             let _e419 = atomicLoad((&counters[_e416]));
-            phi_690_ = type_35(0u, _e419);
-            phi_693_ = 0u;
+            phi_691_ = type_36(0u, _e419);
+            phi_694_ = 0u;
             loop {
-                let _e422 = phi_690_;
-                let _e424 = phi_693_;
+                let _e422 = phi_691_;
+                let _e424 = phi_694_;
                 local_64 = _e424;
                 if (_e422.member < _e422.member_1) {
-                    phi_691_ = type_35((_e422.member + 1u), _e422.member_1);
-                    phi_716_ = type_35(1u, _e422.member);
+                    phi_692_ = type_36((_e422.member + 1u), _e422.member_1);
+                    phi_717_ = type_36(1u, _e422.member);
                 } else {
-                    phi_691_ = _e422;
-                    phi_716_ = type_35(0u, type_35().member_1);
+                    phi_692_ = _e422;
+                    phi_717_ = type_36(0u, type_36().member_1);
                 }
-                let _e438 = phi_691_;
-                let _e440 = phi_716_;
+                let _e438 = phi_692_;
+                let _e440 = phi_717_;
                 let _e444 = (bitcast<i32>(_e440.member) != 0i);
                 if _e444 {
                     let _e448 = names[((_e416 * 32u) + _e440.member_1)];
@@ -964,83 +966,83 @@ fn function_() {
                         if (_e239 == _e242) {
                             let _e484 = (_e417 < _e448);
                             if _e484 {
-                                phi_782_ = bool();
+                                phi_783_ = bool();
                             } else {
-                                phi_782_ = false;
+                                phi_783_ = false;
                             }
-                            let _e486 = phi_782_;
-                            phi_783_ = _e486;
-                            phi_784_ = _e484;
+                            let _e486 = phi_783_;
+                            phi_784_ = _e486;
+                            phi_785_ = _e484;
                         } else {
-                            phi_783_ = bool();
-                            phi_784_ = true;
+                            phi_784_ = bool();
+                            phi_785_ = true;
                         }
-                        let _e488 = phi_783_;
-                        let _e490 = phi_784_;
+                        let _e488 = phi_784_;
+                        let _e490 = phi_785_;
                         if _e490 {
-                            phi_788_ = true;
+                            phi_789_ = true;
                         } else {
-                            phi_788_ = _e488;
+                            phi_789_ = _e488;
                         }
-                        let _e492 = phi_788_;
+                        let _e492 = phi_789_;
                         if _e492 {
                             let _e494 = atomicAdd((&counters[4u]), 1u);
                             if (_e494 < 2048u) {
                                 hits[_e494] = (((_e416 << bitcast<u32>(10i)) | (_e417 << bitcast<u32>(5i))) | _e448);
-                                phi_806_ = _e424;
+                                phi_807_ = _e424;
                             } else {
-                                phi_806_ = (_e424 | (1u << bitcast<u32>((_e440.member_1 & 31u))));
+                                phi_807_ = (_e424 | (1u << bitcast<u32>((_e440.member_1 & 31u))));
                             }
-                            let _e508 = phi_806_;
-                            phi_807_ = _e508;
+                            let _e508 = phi_807_;
+                            phi_808_ = _e508;
                         } else {
-                            phi_807_ = _e424;
+                            phi_808_ = _e424;
                         }
-                        let _e510 = phi_807_;
-                        phi_808_ = _e510;
+                        let _e510 = phi_808_;
+                        phi_809_ = _e510;
                     } else {
-                        phi_808_ = _e424;
+                        phi_809_ = _e424;
                     }
-                    let _e512 = phi_808_;
-                    phi_694_ = _e512;
+                    let _e512 = phi_809_;
+                    phi_695_ = _e512;
                 } else {
-                    phi_694_ = u32();
+                    phi_695_ = u32();
                 }
-                let _e514 = phi_694_;
+                let _e514 = phi_695_;
                 continue;
                 continuing {
-                    phi_690_ = _e438;
-                    phi_693_ = _e514;
+                    phi_691_ = _e438;
+                    phi_694_ = _e514;
                     break if !(_e444);
                 }
             }
-            phi_811_ = type_35(0u, 32u);
+            phi_812_ = type_36(0u, 32u);
             let _e5247 = local_64;
-            phi_814_ = _e5247;
+            phi_815_ = _e5247;
             loop {
-                let _e517 = phi_811_;
-                let _e519 = phi_814_;
+                let _e517 = phi_812_;
+                let _e519 = phi_815_;
                 if (_e517.member < _e517.member_1) {
-                    phi_812_ = type_35((_e517.member + 1u), _e517.member_1);
-                    phi_837_ = type_35(1u, _e517.member);
+                    phi_813_ = type_36((_e517.member + 1u), _e517.member_1);
+                    phi_838_ = type_36(1u, _e517.member);
                 } else {
-                    phi_812_ = _e517;
-                    phi_837_ = type_35(0u, type_35().member_1);
+                    phi_813_ = _e517;
+                    phi_838_ = type_36(0u, type_36().member_1);
                 }
-                let _e533 = phi_812_;
-                let _e535 = phi_837_;
+                let _e533 = phi_813_;
+                let _e535 = phi_838_;
                 if (bitcast<i32>(_e535.member) != 0i) {
                     if (_e519 == 0u) {
-                        phi_1869_ = u32();
-                        phi_1870_ = false;
+                        phi_1870_ = u32();
+                        phi_1871_ = false;
                     } else {
                         let _e546 = names[((_e134 * 32u) + select(firstTrailingBit(_e519), 32u, (_e519 == 0u)))];
                         let _e549 = (_e250 + _e135);
                         let _e550 = (_e256 + _e546);
                         let _e552 = leaves.member[_e549];
                         let _e554 = leaves.member[_e550];
-                        local_24 = type_23(array<u32, 3>(_e552.member[0], _e552.member[1], _e552.member[2]), _e552.member_1);
-                        local_25 = type_23(array<u32, 3>(_e554.member[0], _e554.member[1], _e554.member[2]), _e554.member_1);
+                        local_24 = type_24(array<u32, 3>(_e552.member[0], _e552.member[1], _e552.member[2]), _e552.member_1);
+                        local_25 = type_24(array<u32, 3>(_e554.member[0], _e554.member[1], _e554.member[2]), _e554.member_1);
                         let _e570 = nodes.member[_e549];
                         let _e572 = nodes.member[_e550];
                         let _e574 = params.member.member_1;
@@ -1050,86 +1052,86 @@ fn function_() {
                                 let _e622 = local_24.member[0u];
                                 let _e625 = local_25.member[0u];
                                 if (_e622 == _e625) {
-                                    phi_948_ = bool();
-                                    phi_949_ = true;
+                                    phi_949_ = bool();
+                                    phi_950_ = true;
                                 } else {
                                     let _e629 = local_24.member[0u];
                                     let _e632 = local_25.member[1u];
                                     let _e633 = (_e629 == _e632);
                                     if _e633 {
-                                        phi_947_ = bool();
+                                        phi_948_ = bool();
                                     } else {
                                         let _e636 = local_24.member[0u];
                                         let _e639 = local_25.member[2u];
-                                        phi_947_ = (_e636 == _e639);
+                                        phi_948_ = (_e636 == _e639);
                                     }
-                                    let _e642 = phi_947_;
-                                    phi_948_ = _e642;
-                                    phi_949_ = _e633;
+                                    let _e642 = phi_948_;
+                                    phi_949_ = _e642;
+                                    phi_950_ = _e633;
                                 }
-                                let _e644 = phi_948_;
-                                let _e646 = phi_949_;
+                                let _e644 = phi_949_;
+                                let _e646 = phi_950_;
                                 if _e646 {
-                                    phi_953_ = true;
+                                    phi_954_ = true;
                                 } else {
-                                    phi_953_ = _e644;
+                                    phi_954_ = _e644;
                                 }
-                                let _e648 = phi_953_;
-                                phi_992_ = _e648;
+                                let _e648 = phi_954_;
+                                phi_993_ = _e648;
                             } else {
                                 let _e582 = local_24.member[0u];
                                 let _e585 = local_25.member[0u];
                                 if (_e582 == _e585) {
-                                    phi_986_ = bool();
-                                    phi_987_ = true;
+                                    phi_987_ = bool();
+                                    phi_988_ = true;
                                 } else {
                                     let _e589 = local_24.member[0u];
                                     let _e592 = local_25.member[1u];
                                     if (_e589 == _e592) {
-                                        phi_984_ = bool();
-                                        phi_985_ = true;
+                                        phi_985_ = bool();
+                                        phi_986_ = true;
                                     } else {
                                         let _e596 = local_24.member[1u];
                                         let _e599 = local_25.member[0u];
                                         let _e600 = (_e596 == _e599);
                                         if _e600 {
-                                            phi_983_ = bool();
+                                            phi_984_ = bool();
                                         } else {
                                             let _e603 = local_24.member[1u];
                                             let _e606 = local_25.member[1u];
-                                            phi_983_ = (_e603 == _e606);
+                                            phi_984_ = (_e603 == _e606);
                                         }
-                                        let _e609 = phi_983_;
-                                        phi_984_ = _e609;
-                                        phi_985_ = _e600;
+                                        let _e609 = phi_984_;
+                                        phi_985_ = _e609;
+                                        phi_986_ = _e600;
                                     }
-                                    let _e611 = phi_984_;
-                                    let _e613 = phi_985_;
-                                    phi_986_ = _e611;
-                                    phi_987_ = _e613;
+                                    let _e611 = phi_985_;
+                                    let _e613 = phi_986_;
+                                    phi_987_ = _e611;
+                                    phi_988_ = _e613;
                                 }
-                                let _e615 = phi_986_;
-                                let _e617 = phi_987_;
+                                let _e615 = phi_987_;
+                                let _e617 = phi_988_;
                                 if _e617 {
-                                    phi_991_ = true;
+                                    phi_992_ = true;
                                 } else {
-                                    phi_991_ = _e615;
+                                    phi_992_ = _e615;
                                 }
-                                let _e619 = phi_991_;
-                                phi_992_ = _e619;
+                                let _e619 = phi_992_;
+                                phi_993_ = _e619;
                             }
-                            let _e650 = phi_992_;
+                            let _e650 = phi_993_;
                             if _e650 {
-                                phi_996_ = false;
+                                phi_997_ = false;
                             } else {
-                                phi_996_ = true;
+                                phi_997_ = true;
                             }
-                            let _e652 = phi_996_;
-                            phi_997_ = _e652;
+                            let _e652 = phi_997_;
+                            phi_998_ = _e652;
                         } else {
-                            phi_997_ = true;
+                            phi_998_ = true;
                         }
-                        let _e654 = phi_997_;
+                        let _e654 = phi_998_;
                         if _e654 {
                             let _e656 = params.member.member_1;
                             if ((_e656 & 2u) != 0u) {
@@ -1139,57 +1141,57 @@ fn function_() {
                                 let _e668 = bodies.member[_e666];
                                 if ((_e663 / 2u) == (_e668 / 2u)) {
                                     let _e673 = params.member.member_1;
-                                    phi_1043_ = !(((_e673 & 4u) != 0u));
+                                    phi_1044_ = !(((_e673 & 4u) != 0u));
                                 } else {
-                                    phi_1043_ = false;
+                                    phi_1044_ = false;
                                 }
-                                let _e678 = phi_1043_;
+                                let _e678 = phi_1044_;
                                 if _e678 {
-                                    phi_1054_ = true;
+                                    phi_1055_ = true;
                                 } else {
                                     if (((_e663 & _e668) & 1u) == 0u) {
-                                        phi_1053_ = false;
+                                        phi_1054_ = false;
                                     } else {
-                                        phi_1053_ = true;
+                                        phi_1054_ = true;
                                     }
-                                    let _e683 = phi_1053_;
-                                    phi_1054_ = _e683;
+                                    let _e683 = phi_1054_;
+                                    phi_1055_ = _e683;
                                 }
-                                let _e685 = phi_1054_;
+                                let _e685 = phi_1055_;
                                 if _e685 {
-                                    phi_1058_ = false;
+                                    phi_1059_ = false;
                                 } else {
-                                    phi_1058_ = true;
+                                    phi_1059_ = true;
                                 }
-                                let _e687 = phi_1058_;
-                                phi_1059_ = _e687;
+                                let _e687 = phi_1059_;
+                                phi_1060_ = _e687;
                             } else {
-                                phi_1059_ = true;
+                                phi_1060_ = true;
                             }
-                            let _e689 = phi_1059_;
+                            let _e689 = phi_1060_;
                             if _e689 {
                                 let _e691 = params.member.member_1;
                                 if ((_e691 & 32u) != 0u) {
                                     let _e695 = params.member.member_6;
                                     let _e736 = (((((((_e570.member_1[0] - _e572.member[0]) > _e695) && ((_e572.member_1[0] - _e570.member[0]) > _e695)) && ((_e570.member_1[1] - _e572.member[1]) > _e695)) && ((_e572.member_1[1] - _e570.member[1]) > _e695)) && ((_e570.member_1[2] - _e572.member[2]) > _e695)) && ((_e572.member_1[2] - _e570.member[2]) > _e695));
                                     if _e736 {
-                                        phi_1808_ = bool();
+                                        phi_1809_ = bool();
                                     } else {
-                                        phi_1108_ = type_35(0u, 3u);
-                                        phi_1111_ = true;
+                                        phi_1109_ = type_36(0u, 3u);
+                                        phi_1112_ = true;
                                         loop {
-                                            let _e740 = phi_1108_;
-                                            let _e742 = phi_1111_;
+                                            let _e740 = phi_1109_;
+                                            let _e742 = phi_1112_;
                                             local_65 = _e742;
                                             if (_e740.member < _e740.member_1) {
-                                                phi_1109_ = type_35((_e740.member + 1u), _e740.member_1);
-                                                phi_1134_ = type_35(1u, _e740.member);
+                                                phi_1110_ = type_36((_e740.member + 1u), _e740.member_1);
+                                                phi_1135_ = type_36(1u, _e740.member);
                                             } else {
-                                                phi_1109_ = _e740;
-                                                phi_1134_ = type_35(0u, type_35().member_1);
+                                                phi_1110_ = _e740;
+                                                phi_1135_ = type_36(0u, type_36().member_1);
                                             }
-                                            let _e756 = phi_1109_;
-                                            let _e758 = phi_1134_;
+                                            let _e756 = phi_1110_;
+                                            let _e758 = phi_1135_;
                                             let _e762 = (bitcast<i32>(_e758.member) != 0i);
                                             if _e762 {
                                                 let _e764 = local_24.member[0u];
@@ -1200,23 +1202,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e794 = local_22[_e758.member_1];
-                                                phi_1191_ = type_35(1u, 3u);
-                                                phi_1194_ = array<u32, 2>(_e794[0], _e794[1]);
+                                                phi_1192_ = type_36(1u, 3u);
+                                                phi_1195_ = array<u32, 2>(_e794[0], _e794[1]);
                                                 loop {
-                                                    let _e799 = phi_1191_;
-                                                    let _e801 = phi_1194_;
+                                                    let _e799 = phi_1192_;
+                                                    let _e801 = phi_1195_;
                                                     local_28 = _e801;
                                                     local_30 = _e801;
                                                     local_32 = _e801;
                                                     if (_e799.member < _e799.member_1) {
-                                                        phi_1192_ = type_35((_e799.member + 1u), _e799.member_1);
-                                                        phi_1217_ = type_35(1u, _e799.member);
+                                                        phi_1193_ = type_36((_e799.member + 1u), _e799.member_1);
+                                                        phi_1218_ = type_36(1u, _e799.member);
                                                     } else {
-                                                        phi_1192_ = _e799;
-                                                        phi_1217_ = type_35(0u, type_35().member_1);
+                                                        phi_1193_ = _e799;
+                                                        phi_1218_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e815 = phi_1192_;
-                                                    let _e817 = phi_1217_;
+                                                    let _e815 = phi_1193_;
+                                                    let _e817 = phi_1218_;
                                                     let _e821 = (bitcast<i32>(_e817.member) != 0i);
                                                     if _e821 {
                                                         if (_e817.member_1 < 3u) {
@@ -1232,32 +1234,32 @@ fn function_() {
                                                         }
                                                         let _e854 = local_23[_e758.member_1];
                                                         if (_e801[1] > _e854[1]) {
-                                                            phi_1293_ = true;
+                                                            phi_1294_ = true;
                                                         } else {
                                                             if (_e801[1] == _e854[1]) {
-                                                                phi_1292_ = (_e801[0] > _e854[0]);
+                                                                phi_1293_ = (_e801[0] > _e854[0]);
                                                             } else {
-                                                                phi_1292_ = false;
+                                                                phi_1293_ = false;
                                                             }
-                                                            let _e865 = phi_1292_;
-                                                            phi_1293_ = _e865;
+                                                            let _e865 = phi_1293_;
+                                                            phi_1294_ = _e865;
                                                         }
-                                                        let _e867 = phi_1293_;
+                                                        let _e867 = phi_1294_;
                                                         if _e867 {
-                                                            phi_1297_ = array<u32, 2>(_e854[0], _e854[1]);
+                                                            phi_1298_ = array<u32, 2>(_e854[0], _e854[1]);
                                                         } else {
-                                                            phi_1297_ = _e801;
+                                                            phi_1298_ = _e801;
                                                         }
-                                                        let _e869 = phi_1297_;
-                                                        phi_1195_ = _e869;
+                                                        let _e869 = phi_1298_;
+                                                        phi_1196_ = _e869;
                                                     } else {
-                                                        phi_1195_ = array<u32, 2>();
+                                                        phi_1196_ = array<u32, 2>();
                                                     }
-                                                    let _e871 = phi_1195_;
+                                                    let _e871 = phi_1196_;
                                                     continue;
                                                     continuing {
-                                                        phi_1191_ = _e815;
-                                                        phi_1194_ = _e871;
+                                                        phi_1192_ = _e815;
+                                                        phi_1195_ = _e871;
                                                         break if !(_e821);
                                                     }
                                                 }
@@ -1270,23 +1272,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e905 = local_20[_e902];
-                                                phi_1348_ = type_35(1u, 3u);
-                                                phi_1351_ = array<u32, 2>(_e905[0], _e905[1]);
+                                                phi_1349_ = type_36(1u, 3u);
+                                                phi_1352_ = array<u32, 2>(_e905[0], _e905[1]);
                                                 loop {
-                                                    let _e910 = phi_1348_;
-                                                    let _e912 = phi_1351_;
+                                                    let _e910 = phi_1349_;
+                                                    let _e912 = phi_1352_;
                                                     local_29 = _e912;
                                                     local_31 = _e912;
                                                     local_33 = _e912;
                                                     if (_e910.member < _e910.member_1) {
-                                                        phi_1349_ = type_35((_e910.member + 1u), _e910.member_1);
-                                                        phi_1374_ = type_35(1u, _e910.member);
+                                                        phi_1350_ = type_36((_e910.member + 1u), _e910.member_1);
+                                                        phi_1375_ = type_36(1u, _e910.member);
                                                     } else {
-                                                        phi_1349_ = _e910;
-                                                        phi_1374_ = type_35(0u, type_35().member_1);
+                                                        phi_1350_ = _e910;
+                                                        phi_1375_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e926 = phi_1349_;
-                                                    let _e928 = phi_1374_;
+                                                    let _e926 = phi_1350_;
+                                                    let _e928 = phi_1375_;
                                                     let _e932 = (bitcast<i32>(_e928.member) != 0i);
                                                     if _e932 {
                                                         if (_e928.member_1 < 3u) {
@@ -1303,53 +1305,53 @@ fn function_() {
                                                         }
                                                         let _e966 = local_21[_e963];
                                                         if (_e966[1] > _e912[1]) {
-                                                            phi_1451_ = true;
+                                                            phi_1452_ = true;
                                                         } else {
                                                             if (_e966[1] == _e912[1]) {
-                                                                phi_1450_ = (_e966[0] > _e912[0]);
+                                                                phi_1451_ = (_e966[0] > _e912[0]);
                                                             } else {
-                                                                phi_1450_ = false;
+                                                                phi_1451_ = false;
                                                             }
-                                                            let _e977 = phi_1450_;
-                                                            phi_1451_ = _e977;
+                                                            let _e977 = phi_1451_;
+                                                            phi_1452_ = _e977;
                                                         }
-                                                        let _e979 = phi_1451_;
+                                                        let _e979 = phi_1452_;
                                                         if _e979 {
-                                                            phi_1455_ = array<u32, 2>(_e966[0], _e966[1]);
+                                                            phi_1456_ = array<u32, 2>(_e966[0], _e966[1]);
                                                         } else {
-                                                            phi_1455_ = _e912;
+                                                            phi_1456_ = _e912;
                                                         }
-                                                        let _e981 = phi_1455_;
-                                                        phi_1352_ = _e981;
+                                                        let _e981 = phi_1456_;
+                                                        phi_1353_ = _e981;
                                                     } else {
-                                                        phi_1352_ = array<u32, 2>();
+                                                        phi_1353_ = array<u32, 2>();
                                                     }
-                                                    let _e983 = phi_1352_;
+                                                    let _e983 = phi_1353_;
                                                     continue;
                                                     continuing {
-                                                        phi_1348_ = _e926;
-                                                        phi_1351_ = _e983;
+                                                        phi_1349_ = _e926;
+                                                        phi_1352_ = _e983;
                                                         break if !(_e932);
                                                     }
                                                 }
                                                 let _e986 = local_28;
                                                 let _e989 = local_29;
                                                 if (_e986[1] > _e989[1]) {
-                                                    phi_1472_ = true;
+                                                    phi_1473_ = true;
                                                 } else {
                                                     let _e993 = local_30;
                                                     let _e996 = local_31;
                                                     if (_e993[1] == _e996[1]) {
                                                         let _e1000 = local_32;
                                                         let _e1003 = local_33;
-                                                        phi_1471_ = (_e1000[0] > _e1003[0]);
+                                                        phi_1472_ = (_e1000[0] > _e1003[0]);
                                                     } else {
-                                                        phi_1471_ = false;
+                                                        phi_1472_ = false;
                                                     }
-                                                    let _e1007 = phi_1471_;
-                                                    phi_1472_ = _e1007;
+                                                    let _e1007 = phi_1472_;
+                                                    phi_1473_ = _e1007;
                                                 }
-                                                let _e1009 = phi_1472_;
+                                                let _e1009 = phi_1473_;
                                                 let _e1012 = local_25.member[0u];
                                                 let _e1014 = keys.member[_e1012];
                                                 local_18 = array<array<u32, 2>, 6>(array<u32, 2>(_e1014[0][0], _e1014[0][1]), array<u32, 2>(_e1014[1][0], _e1014[1][1]), array<u32, 2>(_e1014[2][0], _e1014[2][1]), array<u32, 2>(_e1014[3][0], _e1014[3][1]), array<u32, 2>(_e1014[4][0], _e1014[4][1]), array<u32, 2>(_e1014[5][0], _e1014[5][1]));
@@ -1358,23 +1360,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e1042 = local_18[_e758.member_1];
-                                                phi_1523_ = type_35(1u, 3u);
-                                                phi_1526_ = array<u32, 2>(_e1042[0], _e1042[1]);
+                                                phi_1524_ = type_36(1u, 3u);
+                                                phi_1527_ = array<u32, 2>(_e1042[0], _e1042[1]);
                                                 loop {
-                                                    let _e1047 = phi_1523_;
-                                                    let _e1049 = phi_1526_;
+                                                    let _e1047 = phi_1524_;
+                                                    let _e1049 = phi_1527_;
                                                     local_34 = _e1049;
                                                     local_36 = _e1049;
                                                     local_38 = _e1049;
                                                     if (_e1047.member < _e1047.member_1) {
-                                                        phi_1524_ = type_35((_e1047.member + 1u), _e1047.member_1);
-                                                        phi_1549_ = type_35(1u, _e1047.member);
+                                                        phi_1525_ = type_36((_e1047.member + 1u), _e1047.member_1);
+                                                        phi_1550_ = type_36(1u, _e1047.member);
                                                     } else {
-                                                        phi_1524_ = _e1047;
-                                                        phi_1549_ = type_35(0u, type_35().member_1);
+                                                        phi_1525_ = _e1047;
+                                                        phi_1550_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1063 = phi_1524_;
-                                                    let _e1065 = phi_1549_;
+                                                    let _e1063 = phi_1525_;
+                                                    let _e1065 = phi_1550_;
                                                     let _e1069 = (bitcast<i32>(_e1065.member) != 0i);
                                                     if _e1069 {
                                                         if (_e1065.member_1 < 3u) {
@@ -1390,32 +1392,32 @@ fn function_() {
                                                         }
                                                         let _e1102 = local_19[_e758.member_1];
                                                         if (_e1049[1] > _e1102[1]) {
-                                                            phi_1625_ = true;
+                                                            phi_1626_ = true;
                                                         } else {
                                                             if (_e1049[1] == _e1102[1]) {
-                                                                phi_1624_ = (_e1049[0] > _e1102[0]);
+                                                                phi_1625_ = (_e1049[0] > _e1102[0]);
                                                             } else {
-                                                                phi_1624_ = false;
+                                                                phi_1625_ = false;
                                                             }
-                                                            let _e1113 = phi_1624_;
-                                                            phi_1625_ = _e1113;
+                                                            let _e1113 = phi_1625_;
+                                                            phi_1626_ = _e1113;
                                                         }
-                                                        let _e1115 = phi_1625_;
+                                                        let _e1115 = phi_1626_;
                                                         if _e1115 {
-                                                            phi_1629_ = array<u32, 2>(_e1102[0], _e1102[1]);
+                                                            phi_1630_ = array<u32, 2>(_e1102[0], _e1102[1]);
                                                         } else {
-                                                            phi_1629_ = _e1049;
+                                                            phi_1630_ = _e1049;
                                                         }
-                                                        let _e1117 = phi_1629_;
-                                                        phi_1527_ = _e1117;
+                                                        let _e1117 = phi_1630_;
+                                                        phi_1528_ = _e1117;
                                                     } else {
-                                                        phi_1527_ = array<u32, 2>();
+                                                        phi_1528_ = array<u32, 2>();
                                                     }
-                                                    let _e1119 = phi_1527_;
+                                                    let _e1119 = phi_1528_;
                                                     continue;
                                                     continuing {
-                                                        phi_1523_ = _e1063;
-                                                        phi_1526_ = _e1119;
+                                                        phi_1524_ = _e1063;
+                                                        phi_1527_ = _e1119;
                                                         break if !(_e1069);
                                                     }
                                                 }
@@ -1428,23 +1430,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e1153 = local_16[_e1150];
-                                                phi_1680_ = type_35(1u, 3u);
-                                                phi_1683_ = array<u32, 2>(_e1153[0], _e1153[1]);
+                                                phi_1681_ = type_36(1u, 3u);
+                                                phi_1684_ = array<u32, 2>(_e1153[0], _e1153[1]);
                                                 loop {
-                                                    let _e1158 = phi_1680_;
-                                                    let _e1160 = phi_1683_;
+                                                    let _e1158 = phi_1681_;
+                                                    let _e1160 = phi_1684_;
                                                     local_35 = _e1160;
                                                     local_37 = _e1160;
                                                     local_39 = _e1160;
                                                     if (_e1158.member < _e1158.member_1) {
-                                                        phi_1681_ = type_35((_e1158.member + 1u), _e1158.member_1);
-                                                        phi_1706_ = type_35(1u, _e1158.member);
+                                                        phi_1682_ = type_36((_e1158.member + 1u), _e1158.member_1);
+                                                        phi_1707_ = type_36(1u, _e1158.member);
                                                     } else {
-                                                        phi_1681_ = _e1158;
-                                                        phi_1706_ = type_35(0u, type_35().member_1);
+                                                        phi_1682_ = _e1158;
+                                                        phi_1707_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1174 = phi_1681_;
-                                                    let _e1176 = phi_1706_;
+                                                    let _e1174 = phi_1682_;
+                                                    let _e1176 = phi_1707_;
                                                     let _e1180 = (bitcast<i32>(_e1176.member) != 0i);
                                                     if _e1180 {
                                                         if (_e1176.member_1 < 3u) {
@@ -1461,115 +1463,115 @@ fn function_() {
                                                         }
                                                         let _e1214 = local_17[_e1211];
                                                         if (_e1214[1] > _e1160[1]) {
-                                                            phi_1783_ = true;
+                                                            phi_1784_ = true;
                                                         } else {
                                                             if (_e1214[1] == _e1160[1]) {
-                                                                phi_1782_ = (_e1214[0] > _e1160[0]);
+                                                                phi_1783_ = (_e1214[0] > _e1160[0]);
                                                             } else {
-                                                                phi_1782_ = false;
+                                                                phi_1783_ = false;
                                                             }
-                                                            let _e1225 = phi_1782_;
-                                                            phi_1783_ = _e1225;
+                                                            let _e1225 = phi_1783_;
+                                                            phi_1784_ = _e1225;
                                                         }
-                                                        let _e1227 = phi_1783_;
+                                                        let _e1227 = phi_1784_;
                                                         if _e1227 {
-                                                            phi_1787_ = array<u32, 2>(_e1214[0], _e1214[1]);
+                                                            phi_1788_ = array<u32, 2>(_e1214[0], _e1214[1]);
                                                         } else {
-                                                            phi_1787_ = _e1160;
+                                                            phi_1788_ = _e1160;
                                                         }
-                                                        let _e1229 = phi_1787_;
-                                                        phi_1684_ = _e1229;
+                                                        let _e1229 = phi_1788_;
+                                                        phi_1685_ = _e1229;
                                                     } else {
-                                                        phi_1684_ = array<u32, 2>();
+                                                        phi_1685_ = array<u32, 2>();
                                                     }
-                                                    let _e1231 = phi_1684_;
+                                                    let _e1231 = phi_1685_;
                                                     continue;
                                                     continuing {
-                                                        phi_1680_ = _e1174;
-                                                        phi_1683_ = _e1231;
+                                                        phi_1681_ = _e1174;
+                                                        phi_1684_ = _e1231;
                                                         break if !(_e1180);
                                                     }
                                                 }
                                                 let _e1234 = local_34;
                                                 let _e1237 = local_35;
                                                 if (_e1234[1] > _e1237[1]) {
-                                                    phi_1804_ = true;
+                                                    phi_1805_ = true;
                                                 } else {
                                                     let _e1241 = local_36;
                                                     let _e1244 = local_37;
                                                     if (_e1241[1] == _e1244[1]) {
                                                         let _e1248 = local_38;
                                                         let _e1251 = local_39;
-                                                        phi_1803_ = (_e1248[0] > _e1251[0]);
+                                                        phi_1804_ = (_e1248[0] > _e1251[0]);
                                                     } else {
-                                                        phi_1803_ = false;
+                                                        phi_1804_ = false;
                                                     }
-                                                    let _e1255 = phi_1803_;
-                                                    phi_1804_ = _e1255;
+                                                    let _e1255 = phi_1804_;
+                                                    phi_1805_ = _e1255;
                                                 }
-                                                let _e1257 = phi_1804_;
-                                                phi_1112_ = (_e742 && (!(_e1009) && !(_e1257)));
+                                                let _e1257 = phi_1805_;
+                                                phi_1113_ = (_e742 && (!(_e1009) && !(_e1257)));
                                             } else {
-                                                phi_1112_ = bool();
+                                                phi_1113_ = bool();
                                             }
-                                            let _e1262 = phi_1112_;
+                                            let _e1262 = phi_1113_;
                                             continue;
                                             continuing {
-                                                phi_1108_ = _e756;
-                                                phi_1111_ = _e1262;
+                                                phi_1109_ = _e756;
+                                                phi_1112_ = _e1262;
                                                 break if !(_e762);
                                             }
                                         }
                                         let _e5323 = local_65;
-                                        phi_1808_ = _e5323;
+                                        phi_1809_ = _e5323;
                                     }
-                                    let _e1265 = phi_1808_;
-                                    phi_1809_ = _e1265;
-                                    phi_1810_ = _e736;
+                                    let _e1265 = phi_1809_;
+                                    phi_1810_ = _e1265;
+                                    phi_1811_ = _e736;
                                 } else {
-                                    phi_1809_ = bool();
-                                    phi_1810_ = true;
+                                    phi_1810_ = bool();
+                                    phi_1811_ = true;
                                 }
-                                let _e1267 = phi_1809_;
-                                let _e1269 = phi_1810_;
+                                let _e1267 = phi_1810_;
+                                let _e1269 = phi_1811_;
                                 if _e1269 {
-                                    phi_1814_ = false;
+                                    phi_1815_ = false;
                                 } else {
-                                    phi_1814_ = true;
+                                    phi_1815_ = true;
                                 }
-                                let _e1271 = phi_1814_;
-                                phi_1815_ = _e1267;
-                                phi_1816_ = _e1271;
+                                let _e1271 = phi_1815_;
+                                phi_1816_ = _e1267;
+                                phi_1817_ = _e1271;
                             } else {
-                                phi_1815_ = false;
-                                phi_1816_ = true;
+                                phi_1816_ = false;
+                                phi_1817_ = true;
                             }
-                            let _e1273 = phi_1815_;
-                            let _e1275 = phi_1816_;
-                            phi_1817_ = _e1273;
-                            phi_1818_ = _e1275;
+                            let _e1273 = phi_1816_;
+                            let _e1275 = phi_1817_;
+                            phi_1818_ = _e1273;
+                            phi_1819_ = _e1275;
                         } else {
-                            phi_1817_ = false;
-                            phi_1818_ = true;
+                            phi_1818_ = false;
+                            phi_1819_ = true;
                         }
-                        let _e1277 = phi_1817_;
-                        let _e1279 = phi_1818_;
+                        let _e1277 = phi_1818_;
+                        let _e1279 = phi_1819_;
                         if _e1279 {
-                            phi_1822_ = _e1277;
+                            phi_1823_ = _e1277;
                         } else {
-                            phi_1822_ = true;
+                            phi_1823_ = true;
                         }
-                        let _e1281 = phi_1822_;
+                        let _e1281 = phi_1823_;
                         if _e1281 {
                             let _e1283 = params.member.member_16;
                             let _e1285 = local_24.member_1;
                             let _e1287 = local_25.member_1;
                             if (_e1285 < _e1287) {
-                                phi_1842_ = type_35(_e1285, _e1287);
+                                phi_1843_ = type_36(_e1285, _e1287);
                             } else {
-                                phi_1842_ = type_35(_e1287, _e1285);
+                                phi_1843_ = type_36(_e1287, _e1285);
                             }
-                            let _e1292 = phi_1842_;
+                            let _e1292 = phi_1843_;
                             let _e1296 = atomicAdd((&output.member[0u]), 1u);
                             if (_e1296 < _e1283) {
                                 atomicStore((&output.member[(4u + (2u * _e1296))]), _e1292.member);
@@ -1577,50 +1579,50 @@ fn function_() {
                             }
                             let _e1305 = atomicAdd((&output.member[1u]), 1u);
                         }
-                        phi_1869_ = (_e519 & (_e519 - 1u));
-                        phi_1870_ = true;
+                        phi_1870_ = (_e519 & (_e519 - 1u));
+                        phi_1871_ = true;
                     }
-                    let _e1307 = phi_1869_;
-                    let _e1309 = phi_1870_;
-                    phi_815_ = _e1307;
-                    phi_1871_ = _e1309;
+                    let _e1307 = phi_1870_;
+                    let _e1309 = phi_1871_;
+                    phi_816_ = _e1307;
+                    phi_1872_ = _e1309;
                 } else {
-                    phi_815_ = u32();
-                    phi_1871_ = false;
+                    phi_816_ = u32();
+                    phi_1872_ = false;
                 }
-                let _e1311 = phi_815_;
-                let _e1313 = phi_1871_;
+                let _e1311 = phi_816_;
+                let _e1313 = phi_1872_;
                 continue;
                 continuing {
-                    phi_811_ = _e533;
-                    phi_814_ = _e1311;
+                    phi_812_ = _e533;
+                    phi_815_ = _e1311;
                     break if !(_e1313);
                 }
             }
             workgroupBarrier();
             let _e1316 = atomicLoad((&counters[4u]));
             if (2048u < _e1316) {
-                phi_1878_ = 2048u;
+                phi_1879_ = 2048u;
             } else {
-                phi_1878_ = _e1316;
+                phi_1879_ = _e1316;
             }
-            let _e1319 = phi_1878_;
-            phi_1881_ = type_35(0u, 16u);
+            let _e1319 = phi_1879_;
+            phi_1882_ = type_36(0u, 16u);
             loop {
-                let _e1321 = phi_1881_;
+                let _e1321 = phi_1882_;
                 if (_e1321.member < _e1321.member_1) {
-                    phi_1882_ = type_35((_e1321.member + 1u), _e1321.member_1);
-                    phi_1905_ = type_35(1u, _e1321.member);
+                    phi_1883_ = type_36((_e1321.member + 1u), _e1321.member_1);
+                    phi_1906_ = type_36(1u, _e1321.member);
                 } else {
-                    phi_1882_ = _e1321;
-                    phi_1905_ = type_35(0u, type_35().member_1);
+                    phi_1883_ = _e1321;
+                    phi_1906_ = type_36(0u, type_36().member_1);
                 }
-                let _e1335 = phi_1882_;
-                let _e1337 = phi_1905_;
+                let _e1335 = phi_1883_;
+                let _e1337 = phi_1906_;
                 if (bitcast<i32>(_e1337.member) != 0i) {
                     let _e1343 = (_e110 + (_e1337.member_1 * 128u));
                     if (_e1343 >= _e1319) {
-                        phi_8145_ = false;
+                        phi_8146_ = false;
                     } else {
                         let _e1346 = hits[_e1343];
                         let _e1349 = ((_e1346 >> bitcast<u32>(10i)) & 3u);
@@ -1630,8 +1632,8 @@ fn function_() {
                         let _e1362 = (_e1361 + (_e1346 & 31u));
                         let _e1364 = leaves.member[_e1357];
                         let _e1366 = leaves.member[_e1362];
-                        local_26 = type_23(array<u32, 3>(_e1364.member[0], _e1364.member[1], _e1364.member[2]), _e1364.member_1);
-                        local_27 = type_23(array<u32, 3>(_e1366.member[0], _e1366.member[1], _e1366.member[2]), _e1366.member_1);
+                        local_26 = type_24(array<u32, 3>(_e1364.member[0], _e1364.member[1], _e1364.member[2]), _e1364.member_1);
+                        local_27 = type_24(array<u32, 3>(_e1366.member[0], _e1366.member[1], _e1366.member[2]), _e1366.member_1);
                         let _e1382 = nodes.member[_e1357];
                         let _e1384 = nodes.member[_e1362];
                         let _e1386 = params.member.member_1;
@@ -1641,86 +1643,86 @@ fn function_() {
                                 let _e1434 = local_26.member[0u];
                                 let _e1437 = local_27.member[0u];
                                 if (_e1434 == _e1437) {
-                                    phi_2024_ = bool();
-                                    phi_2025_ = true;
+                                    phi_2025_ = bool();
+                                    phi_2026_ = true;
                                 } else {
                                     let _e1441 = local_26.member[0u];
                                     let _e1444 = local_27.member[1u];
                                     let _e1445 = (_e1441 == _e1444);
                                     if _e1445 {
-                                        phi_2023_ = bool();
+                                        phi_2024_ = bool();
                                     } else {
                                         let _e1448 = local_26.member[0u];
                                         let _e1451 = local_27.member[2u];
-                                        phi_2023_ = (_e1448 == _e1451);
+                                        phi_2024_ = (_e1448 == _e1451);
                                     }
-                                    let _e1454 = phi_2023_;
-                                    phi_2024_ = _e1454;
-                                    phi_2025_ = _e1445;
+                                    let _e1454 = phi_2024_;
+                                    phi_2025_ = _e1454;
+                                    phi_2026_ = _e1445;
                                 }
-                                let _e1456 = phi_2024_;
-                                let _e1458 = phi_2025_;
+                                let _e1456 = phi_2025_;
+                                let _e1458 = phi_2026_;
                                 if _e1458 {
-                                    phi_2029_ = true;
+                                    phi_2030_ = true;
                                 } else {
-                                    phi_2029_ = _e1456;
+                                    phi_2030_ = _e1456;
                                 }
-                                let _e1460 = phi_2029_;
-                                phi_2068_ = _e1460;
+                                let _e1460 = phi_2030_;
+                                phi_2069_ = _e1460;
                             } else {
                                 let _e1394 = local_26.member[0u];
                                 let _e1397 = local_27.member[0u];
                                 if (_e1394 == _e1397) {
-                                    phi_2062_ = bool();
-                                    phi_2063_ = true;
+                                    phi_2063_ = bool();
+                                    phi_2064_ = true;
                                 } else {
                                     let _e1401 = local_26.member[0u];
                                     let _e1404 = local_27.member[1u];
                                     if (_e1401 == _e1404) {
-                                        phi_2060_ = bool();
-                                        phi_2061_ = true;
+                                        phi_2061_ = bool();
+                                        phi_2062_ = true;
                                     } else {
                                         let _e1408 = local_26.member[1u];
                                         let _e1411 = local_27.member[0u];
                                         let _e1412 = (_e1408 == _e1411);
                                         if _e1412 {
-                                            phi_2059_ = bool();
+                                            phi_2060_ = bool();
                                         } else {
                                             let _e1415 = local_26.member[1u];
                                             let _e1418 = local_27.member[1u];
-                                            phi_2059_ = (_e1415 == _e1418);
+                                            phi_2060_ = (_e1415 == _e1418);
                                         }
-                                        let _e1421 = phi_2059_;
-                                        phi_2060_ = _e1421;
-                                        phi_2061_ = _e1412;
+                                        let _e1421 = phi_2060_;
+                                        phi_2061_ = _e1421;
+                                        phi_2062_ = _e1412;
                                     }
-                                    let _e1423 = phi_2060_;
-                                    let _e1425 = phi_2061_;
-                                    phi_2062_ = _e1423;
-                                    phi_2063_ = _e1425;
+                                    let _e1423 = phi_2061_;
+                                    let _e1425 = phi_2062_;
+                                    phi_2063_ = _e1423;
+                                    phi_2064_ = _e1425;
                                 }
-                                let _e1427 = phi_2062_;
-                                let _e1429 = phi_2063_;
+                                let _e1427 = phi_2063_;
+                                let _e1429 = phi_2064_;
                                 if _e1429 {
-                                    phi_2067_ = true;
+                                    phi_2068_ = true;
                                 } else {
-                                    phi_2067_ = _e1427;
+                                    phi_2068_ = _e1427;
                                 }
-                                let _e1431 = phi_2067_;
-                                phi_2068_ = _e1431;
+                                let _e1431 = phi_2068_;
+                                phi_2069_ = _e1431;
                             }
-                            let _e1462 = phi_2068_;
+                            let _e1462 = phi_2069_;
                             if _e1462 {
-                                phi_2072_ = false;
+                                phi_2073_ = false;
                             } else {
-                                phi_2072_ = true;
+                                phi_2073_ = true;
                             }
-                            let _e1464 = phi_2072_;
-                            phi_2073_ = _e1464;
+                            let _e1464 = phi_2073_;
+                            phi_2074_ = _e1464;
                         } else {
-                            phi_2073_ = true;
+                            phi_2074_ = true;
                         }
-                        let _e1466 = phi_2073_;
+                        let _e1466 = phi_2074_;
                         if _e1466 {
                             let _e1468 = params.member.member_1;
                             if ((_e1468 & 2u) != 0u) {
@@ -1730,57 +1732,57 @@ fn function_() {
                                 let _e1480 = bodies.member[_e1478];
                                 if ((_e1475 / 2u) == (_e1480 / 2u)) {
                                     let _e1485 = params.member.member_1;
-                                    phi_2119_ = !(((_e1485 & 4u) != 0u));
+                                    phi_2120_ = !(((_e1485 & 4u) != 0u));
                                 } else {
-                                    phi_2119_ = false;
+                                    phi_2120_ = false;
                                 }
-                                let _e1490 = phi_2119_;
+                                let _e1490 = phi_2120_;
                                 if _e1490 {
-                                    phi_2130_ = true;
+                                    phi_2131_ = true;
                                 } else {
                                     if (((_e1475 & _e1480) & 1u) == 0u) {
-                                        phi_2129_ = false;
+                                        phi_2130_ = false;
                                     } else {
-                                        phi_2129_ = true;
+                                        phi_2130_ = true;
                                     }
-                                    let _e1495 = phi_2129_;
-                                    phi_2130_ = _e1495;
+                                    let _e1495 = phi_2130_;
+                                    phi_2131_ = _e1495;
                                 }
-                                let _e1497 = phi_2130_;
+                                let _e1497 = phi_2131_;
                                 if _e1497 {
-                                    phi_2134_ = false;
+                                    phi_2135_ = false;
                                 } else {
-                                    phi_2134_ = true;
+                                    phi_2135_ = true;
                                 }
-                                let _e1499 = phi_2134_;
-                                phi_2135_ = _e1499;
+                                let _e1499 = phi_2135_;
+                                phi_2136_ = _e1499;
                             } else {
-                                phi_2135_ = true;
+                                phi_2136_ = true;
                             }
-                            let _e1501 = phi_2135_;
+                            let _e1501 = phi_2136_;
                             if _e1501 {
                                 let _e1503 = params.member.member_1;
                                 if ((_e1503 & 32u) != 0u) {
                                     let _e1507 = params.member.member_6;
                                     let _e1548 = (((((((_e1382.member_1[0] - _e1384.member[0]) > _e1507) && ((_e1384.member_1[0] - _e1382.member[0]) > _e1507)) && ((_e1382.member_1[1] - _e1384.member[1]) > _e1507)) && ((_e1384.member_1[1] - _e1382.member[1]) > _e1507)) && ((_e1382.member_1[2] - _e1384.member[2]) > _e1507)) && ((_e1384.member_1[2] - _e1382.member[2]) > _e1507));
                                     if _e1548 {
-                                        phi_2884_ = bool();
+                                        phi_2885_ = bool();
                                     } else {
-                                        phi_2184_ = type_35(0u, 3u);
-                                        phi_2187_ = true;
+                                        phi_2185_ = type_36(0u, 3u);
+                                        phi_2188_ = true;
                                         loop {
-                                            let _e1552 = phi_2184_;
-                                            let _e1554 = phi_2187_;
+                                            let _e1552 = phi_2185_;
+                                            let _e1554 = phi_2188_;
                                             local_66 = _e1554;
                                             if (_e1552.member < _e1552.member_1) {
-                                                phi_2185_ = type_35((_e1552.member + 1u), _e1552.member_1);
-                                                phi_2210_ = type_35(1u, _e1552.member);
+                                                phi_2186_ = type_36((_e1552.member + 1u), _e1552.member_1);
+                                                phi_2211_ = type_36(1u, _e1552.member);
                                             } else {
-                                                phi_2185_ = _e1552;
-                                                phi_2210_ = type_35(0u, type_35().member_1);
+                                                phi_2186_ = _e1552;
+                                                phi_2211_ = type_36(0u, type_36().member_1);
                                             }
-                                            let _e1568 = phi_2185_;
-                                            let _e1570 = phi_2210_;
+                                            let _e1568 = phi_2186_;
+                                            let _e1570 = phi_2211_;
                                             let _e1574 = (bitcast<i32>(_e1570.member) != 0i);
                                             if _e1574 {
                                                 let _e1576 = local_26.member[0u];
@@ -1791,23 +1793,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e1606 = local_14[_e1570.member_1];
-                                                phi_2267_ = type_35(1u, 3u);
-                                                phi_2270_ = array<u32, 2>(_e1606[0], _e1606[1]);
+                                                phi_2268_ = type_36(1u, 3u);
+                                                phi_2271_ = array<u32, 2>(_e1606[0], _e1606[1]);
                                                 loop {
-                                                    let _e1611 = phi_2267_;
-                                                    let _e1613 = phi_2270_;
+                                                    let _e1611 = phi_2268_;
+                                                    let _e1613 = phi_2271_;
                                                     local_40 = _e1613;
                                                     local_42 = _e1613;
                                                     local_44 = _e1613;
                                                     if (_e1611.member < _e1611.member_1) {
-                                                        phi_2268_ = type_35((_e1611.member + 1u), _e1611.member_1);
-                                                        phi_2293_ = type_35(1u, _e1611.member);
+                                                        phi_2269_ = type_36((_e1611.member + 1u), _e1611.member_1);
+                                                        phi_2294_ = type_36(1u, _e1611.member);
                                                     } else {
-                                                        phi_2268_ = _e1611;
-                                                        phi_2293_ = type_35(0u, type_35().member_1);
+                                                        phi_2269_ = _e1611;
+                                                        phi_2294_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1627 = phi_2268_;
-                                                    let _e1629 = phi_2293_;
+                                                    let _e1627 = phi_2269_;
+                                                    let _e1629 = phi_2294_;
                                                     let _e1633 = (bitcast<i32>(_e1629.member) != 0i);
                                                     if _e1633 {
                                                         if (_e1629.member_1 < 3u) {
@@ -1823,32 +1825,32 @@ fn function_() {
                                                         }
                                                         let _e1666 = local_15[_e1570.member_1];
                                                         if (_e1613[1] > _e1666[1]) {
-                                                            phi_2369_ = true;
+                                                            phi_2370_ = true;
                                                         } else {
                                                             if (_e1613[1] == _e1666[1]) {
-                                                                phi_2368_ = (_e1613[0] > _e1666[0]);
+                                                                phi_2369_ = (_e1613[0] > _e1666[0]);
                                                             } else {
-                                                                phi_2368_ = false;
+                                                                phi_2369_ = false;
                                                             }
-                                                            let _e1677 = phi_2368_;
-                                                            phi_2369_ = _e1677;
+                                                            let _e1677 = phi_2369_;
+                                                            phi_2370_ = _e1677;
                                                         }
-                                                        let _e1679 = phi_2369_;
+                                                        let _e1679 = phi_2370_;
                                                         if _e1679 {
-                                                            phi_2373_ = array<u32, 2>(_e1666[0], _e1666[1]);
+                                                            phi_2374_ = array<u32, 2>(_e1666[0], _e1666[1]);
                                                         } else {
-                                                            phi_2373_ = _e1613;
+                                                            phi_2374_ = _e1613;
                                                         }
-                                                        let _e1681 = phi_2373_;
-                                                        phi_2271_ = _e1681;
+                                                        let _e1681 = phi_2374_;
+                                                        phi_2272_ = _e1681;
                                                     } else {
-                                                        phi_2271_ = array<u32, 2>();
+                                                        phi_2272_ = array<u32, 2>();
                                                     }
-                                                    let _e1683 = phi_2271_;
+                                                    let _e1683 = phi_2272_;
                                                     continue;
                                                     continuing {
-                                                        phi_2267_ = _e1627;
-                                                        phi_2270_ = _e1683;
+                                                        phi_2268_ = _e1627;
+                                                        phi_2271_ = _e1683;
                                                         break if !(_e1633);
                                                     }
                                                 }
@@ -1861,23 +1863,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e1717 = local_12[_e1714];
-                                                phi_2424_ = type_35(1u, 3u);
-                                                phi_2427_ = array<u32, 2>(_e1717[0], _e1717[1]);
+                                                phi_2425_ = type_36(1u, 3u);
+                                                phi_2428_ = array<u32, 2>(_e1717[0], _e1717[1]);
                                                 loop {
-                                                    let _e1722 = phi_2424_;
-                                                    let _e1724 = phi_2427_;
+                                                    let _e1722 = phi_2425_;
+                                                    let _e1724 = phi_2428_;
                                                     local_41 = _e1724;
                                                     local_43 = _e1724;
                                                     local_45 = _e1724;
                                                     if (_e1722.member < _e1722.member_1) {
-                                                        phi_2425_ = type_35((_e1722.member + 1u), _e1722.member_1);
-                                                        phi_2450_ = type_35(1u, _e1722.member);
+                                                        phi_2426_ = type_36((_e1722.member + 1u), _e1722.member_1);
+                                                        phi_2451_ = type_36(1u, _e1722.member);
                                                     } else {
-                                                        phi_2425_ = _e1722;
-                                                        phi_2450_ = type_35(0u, type_35().member_1);
+                                                        phi_2426_ = _e1722;
+                                                        phi_2451_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1738 = phi_2425_;
-                                                    let _e1740 = phi_2450_;
+                                                    let _e1738 = phi_2426_;
+                                                    let _e1740 = phi_2451_;
                                                     let _e1744 = (bitcast<i32>(_e1740.member) != 0i);
                                                     if _e1744 {
                                                         if (_e1740.member_1 < 3u) {
@@ -1894,53 +1896,53 @@ fn function_() {
                                                         }
                                                         let _e1778 = local_13[_e1775];
                                                         if (_e1778[1] > _e1724[1]) {
-                                                            phi_2527_ = true;
+                                                            phi_2528_ = true;
                                                         } else {
                                                             if (_e1778[1] == _e1724[1]) {
-                                                                phi_2526_ = (_e1778[0] > _e1724[0]);
+                                                                phi_2527_ = (_e1778[0] > _e1724[0]);
                                                             } else {
-                                                                phi_2526_ = false;
+                                                                phi_2527_ = false;
                                                             }
-                                                            let _e1789 = phi_2526_;
-                                                            phi_2527_ = _e1789;
+                                                            let _e1789 = phi_2527_;
+                                                            phi_2528_ = _e1789;
                                                         }
-                                                        let _e1791 = phi_2527_;
+                                                        let _e1791 = phi_2528_;
                                                         if _e1791 {
-                                                            phi_2531_ = array<u32, 2>(_e1778[0], _e1778[1]);
+                                                            phi_2532_ = array<u32, 2>(_e1778[0], _e1778[1]);
                                                         } else {
-                                                            phi_2531_ = _e1724;
+                                                            phi_2532_ = _e1724;
                                                         }
-                                                        let _e1793 = phi_2531_;
-                                                        phi_2428_ = _e1793;
+                                                        let _e1793 = phi_2532_;
+                                                        phi_2429_ = _e1793;
                                                     } else {
-                                                        phi_2428_ = array<u32, 2>();
+                                                        phi_2429_ = array<u32, 2>();
                                                     }
-                                                    let _e1795 = phi_2428_;
+                                                    let _e1795 = phi_2429_;
                                                     continue;
                                                     continuing {
-                                                        phi_2424_ = _e1738;
-                                                        phi_2427_ = _e1795;
+                                                        phi_2425_ = _e1738;
+                                                        phi_2428_ = _e1795;
                                                         break if !(_e1744);
                                                     }
                                                 }
                                                 let _e1798 = local_40;
                                                 let _e1801 = local_41;
                                                 if (_e1798[1] > _e1801[1]) {
-                                                    phi_2548_ = true;
+                                                    phi_2549_ = true;
                                                 } else {
                                                     let _e1805 = local_42;
                                                     let _e1808 = local_43;
                                                     if (_e1805[1] == _e1808[1]) {
                                                         let _e1812 = local_44;
                                                         let _e1815 = local_45;
-                                                        phi_2547_ = (_e1812[0] > _e1815[0]);
+                                                        phi_2548_ = (_e1812[0] > _e1815[0]);
                                                     } else {
-                                                        phi_2547_ = false;
+                                                        phi_2548_ = false;
                                                     }
-                                                    let _e1819 = phi_2547_;
-                                                    phi_2548_ = _e1819;
+                                                    let _e1819 = phi_2548_;
+                                                    phi_2549_ = _e1819;
                                                 }
-                                                let _e1821 = phi_2548_;
+                                                let _e1821 = phi_2549_;
                                                 let _e1824 = local_27.member[0u];
                                                 let _e1826 = keys.member[_e1824];
                                                 local_10 = array<array<u32, 2>, 6>(array<u32, 2>(_e1826[0][0], _e1826[0][1]), array<u32, 2>(_e1826[1][0], _e1826[1][1]), array<u32, 2>(_e1826[2][0], _e1826[2][1]), array<u32, 2>(_e1826[3][0], _e1826[3][1]), array<u32, 2>(_e1826[4][0], _e1826[4][1]), array<u32, 2>(_e1826[5][0], _e1826[5][1]));
@@ -1949,23 +1951,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e1854 = local_10[_e1570.member_1];
-                                                phi_2599_ = type_35(1u, 3u);
-                                                phi_2602_ = array<u32, 2>(_e1854[0], _e1854[1]);
+                                                phi_2600_ = type_36(1u, 3u);
+                                                phi_2603_ = array<u32, 2>(_e1854[0], _e1854[1]);
                                                 loop {
-                                                    let _e1859 = phi_2599_;
-                                                    let _e1861 = phi_2602_;
+                                                    let _e1859 = phi_2600_;
+                                                    let _e1861 = phi_2603_;
                                                     local_46 = _e1861;
                                                     local_48 = _e1861;
                                                     local_50 = _e1861;
                                                     if (_e1859.member < _e1859.member_1) {
-                                                        phi_2600_ = type_35((_e1859.member + 1u), _e1859.member_1);
-                                                        phi_2625_ = type_35(1u, _e1859.member);
+                                                        phi_2601_ = type_36((_e1859.member + 1u), _e1859.member_1);
+                                                        phi_2626_ = type_36(1u, _e1859.member);
                                                     } else {
-                                                        phi_2600_ = _e1859;
-                                                        phi_2625_ = type_35(0u, type_35().member_1);
+                                                        phi_2601_ = _e1859;
+                                                        phi_2626_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1875 = phi_2600_;
-                                                    let _e1877 = phi_2625_;
+                                                    let _e1875 = phi_2601_;
+                                                    let _e1877 = phi_2626_;
                                                     let _e1881 = (bitcast<i32>(_e1877.member) != 0i);
                                                     if _e1881 {
                                                         if (_e1877.member_1 < 3u) {
@@ -1981,32 +1983,32 @@ fn function_() {
                                                         }
                                                         let _e1914 = local_11[_e1570.member_1];
                                                         if (_e1861[1] > _e1914[1]) {
-                                                            phi_2701_ = true;
+                                                            phi_2702_ = true;
                                                         } else {
                                                             if (_e1861[1] == _e1914[1]) {
-                                                                phi_2700_ = (_e1861[0] > _e1914[0]);
+                                                                phi_2701_ = (_e1861[0] > _e1914[0]);
                                                             } else {
-                                                                phi_2700_ = false;
+                                                                phi_2701_ = false;
                                                             }
-                                                            let _e1925 = phi_2700_;
-                                                            phi_2701_ = _e1925;
+                                                            let _e1925 = phi_2701_;
+                                                            phi_2702_ = _e1925;
                                                         }
-                                                        let _e1927 = phi_2701_;
+                                                        let _e1927 = phi_2702_;
                                                         if _e1927 {
-                                                            phi_2705_ = array<u32, 2>(_e1914[0], _e1914[1]);
+                                                            phi_2706_ = array<u32, 2>(_e1914[0], _e1914[1]);
                                                         } else {
-                                                            phi_2705_ = _e1861;
+                                                            phi_2706_ = _e1861;
                                                         }
-                                                        let _e1929 = phi_2705_;
-                                                        phi_2603_ = _e1929;
+                                                        let _e1929 = phi_2706_;
+                                                        phi_2604_ = _e1929;
                                                     } else {
-                                                        phi_2603_ = array<u32, 2>();
+                                                        phi_2604_ = array<u32, 2>();
                                                     }
-                                                    let _e1931 = phi_2603_;
+                                                    let _e1931 = phi_2604_;
                                                     continue;
                                                     continuing {
-                                                        phi_2599_ = _e1875;
-                                                        phi_2602_ = _e1931;
+                                                        phi_2600_ = _e1875;
+                                                        phi_2603_ = _e1931;
                                                         break if !(_e1881);
                                                     }
                                                 }
@@ -2019,23 +2021,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e1965 = local_8[_e1962];
-                                                phi_2756_ = type_35(1u, 3u);
-                                                phi_2759_ = array<u32, 2>(_e1965[0], _e1965[1]);
+                                                phi_2757_ = type_36(1u, 3u);
+                                                phi_2760_ = array<u32, 2>(_e1965[0], _e1965[1]);
                                                 loop {
-                                                    let _e1970 = phi_2756_;
-                                                    let _e1972 = phi_2759_;
+                                                    let _e1970 = phi_2757_;
+                                                    let _e1972 = phi_2760_;
                                                     local_47 = _e1972;
                                                     local_49 = _e1972;
                                                     local_51 = _e1972;
                                                     if (_e1970.member < _e1970.member_1) {
-                                                        phi_2757_ = type_35((_e1970.member + 1u), _e1970.member_1);
-                                                        phi_2782_ = type_35(1u, _e1970.member);
+                                                        phi_2758_ = type_36((_e1970.member + 1u), _e1970.member_1);
+                                                        phi_2783_ = type_36(1u, _e1970.member);
                                                     } else {
-                                                        phi_2757_ = _e1970;
-                                                        phi_2782_ = type_35(0u, type_35().member_1);
+                                                        phi_2758_ = _e1970;
+                                                        phi_2783_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1986 = phi_2757_;
-                                                    let _e1988 = phi_2782_;
+                                                    let _e1986 = phi_2758_;
+                                                    let _e1988 = phi_2783_;
                                                     let _e1992 = (bitcast<i32>(_e1988.member) != 0i);
                                                     if _e1992 {
                                                         if (_e1988.member_1 < 3u) {
@@ -2052,125 +2054,125 @@ fn function_() {
                                                         }
                                                         let _e2026 = local_9[_e2023];
                                                         if (_e2026[1] > _e1972[1]) {
-                                                            phi_2859_ = true;
+                                                            phi_2860_ = true;
                                                         } else {
                                                             if (_e2026[1] == _e1972[1]) {
-                                                                phi_2858_ = (_e2026[0] > _e1972[0]);
+                                                                phi_2859_ = (_e2026[0] > _e1972[0]);
                                                             } else {
-                                                                phi_2858_ = false;
+                                                                phi_2859_ = false;
                                                             }
-                                                            let _e2037 = phi_2858_;
-                                                            phi_2859_ = _e2037;
+                                                            let _e2037 = phi_2859_;
+                                                            phi_2860_ = _e2037;
                                                         }
-                                                        let _e2039 = phi_2859_;
+                                                        let _e2039 = phi_2860_;
                                                         if _e2039 {
-                                                            phi_2863_ = array<u32, 2>(_e2026[0], _e2026[1]);
+                                                            phi_2864_ = array<u32, 2>(_e2026[0], _e2026[1]);
                                                         } else {
-                                                            phi_2863_ = _e1972;
+                                                            phi_2864_ = _e1972;
                                                         }
-                                                        let _e2041 = phi_2863_;
-                                                        phi_2760_ = _e2041;
+                                                        let _e2041 = phi_2864_;
+                                                        phi_2761_ = _e2041;
                                                     } else {
-                                                        phi_2760_ = array<u32, 2>();
+                                                        phi_2761_ = array<u32, 2>();
                                                     }
-                                                    let _e2043 = phi_2760_;
+                                                    let _e2043 = phi_2761_;
                                                     continue;
                                                     continuing {
-                                                        phi_2756_ = _e1986;
-                                                        phi_2759_ = _e2043;
+                                                        phi_2757_ = _e1986;
+                                                        phi_2760_ = _e2043;
                                                         break if !(_e1992);
                                                     }
                                                 }
                                                 let _e2046 = local_46;
                                                 let _e2049 = local_47;
                                                 if (_e2046[1] > _e2049[1]) {
-                                                    phi_2880_ = true;
+                                                    phi_2881_ = true;
                                                 } else {
                                                     let _e2053 = local_48;
                                                     let _e2056 = local_49;
                                                     if (_e2053[1] == _e2056[1]) {
                                                         let _e2060 = local_50;
                                                         let _e2063 = local_51;
-                                                        phi_2879_ = (_e2060[0] > _e2063[0]);
+                                                        phi_2880_ = (_e2060[0] > _e2063[0]);
                                                     } else {
-                                                        phi_2879_ = false;
+                                                        phi_2880_ = false;
                                                     }
-                                                    let _e2067 = phi_2879_;
-                                                    phi_2880_ = _e2067;
+                                                    let _e2067 = phi_2880_;
+                                                    phi_2881_ = _e2067;
                                                 }
-                                                let _e2069 = phi_2880_;
-                                                phi_2188_ = (_e1554 && (!(_e1821) && !(_e2069)));
+                                                let _e2069 = phi_2881_;
+                                                phi_2189_ = (_e1554 && (!(_e1821) && !(_e2069)));
                                             } else {
-                                                phi_2188_ = bool();
+                                                phi_2189_ = bool();
                                             }
-                                            let _e2074 = phi_2188_;
+                                            let _e2074 = phi_2189_;
                                             continue;
                                             continuing {
-                                                phi_2184_ = _e1568;
-                                                phi_2187_ = _e2074;
+                                                phi_2185_ = _e1568;
+                                                phi_2188_ = _e2074;
                                                 break if !(_e1574);
                                             }
                                         }
                                         let _e5414 = local_66;
-                                        phi_2884_ = _e5414;
+                                        phi_2885_ = _e5414;
                                     }
-                                    let _e2077 = phi_2884_;
-                                    phi_2885_ = _e2077;
-                                    phi_2886_ = _e1548;
+                                    let _e2077 = phi_2885_;
+                                    phi_2886_ = _e2077;
+                                    phi_2887_ = _e1548;
                                 } else {
-                                    phi_2885_ = bool();
-                                    phi_2886_ = true;
+                                    phi_2886_ = bool();
+                                    phi_2887_ = true;
                                 }
-                                let _e2079 = phi_2885_;
-                                let _e2081 = phi_2886_;
+                                let _e2079 = phi_2886_;
+                                let _e2081 = phi_2887_;
                                 if _e2081 {
-                                    phi_2890_ = false;
+                                    phi_2891_ = false;
                                 } else {
-                                    phi_2890_ = true;
+                                    phi_2891_ = true;
                                 }
-                                let _e2083 = phi_2890_;
-                                phi_2891_ = _e2079;
-                                phi_2892_ = _e2083;
+                                let _e2083 = phi_2891_;
+                                phi_2892_ = _e2079;
+                                phi_2893_ = _e2083;
                             } else {
-                                phi_2891_ = false;
-                                phi_2892_ = true;
+                                phi_2892_ = false;
+                                phi_2893_ = true;
                             }
-                            let _e2085 = phi_2891_;
-                            let _e2087 = phi_2892_;
-                            phi_2893_ = _e2085;
-                            phi_2894_ = _e2087;
+                            let _e2085 = phi_2892_;
+                            let _e2087 = phi_2893_;
+                            phi_2894_ = _e2085;
+                            phi_2895_ = _e2087;
                         } else {
-                            phi_2893_ = false;
-                            phi_2894_ = true;
+                            phi_2894_ = false;
+                            phi_2895_ = true;
                         }
-                        let _e2089 = phi_2893_;
-                        let _e2091 = phi_2894_;
+                        let _e2089 = phi_2894_;
+                        let _e2091 = phi_2895_;
                         if _e2091 {
-                            phi_2898_ = _e2089;
+                            phi_2899_ = _e2089;
                         } else {
-                            phi_2898_ = true;
+                            phi_2899_ = true;
                         }
-                        let _e2093 = phi_2898_;
+                        let _e2093 = phi_2899_;
                         if _e2093 {
                             let _e2095 = atomicAdd((&counters[7u]), 1u);
                             let _e2097 = local_26.member_1;
                             let _e2099 = local_27.member_1;
                             if (_e2097 < _e2099) {
-                                phi_2944_ = _e1366;
-                                phi_2945_ = _e1364;
-                            } else {
-                                phi_2944_ = _e1364;
                                 phi_2945_ = _e1366;
+                                phi_2946_ = _e1364;
+                            } else {
+                                phi_2945_ = _e1364;
+                                phi_2946_ = _e1366;
                             }
-                            let _e2102 = phi_2944_;
-                            let _e2104 = phi_2945_;
+                            let _e2102 = phi_2945_;
+                            let _e2104 = phi_2946_;
                             let _e2106 = params.member.member_4;
                             let _e2108 = params.member.member_5;
                             let _e2118 = paths.member[_e2104.member[0]];
                             let _e2120 = paths.member[_e2104.member[1]];
                             let _e2126 = paths.member[_e2102.member[0]];
                             let _e2128 = paths.member[_e2102.member[1]];
-                            local_7 = type_70(array<array<f32, 3>, 2>(array<f32, 3>((_e2126.member[0] - _e2118.member[0]), (_e2126.member[1] - _e2118.member[1]), (_e2126.member[2] - _e2118.member[2])), array<f32, 3>((_e2126.member_1[0] - _e2118.member_1[0]), (_e2126.member_1[1] - _e2118.member_1[1]), (_e2126.member_1[2] - _e2118.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2120.member[0] - _e2118.member[0]), (_e2120.member[1] - _e2118.member[1]), (_e2120.member[2] - _e2118.member[2])), array<f32, 3>((_e2120.member_1[0] - _e2118.member_1[0]), (_e2120.member_1[1] - _e2118.member_1[1]), (_e2120.member_1[2] - _e2118.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2126.member[0] - _e2128.member[0]), (_e2126.member[1] - _e2128.member[1]), (_e2126.member[2] - _e2128.member[2])), array<f32, 3>((_e2126.member_1[0] - _e2128.member_1[0]), (_e2126.member_1[1] - _e2128.member_1[1]), (_e2126.member_1[2] - _e2128.member_1[2]))), (_e2106 + _e2106));
+                            local_7 = type_71(array<array<f32, 3>, 2>(array<f32, 3>((_e2126.member[0] - _e2118.member[0]), (_e2126.member[1] - _e2118.member[1]), (_e2126.member[2] - _e2118.member[2])), array<f32, 3>((_e2126.member_1[0] - _e2118.member_1[0]), (_e2126.member_1[1] - _e2118.member_1[1]), (_e2126.member_1[2] - _e2118.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2120.member[0] - _e2118.member[0]), (_e2120.member[1] - _e2118.member[1]), (_e2120.member[2] - _e2118.member[2])), array<f32, 3>((_e2120.member_1[0] - _e2118.member_1[0]), (_e2120.member_1[1] - _e2118.member_1[1]), (_e2120.member_1[2] - _e2118.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2126.member[0] - _e2128.member[0]), (_e2126.member[1] - _e2128.member[1]), (_e2126.member[2] - _e2128.member[2])), array<f32, 3>((_e2126.member_1[0] - _e2128.member_1[0]), (_e2126.member_1[1] - _e2128.member_1[1]), (_e2126.member_1[2] - _e2128.member_1[2]))), (_e2106 + _e2106));
                             let _e2188 = local_7.member_1[0u];
                             let _e2194 = local_7.member_2[0u];
                             let _e2200 = ((_e2188[1] * _e2194[2]) - (_e2188[2] * _e2194[1]));
@@ -2198,333 +2200,333 @@ fn function_() {
                             let _e2332 = local_7.member[1u];
                             let _e2343 = local_7.member[0u];
                             if (_e2343[0] < 0f) {
-                                phi_3334_ = -(_e2343[0]);
+                                phi_3335_ = -(_e2343[0]);
                             } else {
-                                phi_3334_ = _e2343[0];
+                                phi_3335_ = _e2343[0];
                             }
-                            let _e2350 = phi_3334_;
+                            let _e2350 = phi_3335_;
                             if (_e2343[1] < 0f) {
-                                phi_3341_ = -(_e2343[1]);
+                                phi_3342_ = -(_e2343[1]);
                             } else {
-                                phi_3341_ = _e2343[1];
+                                phi_3342_ = _e2343[1];
                             }
-                            let _e2354 = phi_3341_;
+                            let _e2354 = phi_3342_;
                             if (_e2350 > _e2354) {
-                                phi_3346_ = _e2350;
+                                phi_3347_ = _e2350;
                             } else {
-                                phi_3346_ = _e2354;
+                                phi_3347_ = _e2354;
                             }
-                            let _e2357 = phi_3346_;
+                            let _e2357 = phi_3347_;
                             if (_e2343[2] < 0f) {
-                                phi_3353_ = -(_e2343[2]);
+                                phi_3354_ = -(_e2343[2]);
                             } else {
-                                phi_3353_ = _e2343[2];
+                                phi_3354_ = _e2343[2];
                             }
-                            let _e2361 = phi_3353_;
+                            let _e2361 = phi_3354_;
                             if (_e2357 > _e2361) {
-                                phi_3358_ = _e2357;
+                                phi_3359_ = _e2357;
                             } else {
-                                phi_3358_ = _e2361;
+                                phi_3359_ = _e2361;
                             }
-                            let _e2364 = phi_3358_;
+                            let _e2364 = phi_3359_;
                             let _e2367 = local_7.member[1u];
                             if (_e2367[0] < 0f) {
-                                phi_3371_ = -(_e2367[0]);
+                                phi_3372_ = -(_e2367[0]);
                             } else {
-                                phi_3371_ = _e2367[0];
+                                phi_3372_ = _e2367[0];
                             }
-                            let _e2374 = phi_3371_;
+                            let _e2374 = phi_3372_;
                             if (_e2367[1] < 0f) {
-                                phi_3378_ = -(_e2367[1]);
+                                phi_3379_ = -(_e2367[1]);
                             } else {
-                                phi_3378_ = _e2367[1];
+                                phi_3379_ = _e2367[1];
                             }
-                            let _e2378 = phi_3378_;
+                            let _e2378 = phi_3379_;
                             if (_e2374 > _e2378) {
-                                phi_3383_ = _e2374;
+                                phi_3384_ = _e2374;
                             } else {
-                                phi_3383_ = _e2378;
+                                phi_3384_ = _e2378;
                             }
-                            let _e2381 = phi_3383_;
+                            let _e2381 = phi_3384_;
                             if (_e2367[2] < 0f) {
-                                phi_3390_ = -(_e2367[2]);
+                                phi_3391_ = -(_e2367[2]);
                             } else {
-                                phi_3390_ = _e2367[2];
+                                phi_3391_ = _e2367[2];
                             }
-                            let _e2385 = phi_3390_;
+                            let _e2385 = phi_3391_;
                             if (_e2381 > _e2385) {
-                                phi_3395_ = _e2381;
+                                phi_3396_ = _e2381;
                             } else {
-                                phi_3395_ = _e2385;
+                                phi_3396_ = _e2385;
                             }
-                            let _e2388 = phi_3395_;
+                            let _e2388 = phi_3396_;
                             if (_e2364 > _e2388) {
-                                phi_3400_ = _e2364;
+                                phi_3401_ = _e2364;
                             } else {
-                                phi_3400_ = _e2388;
+                                phi_3401_ = _e2388;
                             }
-                            let _e2391 = phi_3400_;
+                            let _e2391 = phi_3401_;
                             let _e2393 = local_7.member_3;
                             let _e2394 = (_e2391 + _e2393);
                             let _e2397 = local_7.member_1[0u];
                             if (_e2397[0] < 0f) {
-                                phi_3417_ = -(_e2397[0]);
+                                phi_3418_ = -(_e2397[0]);
                             } else {
-                                phi_3417_ = _e2397[0];
+                                phi_3418_ = _e2397[0];
                             }
-                            let _e2404 = phi_3417_;
+                            let _e2404 = phi_3418_;
                             if (_e2397[1] < 0f) {
-                                phi_3424_ = -(_e2397[1]);
+                                phi_3425_ = -(_e2397[1]);
                             } else {
-                                phi_3424_ = _e2397[1];
+                                phi_3425_ = _e2397[1];
                             }
-                            let _e2408 = phi_3424_;
+                            let _e2408 = phi_3425_;
                             if (_e2404 > _e2408) {
-                                phi_3429_ = _e2404;
+                                phi_3430_ = _e2404;
                             } else {
-                                phi_3429_ = _e2408;
+                                phi_3430_ = _e2408;
                             }
-                            let _e2411 = phi_3429_;
+                            let _e2411 = phi_3430_;
                             if (_e2397[2] < 0f) {
-                                phi_3436_ = -(_e2397[2]);
+                                phi_3437_ = -(_e2397[2]);
                             } else {
-                                phi_3436_ = _e2397[2];
+                                phi_3437_ = _e2397[2];
                             }
-                            let _e2415 = phi_3436_;
+                            let _e2415 = phi_3437_;
                             if (_e2411 > _e2415) {
-                                phi_3441_ = _e2411;
+                                phi_3442_ = _e2411;
                             } else {
-                                phi_3441_ = _e2415;
+                                phi_3442_ = _e2415;
                             }
-                            let _e2418 = phi_3441_;
+                            let _e2418 = phi_3442_;
                             let _e2421 = local_7.member_1[1u];
                             if (_e2421[0] < 0f) {
-                                phi_3455_ = -(_e2421[0]);
+                                phi_3456_ = -(_e2421[0]);
                             } else {
-                                phi_3455_ = _e2421[0];
+                                phi_3456_ = _e2421[0];
                             }
-                            let _e2428 = phi_3455_;
+                            let _e2428 = phi_3456_;
                             if (_e2421[1] < 0f) {
-                                phi_3462_ = -(_e2421[1]);
+                                phi_3463_ = -(_e2421[1]);
                             } else {
-                                phi_3462_ = _e2421[1];
+                                phi_3463_ = _e2421[1];
                             }
-                            let _e2432 = phi_3462_;
+                            let _e2432 = phi_3463_;
                             if (_e2428 > _e2432) {
-                                phi_3467_ = _e2428;
+                                phi_3468_ = _e2428;
                             } else {
-                                phi_3467_ = _e2432;
+                                phi_3468_ = _e2432;
                             }
-                            let _e2435 = phi_3467_;
+                            let _e2435 = phi_3468_;
                             if (_e2421[2] < 0f) {
-                                phi_3474_ = -(_e2421[2]);
+                                phi_3475_ = -(_e2421[2]);
                             } else {
-                                phi_3474_ = _e2421[2];
+                                phi_3475_ = _e2421[2];
                             }
-                            let _e2439 = phi_3474_;
+                            let _e2439 = phi_3475_;
                             if (_e2435 > _e2439) {
-                                phi_3479_ = _e2435;
+                                phi_3480_ = _e2435;
                             } else {
-                                phi_3479_ = _e2439;
+                                phi_3480_ = _e2439;
                             }
-                            let _e2442 = phi_3479_;
+                            let _e2442 = phi_3480_;
                             if (_e2418 > _e2442) {
-                                phi_3484_ = _e2418;
+                                phi_3485_ = _e2418;
                             } else {
-                                phi_3484_ = _e2442;
+                                phi_3485_ = _e2442;
                             }
-                            let _e2445 = phi_3484_;
+                            let _e2445 = phi_3485_;
                             let _e2447 = local_7.member_3;
                             let _e2448 = (_e2445 + _e2447);
                             let _e2451 = local_7.member_2[0u];
                             if (_e2451[0] < 0f) {
-                                phi_3501_ = -(_e2451[0]);
+                                phi_3502_ = -(_e2451[0]);
                             } else {
-                                phi_3501_ = _e2451[0];
+                                phi_3502_ = _e2451[0];
                             }
-                            let _e2458 = phi_3501_;
+                            let _e2458 = phi_3502_;
                             if (_e2451[1] < 0f) {
-                                phi_3508_ = -(_e2451[1]);
+                                phi_3509_ = -(_e2451[1]);
                             } else {
-                                phi_3508_ = _e2451[1];
+                                phi_3509_ = _e2451[1];
                             }
-                            let _e2462 = phi_3508_;
+                            let _e2462 = phi_3509_;
                             if (_e2458 > _e2462) {
-                                phi_3513_ = _e2458;
+                                phi_3514_ = _e2458;
                             } else {
-                                phi_3513_ = _e2462;
+                                phi_3514_ = _e2462;
                             }
-                            let _e2465 = phi_3513_;
+                            let _e2465 = phi_3514_;
                             if (_e2451[2] < 0f) {
-                                phi_3520_ = -(_e2451[2]);
+                                phi_3521_ = -(_e2451[2]);
                             } else {
-                                phi_3520_ = _e2451[2];
+                                phi_3521_ = _e2451[2];
                             }
-                            let _e2469 = phi_3520_;
+                            let _e2469 = phi_3521_;
                             if (_e2465 > _e2469) {
-                                phi_3525_ = _e2465;
+                                phi_3526_ = _e2465;
                             } else {
-                                phi_3525_ = _e2469;
+                                phi_3526_ = _e2469;
                             }
-                            let _e2472 = phi_3525_;
+                            let _e2472 = phi_3526_;
                             let _e2475 = local_7.member_2[1u];
                             if (_e2475[0] < 0f) {
-                                phi_3539_ = -(_e2475[0]);
+                                phi_3540_ = -(_e2475[0]);
                             } else {
-                                phi_3539_ = _e2475[0];
+                                phi_3540_ = _e2475[0];
                             }
-                            let _e2482 = phi_3539_;
+                            let _e2482 = phi_3540_;
                             if (_e2475[1] < 0f) {
-                                phi_3546_ = -(_e2475[1]);
+                                phi_3547_ = -(_e2475[1]);
                             } else {
-                                phi_3546_ = _e2475[1];
+                                phi_3547_ = _e2475[1];
                             }
-                            let _e2486 = phi_3546_;
+                            let _e2486 = phi_3547_;
                             if (_e2482 > _e2486) {
-                                phi_3551_ = _e2482;
+                                phi_3552_ = _e2482;
                             } else {
-                                phi_3551_ = _e2486;
+                                phi_3552_ = _e2486;
                             }
-                            let _e2489 = phi_3551_;
+                            let _e2489 = phi_3552_;
                             if (_e2475[2] < 0f) {
-                                phi_3558_ = -(_e2475[2]);
+                                phi_3559_ = -(_e2475[2]);
                             } else {
-                                phi_3558_ = _e2475[2];
+                                phi_3559_ = _e2475[2];
                             }
-                            let _e2493 = phi_3558_;
+                            let _e2493 = phi_3559_;
                             if (_e2489 > _e2493) {
-                                phi_3563_ = _e2489;
+                                phi_3564_ = _e2489;
                             } else {
-                                phi_3563_ = _e2493;
+                                phi_3564_ = _e2493;
                             }
-                            let _e2496 = phi_3563_;
+                            let _e2496 = phi_3564_;
                             if (_e2472 > _e2496) {
-                                phi_3568_ = _e2472;
+                                phi_3569_ = _e2472;
                             } else {
-                                phi_3568_ = _e2496;
+                                phi_3569_ = _e2496;
                             }
-                            let _e2499 = phi_3568_;
+                            let _e2499 = phi_3569_;
                             let _e2501 = local_7.member_3;
                             let _e2502 = (_e2499 + _e2501);
                             let _e2504 = ((_e2448 * 8f) * _e2502);
                             let _e2511 = local_7.member_3;
                             if (_e2200 < 0f) {
-                                phi_3599_ = -(_e2200);
+                                phi_3600_ = -(_e2200);
                             } else {
-                                phi_3599_ = _e2200;
+                                phi_3600_ = _e2200;
                             }
-                            let _e2528 = phi_3599_;
+                            let _e2528 = phi_3600_;
                             if (_e2203 < 0f) {
-                                phi_3605_ = -(_e2203);
+                                phi_3606_ = -(_e2203);
                             } else {
-                                phi_3605_ = _e2203;
+                                phi_3606_ = _e2203;
                             }
-                            let _e2532 = phi_3605_;
+                            let _e2532 = phi_3606_;
                             if (_e2206 < 0f) {
-                                phi_3612_ = -(_e2206);
+                                phi_3613_ = -(_e2206);
                             } else {
-                                phi_3612_ = _e2206;
+                                phi_3613_ = _e2206;
                             }
-                            let _e2537 = phi_3612_;
+                            let _e2537 = phi_3613_;
                             let _e2538 = ((_e2528 + _e2532) + _e2537);
                             if (_e2221 < 0f) {
-                                phi_3619_ = -(_e2221);
+                                phi_3620_ = -(_e2221);
                             } else {
-                                phi_3619_ = _e2221;
+                                phi_3620_ = _e2221;
                             }
-                            let _e2542 = phi_3619_;
+                            let _e2542 = phi_3620_;
                             if (_e2224 < 0f) {
-                                phi_3625_ = -(_e2224);
+                                phi_3626_ = -(_e2224);
                             } else {
-                                phi_3625_ = _e2224;
+                                phi_3626_ = _e2224;
                             }
-                            let _e2546 = phi_3625_;
+                            let _e2546 = phi_3626_;
                             if (_e2227 < 0f) {
-                                phi_3632_ = -(_e2227);
+                                phi_3633_ = -(_e2227);
                             } else {
-                                phi_3632_ = _e2227;
+                                phi_3633_ = _e2227;
                             }
-                            let _e2551 = phi_3632_;
+                            let _e2551 = phi_3633_;
                             let _e2552 = ((_e2542 + _e2546) + _e2551);
                             if (_e2538 > _e2552) {
-                                phi_3638_ = _e2538;
+                                phi_3639_ = _e2538;
                             } else {
-                                phi_3638_ = _e2552;
+                                phi_3639_ = _e2552;
                             }
-                            let _e2555 = phi_3638_;
+                            let _e2555 = phi_3639_;
                             if (_e2270 < 0f) {
-                                phi_3644_ = -(_e2270);
+                                phi_3645_ = -(_e2270);
                             } else {
-                                phi_3644_ = _e2270;
+                                phi_3645_ = _e2270;
                             }
-                            let _e2559 = phi_3644_;
+                            let _e2559 = phi_3645_;
                             if (_e2271 < 0f) {
-                                phi_3650_ = -(_e2271);
+                                phi_3651_ = -(_e2271);
                             } else {
-                                phi_3650_ = _e2271;
+                                phi_3651_ = _e2271;
                             }
-                            let _e2563 = phi_3650_;
+                            let _e2563 = phi_3651_;
                             if (_e2272 < 0f) {
-                                phi_3657_ = -(_e2272);
+                                phi_3658_ = -(_e2272);
                             } else {
-                                phi_3657_ = _e2272;
+                                phi_3658_ = _e2272;
                             }
-                            let _e2568 = phi_3657_;
+                            let _e2568 = phi_3658_;
                             let _e2570 = (((_e2559 + _e2563) + _e2568) * 0.5f);
                             if (_e2555 > _e2570) {
-                                phi_3664_ = _e2555;
+                                phi_3665_ = _e2555;
                             } else {
-                                phi_3664_ = _e2570;
+                                phi_3665_ = _e2570;
                             }
-                            let _e2573 = phi_3664_;
+                            let _e2573 = phi_3665_;
                             let _e2578 = local_7.member_3;
                             let _e2591 = ((((_e2275[0] * _e2200) + (_e2275[1] * _e2203)) + (_e2275[2] * _e2206)) * 3f);
                             let _e2592 = ((((_e2332[0] * _e2221) + (_e2332[1] * _e2224)) + (_e2332[2] * _e2227)) * 3f);
                             if (_e2591 < _e2592) {
-                                phi_3688_ = _e2591;
+                                phi_3689_ = _e2591;
                             } else {
-                                phi_3688_ = _e2592;
+                                phi_3689_ = _e2592;
                             }
-                            let _e2595 = phi_3688_;
+                            let _e2595 = phi_3689_;
                             if (_e2306 < _e2329) {
-                                phi_3693_ = _e2306;
+                                phi_3694_ = _e2306;
                             } else {
-                                phi_3693_ = _e2329;
+                                phi_3694_ = _e2329;
                             }
-                            let _e2598 = phi_3693_;
+                            let _e2598 = phi_3694_;
                             if (_e2595 < _e2598) {
-                                phi_3698_ = _e2595;
+                                phi_3699_ = _e2595;
                             } else {
-                                phi_3698_ = _e2598;
+                                phi_3699_ = _e2598;
                             }
-                            let _e2601 = phi_3698_;
+                            let _e2601 = phi_3699_;
                             if (_e2591 > _e2592) {
-                                phi_3703_ = _e2591;
+                                phi_3704_ = _e2591;
                             } else {
-                                phi_3703_ = _e2592;
+                                phi_3704_ = _e2592;
                             }
-                            let _e2604 = phi_3703_;
+                            let _e2604 = phi_3704_;
                             if (_e2306 > _e2329) {
-                                phi_3708_ = _e2306;
+                                phi_3709_ = _e2306;
                             } else {
-                                phi_3708_ = _e2329;
+                                phi_3709_ = _e2329;
                             }
-                            let _e2607 = phi_3708_;
+                            let _e2607 = phi_3709_;
                             if (_e2604 > _e2607) {
-                                phi_3713_ = _e2604;
+                                phi_3714_ = _e2604;
                             } else {
-                                phi_3713_ = _e2607;
+                                phi_3714_ = _e2607;
                             }
-                            let _e2610 = phi_3713_;
+                            let _e2610 = phi_3714_;
                             let _e2615 = -(_e2610);
                             if (_e2601 > _e2615) {
-                                phi_3723_ = _e2601;
+                                phi_3724_ = _e2601;
                             } else {
-                                phi_3723_ = _e2615;
+                                phi_3724_ = _e2615;
                             }
-                            let _e2618 = phi_3723_;
+                            let _e2618 = phi_3724_;
                             if ((_e2618 - ((((((_e2394 * 8f) * _e2504) * (0.000000059604645f * (490f / 64f))) + ((_e2511 * 19f) * ((_e2394 * (_e2448 + _e2502)) + (_e2448 * _e2502)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2394) * ((1f + _e2448) * (1f + _e2502))))) + ((_e2108 * (((_e2573 + (_e2504 * (0.000000059604645f * 4f))) + ((_e2578 * 6f) * (_e2448 + _e2502))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2448) * (1f + _e2502))))) * (3f * 1.0001f)))) > 0f) {
-                                phi_4699_ = true;
+                                phi_4700_ = true;
                             } else {
                                 let _e2623 = local_7.member_1[0u];
                                 let _e2629 = local_7.member_1[1u];
@@ -2555,210 +2557,210 @@ fn function_() {
                                 local_6 = array<array<f32, 3>, 4>(_e2689, array<f32, 3>(_e2705, _e2706, _e2707), array<f32, 3>((_e2689[0] - _e2701[0]), (_e2689[1] - _e2701[1]), (_e2689[2] - _e2701[2])), array<f32, 3>((_e2705 - _e2701[0]), (_e2706 - _e2701[1]), (_e2707 - _e2701[2])));
                                 let _e2724 = local_7.member[0u];
                                 if (_e2724[0] < 0f) {
-                                    phi_3974_ = -(_e2724[0]);
+                                    phi_3975_ = -(_e2724[0]);
                                 } else {
-                                    phi_3974_ = _e2724[0];
+                                    phi_3975_ = _e2724[0];
                                 }
-                                let _e2731 = phi_3974_;
+                                let _e2731 = phi_3975_;
                                 if (_e2724[1] < 0f) {
-                                    phi_3981_ = -(_e2724[1]);
+                                    phi_3982_ = -(_e2724[1]);
                                 } else {
-                                    phi_3981_ = _e2724[1];
+                                    phi_3982_ = _e2724[1];
                                 }
-                                let _e2735 = phi_3981_;
+                                let _e2735 = phi_3982_;
                                 if (_e2731 > _e2735) {
-                                    phi_3986_ = _e2731;
+                                    phi_3987_ = _e2731;
                                 } else {
-                                    phi_3986_ = _e2735;
+                                    phi_3987_ = _e2735;
                                 }
-                                let _e2738 = phi_3986_;
+                                let _e2738 = phi_3987_;
                                 if (_e2724[2] < 0f) {
-                                    phi_3993_ = -(_e2724[2]);
+                                    phi_3994_ = -(_e2724[2]);
                                 } else {
-                                    phi_3993_ = _e2724[2];
+                                    phi_3994_ = _e2724[2];
                                 }
-                                let _e2742 = phi_3993_;
+                                let _e2742 = phi_3994_;
                                 if (_e2738 > _e2742) {
-                                    phi_3998_ = _e2738;
+                                    phi_3999_ = _e2738;
                                 } else {
-                                    phi_3998_ = _e2742;
+                                    phi_3999_ = _e2742;
                                 }
-                                let _e2745 = phi_3998_;
+                                let _e2745 = phi_3999_;
                                 let _e2748 = local_7.member[1u];
                                 if (_e2748[0] < 0f) {
-                                    phi_4011_ = -(_e2748[0]);
+                                    phi_4012_ = -(_e2748[0]);
                                 } else {
-                                    phi_4011_ = _e2748[0];
+                                    phi_4012_ = _e2748[0];
                                 }
-                                let _e2755 = phi_4011_;
+                                let _e2755 = phi_4012_;
                                 if (_e2748[1] < 0f) {
-                                    phi_4018_ = -(_e2748[1]);
+                                    phi_4019_ = -(_e2748[1]);
                                 } else {
-                                    phi_4018_ = _e2748[1];
+                                    phi_4019_ = _e2748[1];
                                 }
-                                let _e2759 = phi_4018_;
+                                let _e2759 = phi_4019_;
                                 if (_e2755 > _e2759) {
-                                    phi_4023_ = _e2755;
+                                    phi_4024_ = _e2755;
                                 } else {
-                                    phi_4023_ = _e2759;
+                                    phi_4024_ = _e2759;
                                 }
-                                let _e2762 = phi_4023_;
+                                let _e2762 = phi_4024_;
                                 if (_e2748[2] < 0f) {
-                                    phi_4030_ = -(_e2748[2]);
+                                    phi_4031_ = -(_e2748[2]);
                                 } else {
-                                    phi_4030_ = _e2748[2];
+                                    phi_4031_ = _e2748[2];
                                 }
-                                let _e2766 = phi_4030_;
+                                let _e2766 = phi_4031_;
                                 if (_e2762 > _e2766) {
-                                    phi_4035_ = _e2762;
+                                    phi_4036_ = _e2762;
                                 } else {
-                                    phi_4035_ = _e2766;
+                                    phi_4036_ = _e2766;
                                 }
-                                let _e2769 = phi_4035_;
+                                let _e2769 = phi_4036_;
                                 if (_e2745 > _e2769) {
-                                    phi_4040_ = _e2745;
+                                    phi_4041_ = _e2745;
                                 } else {
-                                    phi_4040_ = _e2769;
+                                    phi_4041_ = _e2769;
                                 }
-                                let _e2772 = phi_4040_;
+                                let _e2772 = phi_4041_;
                                 let _e2774 = local_7.member_3;
                                 let _e2778 = local_7.member_1[0u];
                                 if (_e2778[0] < 0f) {
-                                    phi_4057_ = -(_e2778[0]);
+                                    phi_4058_ = -(_e2778[0]);
                                 } else {
-                                    phi_4057_ = _e2778[0];
+                                    phi_4058_ = _e2778[0];
                                 }
-                                let _e2785 = phi_4057_;
+                                let _e2785 = phi_4058_;
                                 if (_e2778[1] < 0f) {
-                                    phi_4064_ = -(_e2778[1]);
+                                    phi_4065_ = -(_e2778[1]);
                                 } else {
-                                    phi_4064_ = _e2778[1];
+                                    phi_4065_ = _e2778[1];
                                 }
-                                let _e2789 = phi_4064_;
+                                let _e2789 = phi_4065_;
                                 if (_e2785 > _e2789) {
-                                    phi_4069_ = _e2785;
+                                    phi_4070_ = _e2785;
                                 } else {
-                                    phi_4069_ = _e2789;
+                                    phi_4070_ = _e2789;
                                 }
-                                let _e2792 = phi_4069_;
+                                let _e2792 = phi_4070_;
                                 if (_e2778[2] < 0f) {
-                                    phi_4076_ = -(_e2778[2]);
+                                    phi_4077_ = -(_e2778[2]);
                                 } else {
-                                    phi_4076_ = _e2778[2];
+                                    phi_4077_ = _e2778[2];
                                 }
-                                let _e2796 = phi_4076_;
+                                let _e2796 = phi_4077_;
                                 if (_e2792 > _e2796) {
-                                    phi_4081_ = _e2792;
+                                    phi_4082_ = _e2792;
                                 } else {
-                                    phi_4081_ = _e2796;
+                                    phi_4082_ = _e2796;
                                 }
-                                let _e2799 = phi_4081_;
+                                let _e2799 = phi_4082_;
                                 let _e2802 = local_7.member_1[1u];
                                 if (_e2802[0] < 0f) {
-                                    phi_4095_ = -(_e2802[0]);
+                                    phi_4096_ = -(_e2802[0]);
                                 } else {
-                                    phi_4095_ = _e2802[0];
+                                    phi_4096_ = _e2802[0];
                                 }
-                                let _e2809 = phi_4095_;
+                                let _e2809 = phi_4096_;
                                 if (_e2802[1] < 0f) {
-                                    phi_4102_ = -(_e2802[1]);
+                                    phi_4103_ = -(_e2802[1]);
                                 } else {
-                                    phi_4102_ = _e2802[1];
+                                    phi_4103_ = _e2802[1];
                                 }
-                                let _e2813 = phi_4102_;
+                                let _e2813 = phi_4103_;
                                 if (_e2809 > _e2813) {
-                                    phi_4107_ = _e2809;
+                                    phi_4108_ = _e2809;
                                 } else {
-                                    phi_4107_ = _e2813;
+                                    phi_4108_ = _e2813;
                                 }
-                                let _e2816 = phi_4107_;
+                                let _e2816 = phi_4108_;
                                 if (_e2802[2] < 0f) {
-                                    phi_4114_ = -(_e2802[2]);
+                                    phi_4115_ = -(_e2802[2]);
                                 } else {
-                                    phi_4114_ = _e2802[2];
+                                    phi_4115_ = _e2802[2];
                                 }
-                                let _e2820 = phi_4114_;
+                                let _e2820 = phi_4115_;
                                 if (_e2816 > _e2820) {
-                                    phi_4119_ = _e2816;
+                                    phi_4120_ = _e2816;
                                 } else {
-                                    phi_4119_ = _e2820;
+                                    phi_4120_ = _e2820;
                                 }
-                                let _e2823 = phi_4119_;
+                                let _e2823 = phi_4120_;
                                 if (_e2799 > _e2823) {
-                                    phi_4124_ = _e2799;
+                                    phi_4125_ = _e2799;
                                 } else {
-                                    phi_4124_ = _e2823;
+                                    phi_4125_ = _e2823;
                                 }
-                                let _e2826 = phi_4124_;
+                                let _e2826 = phi_4125_;
                                 let _e2828 = local_7.member_3;
                                 let _e2832 = local_7.member_2[0u];
                                 if (_e2832[0] < 0f) {
-                                    phi_4141_ = -(_e2832[0]);
+                                    phi_4142_ = -(_e2832[0]);
                                 } else {
-                                    phi_4141_ = _e2832[0];
+                                    phi_4142_ = _e2832[0];
                                 }
-                                let _e2839 = phi_4141_;
+                                let _e2839 = phi_4142_;
                                 if (_e2832[1] < 0f) {
-                                    phi_4148_ = -(_e2832[1]);
+                                    phi_4149_ = -(_e2832[1]);
                                 } else {
-                                    phi_4148_ = _e2832[1];
+                                    phi_4149_ = _e2832[1];
                                 }
-                                let _e2843 = phi_4148_;
+                                let _e2843 = phi_4149_;
                                 if (_e2839 > _e2843) {
-                                    phi_4153_ = _e2839;
+                                    phi_4154_ = _e2839;
                                 } else {
-                                    phi_4153_ = _e2843;
+                                    phi_4154_ = _e2843;
                                 }
-                                let _e2846 = phi_4153_;
+                                let _e2846 = phi_4154_;
                                 if (_e2832[2] < 0f) {
-                                    phi_4160_ = -(_e2832[2]);
+                                    phi_4161_ = -(_e2832[2]);
                                 } else {
-                                    phi_4160_ = _e2832[2];
+                                    phi_4161_ = _e2832[2];
                                 }
-                                let _e2850 = phi_4160_;
+                                let _e2850 = phi_4161_;
                                 if (_e2846 > _e2850) {
-                                    phi_4165_ = _e2846;
+                                    phi_4166_ = _e2846;
                                 } else {
-                                    phi_4165_ = _e2850;
+                                    phi_4166_ = _e2850;
                                 }
-                                let _e2853 = phi_4165_;
+                                let _e2853 = phi_4166_;
                                 let _e2856 = local_7.member_2[1u];
                                 if (_e2856[0] < 0f) {
-                                    phi_4179_ = -(_e2856[0]);
+                                    phi_4180_ = -(_e2856[0]);
                                 } else {
-                                    phi_4179_ = _e2856[0];
+                                    phi_4180_ = _e2856[0];
                                 }
-                                let _e2863 = phi_4179_;
+                                let _e2863 = phi_4180_;
                                 if (_e2856[1] < 0f) {
-                                    phi_4186_ = -(_e2856[1]);
+                                    phi_4187_ = -(_e2856[1]);
                                 } else {
-                                    phi_4186_ = _e2856[1];
+                                    phi_4187_ = _e2856[1];
                                 }
-                                let _e2867 = phi_4186_;
+                                let _e2867 = phi_4187_;
                                 if (_e2863 > _e2867) {
-                                    phi_4191_ = _e2863;
+                                    phi_4192_ = _e2863;
                                 } else {
-                                    phi_4191_ = _e2867;
+                                    phi_4192_ = _e2867;
                                 }
-                                let _e2870 = phi_4191_;
+                                let _e2870 = phi_4192_;
                                 if (_e2856[2] < 0f) {
-                                    phi_4198_ = -(_e2856[2]);
+                                    phi_4199_ = -(_e2856[2]);
                                 } else {
-                                    phi_4198_ = _e2856[2];
+                                    phi_4199_ = _e2856[2];
                                 }
-                                let _e2874 = phi_4198_;
+                                let _e2874 = phi_4199_;
                                 if (_e2870 > _e2874) {
-                                    phi_4203_ = _e2870;
+                                    phi_4204_ = _e2870;
                                 } else {
-                                    phi_4203_ = _e2874;
+                                    phi_4204_ = _e2874;
                                 }
-                                let _e2877 = phi_4203_;
+                                let _e2877 = phi_4204_;
                                 if (_e2853 > _e2877) {
-                                    phi_4208_ = _e2853;
+                                    phi_4209_ = _e2853;
                                 } else {
-                                    phi_4208_ = _e2877;
+                                    phi_4209_ = _e2877;
                                 }
-                                let _e2880 = phi_4208_;
+                                let _e2880 = phi_4209_;
                                 let _e2882 = local_7.member_3;
                                 let _e2885 = (((_e2772 + _e2774) + (_e2826 + _e2828)) + (_e2880 + _e2882));
                                 let _e2888 = local_7.member_3;
@@ -2768,25 +2770,25 @@ fn function_() {
                                 let _e2901 = ((_e2653 * _e2634) - (_e2656 * _e2633));
                                 let _e2903 = local_5[0u];
                                 let _e2911 = (((_e2895 * _e2903[0]) + (_e2898 * _e2903[1])) + (_e2901 * _e2903[2]));
-                                phi_4246_ = type_35(0u, 4u);
-                                phi_4249_ = _e2911;
-                                phi_4251_ = _e2911;
+                                phi_4247_ = type_36(0u, 4u);
+                                phi_4250_ = _e2911;
+                                phi_4252_ = _e2911;
                                 loop {
-                                    let _e2913 = phi_4246_;
-                                    let _e2915 = phi_4249_;
-                                    let _e2917 = phi_4251_;
+                                    let _e2913 = phi_4247_;
+                                    let _e2915 = phi_4250_;
+                                    let _e2917 = phi_4252_;
                                     local_52 = _e2915;
                                     local_53 = _e2917;
                                     local_67 = _e2917;
                                     if (_e2913.member < _e2913.member_1) {
-                                        phi_4247_ = type_35((_e2913.member + 1u), _e2913.member_1);
-                                        phi_4274_ = type_35(1u, _e2913.member);
+                                        phi_4248_ = type_36((_e2913.member + 1u), _e2913.member_1);
+                                        phi_4275_ = type_36(1u, _e2913.member);
                                     } else {
-                                        phi_4247_ = _e2913;
-                                        phi_4274_ = type_35(0u, type_35().member_1);
+                                        phi_4248_ = _e2913;
+                                        phi_4275_ = type_36(0u, type_36().member_1);
                                     }
-                                    let _e2931 = phi_4247_;
-                                    let _e2933 = phi_4274_;
+                                    let _e2931 = phi_4248_;
+                                    let _e2933 = phi_4275_;
                                     let _e2937 = (bitcast<i32>(_e2933.member) != 0i);
                                     if _e2937 {
                                         if (_e2933.member_1 < 4u) {
@@ -2802,99 +2804,99 @@ fn function_() {
                                         let _e2951 = local_6[_e2933.member_1];
                                         let _e2959 = (((_e2895 * _e2951[0]) + (_e2898 * _e2951[1])) + (_e2901 * _e2951[2]));
                                         if (_e2917 < _e2948) {
-                                            phi_4324_ = _e2917;
+                                            phi_4325_ = _e2917;
                                         } else {
-                                            phi_4324_ = _e2948;
+                                            phi_4325_ = _e2948;
                                         }
-                                        let _e2962 = phi_4324_;
+                                        let _e2962 = phi_4325_;
                                         if (_e2962 < _e2959) {
-                                            phi_4329_ = _e2962;
+                                            phi_4330_ = _e2962;
                                         } else {
-                                            phi_4329_ = _e2959;
+                                            phi_4330_ = _e2959;
                                         }
-                                        let _e2965 = phi_4329_;
+                                        let _e2965 = phi_4330_;
                                         if (_e2915 > _e2948) {
-                                            phi_4334_ = _e2915;
+                                            phi_4335_ = _e2915;
                                         } else {
-                                            phi_4334_ = _e2948;
+                                            phi_4335_ = _e2948;
                                         }
-                                        let _e2968 = phi_4334_;
+                                        let _e2968 = phi_4335_;
                                         if (_e2968 > _e2959) {
-                                            phi_4339_ = _e2968;
+                                            phi_4340_ = _e2968;
                                         } else {
-                                            phi_4339_ = _e2959;
+                                            phi_4340_ = _e2959;
                                         }
-                                        let _e2971 = phi_4339_;
-                                        phi_4250_ = _e2971;
-                                        phi_4252_ = _e2965;
+                                        let _e2971 = phi_4340_;
+                                        phi_4251_ = _e2971;
+                                        phi_4253_ = _e2965;
                                     } else {
-                                        phi_4250_ = f32();
-                                        phi_4252_ = f32();
+                                        phi_4251_ = f32();
+                                        phi_4253_ = f32();
                                     }
-                                    let _e2973 = phi_4250_;
-                                    let _e2975 = phi_4252_;
+                                    let _e2973 = phi_4251_;
+                                    let _e2975 = phi_4253_;
                                     continue;
                                     continuing {
-                                        phi_4246_ = _e2931;
-                                        phi_4249_ = _e2973;
-                                        phi_4251_ = _e2975;
+                                        phi_4247_ = _e2931;
+                                        phi_4250_ = _e2973;
+                                        phi_4252_ = _e2975;
                                         break if !(_e2937);
                                     }
                                 }
                                 if (_e2895 < 0f) {
-                                    phi_4345_ = -(_e2895);
+                                    phi_4346_ = -(_e2895);
                                 } else {
-                                    phi_4345_ = _e2895;
+                                    phi_4346_ = _e2895;
                                 }
-                                let _e2980 = phi_4345_;
+                                let _e2980 = phi_4346_;
                                 if (_e2898 < 0f) {
-                                    phi_4351_ = -(_e2898);
+                                    phi_4352_ = -(_e2898);
                                 } else {
-                                    phi_4351_ = _e2898;
+                                    phi_4352_ = _e2898;
                                 }
-                                let _e2984 = phi_4351_;
+                                let _e2984 = phi_4352_;
                                 if (_e2901 < 0f) {
-                                    phi_4358_ = -(_e2901);
+                                    phi_4359_ = -(_e2901);
                                 } else {
-                                    phi_4358_ = _e2901;
+                                    phi_4359_ = _e2901;
                                 }
-                                let _e2989 = phi_4358_;
+                                let _e2989 = phi_4359_;
                                 let _e2990 = ((_e2980 + _e2984) + _e2989);
                                 let _e2995 = local_52;
                                 let _e2996 = -(_e2995);
                                 let _e2998 = local_53;
                                 if (_e2998 > _e2996) {
                                     let _e5527 = local_67;
-                                    phi_4368_ = _e5527;
+                                    phi_4369_ = _e5527;
                                 } else {
-                                    phi_4368_ = _e2996;
+                                    phi_4369_ = _e2996;
                                 }
-                                let _e3001 = phi_4368_;
+                                let _e3001 = phi_4369_;
                                 let _e3006 = (((_e3001 - ((_e2990 * _e2885) * (0.000000059604645f * 17f))) - (_e2990 * _e2892)) - (0.000000000000000000000000000000000000011754944f * 64f));
                                 let _e3009 = ((_e2656 * _e2650) - (_e2659 * _e2649));
                                 let _e3012 = ((_e2659 * _e2648) - (_e2653 * _e2650));
                                 let _e3015 = ((_e2653 * _e2649) - (_e2656 * _e2648));
                                 let _e3017 = local_5[0u];
                                 let _e3025 = (((_e3009 * _e3017[0]) + (_e3012 * _e3017[1])) + (_e3015 * _e3017[2]));
-                                phi_4399_ = type_35(0u, 4u);
-                                phi_4402_ = _e3025;
-                                phi_4404_ = _e3025;
+                                phi_4400_ = type_36(0u, 4u);
+                                phi_4403_ = _e3025;
+                                phi_4405_ = _e3025;
                                 loop {
-                                    let _e3027 = phi_4399_;
-                                    let _e3029 = phi_4402_;
-                                    let _e3031 = phi_4404_;
+                                    let _e3027 = phi_4400_;
+                                    let _e3029 = phi_4403_;
+                                    let _e3031 = phi_4405_;
                                     local_54 = _e3029;
                                     local_55 = _e3031;
                                     local_68 = _e3031;
                                     if (_e3027.member < _e3027.member_1) {
-                                        phi_4400_ = type_35((_e3027.member + 1u), _e3027.member_1);
-                                        phi_4427_ = type_35(1u, _e3027.member);
+                                        phi_4401_ = type_36((_e3027.member + 1u), _e3027.member_1);
+                                        phi_4428_ = type_36(1u, _e3027.member);
                                     } else {
-                                        phi_4400_ = _e3027;
-                                        phi_4427_ = type_35(0u, type_35().member_1);
+                                        phi_4401_ = _e3027;
+                                        phi_4428_ = type_36(0u, type_36().member_1);
                                     }
-                                    let _e3045 = phi_4400_;
-                                    let _e3047 = phi_4427_;
+                                    let _e3045 = phi_4401_;
+                                    let _e3047 = phi_4428_;
                                     let _e3051 = (bitcast<i32>(_e3047.member) != 0i);
                                     if _e3051 {
                                         if (_e3047.member_1 < 4u) {
@@ -2910,86 +2912,86 @@ fn function_() {
                                         let _e3065 = local_6[_e3047.member_1];
                                         let _e3073 = (((_e3009 * _e3065[0]) + (_e3012 * _e3065[1])) + (_e3015 * _e3065[2]));
                                         if (_e3031 < _e3062) {
-                                            phi_4477_ = _e3031;
+                                            phi_4478_ = _e3031;
                                         } else {
-                                            phi_4477_ = _e3062;
+                                            phi_4478_ = _e3062;
                                         }
-                                        let _e3076 = phi_4477_;
+                                        let _e3076 = phi_4478_;
                                         if (_e3076 < _e3073) {
-                                            phi_4482_ = _e3076;
+                                            phi_4483_ = _e3076;
                                         } else {
-                                            phi_4482_ = _e3073;
+                                            phi_4483_ = _e3073;
                                         }
-                                        let _e3079 = phi_4482_;
+                                        let _e3079 = phi_4483_;
                                         if (_e3029 > _e3062) {
-                                            phi_4487_ = _e3029;
+                                            phi_4488_ = _e3029;
                                         } else {
-                                            phi_4487_ = _e3062;
+                                            phi_4488_ = _e3062;
                                         }
-                                        let _e3082 = phi_4487_;
+                                        let _e3082 = phi_4488_;
                                         if (_e3082 > _e3073) {
-                                            phi_4492_ = _e3082;
+                                            phi_4493_ = _e3082;
                                         } else {
-                                            phi_4492_ = _e3073;
+                                            phi_4493_ = _e3073;
                                         }
-                                        let _e3085 = phi_4492_;
-                                        phi_4403_ = _e3085;
-                                        phi_4405_ = _e3079;
+                                        let _e3085 = phi_4493_;
+                                        phi_4404_ = _e3085;
+                                        phi_4406_ = _e3079;
                                     } else {
-                                        phi_4403_ = f32();
-                                        phi_4405_ = f32();
+                                        phi_4404_ = f32();
+                                        phi_4406_ = f32();
                                     }
-                                    let _e3087 = phi_4403_;
-                                    let _e3089 = phi_4405_;
+                                    let _e3087 = phi_4404_;
+                                    let _e3089 = phi_4406_;
                                     continue;
                                     continuing {
-                                        phi_4399_ = _e3045;
-                                        phi_4402_ = _e3087;
-                                        phi_4404_ = _e3089;
+                                        phi_4400_ = _e3045;
+                                        phi_4403_ = _e3087;
+                                        phi_4405_ = _e3089;
                                         break if !(_e3051);
                                     }
                                 }
                                 if (_e3009 < 0f) {
-                                    phi_4498_ = -(_e3009);
+                                    phi_4499_ = -(_e3009);
                                 } else {
-                                    phi_4498_ = _e3009;
+                                    phi_4499_ = _e3009;
                                 }
-                                let _e3094 = phi_4498_;
+                                let _e3094 = phi_4499_;
                                 if (_e3012 < 0f) {
-                                    phi_4504_ = -(_e3012);
+                                    phi_4505_ = -(_e3012);
                                 } else {
-                                    phi_4504_ = _e3012;
+                                    phi_4505_ = _e3012;
                                 }
-                                let _e3098 = phi_4504_;
+                                let _e3098 = phi_4505_;
                                 if (_e3015 < 0f) {
-                                    phi_4511_ = -(_e3015);
+                                    phi_4512_ = -(_e3015);
                                 } else {
-                                    phi_4511_ = _e3015;
+                                    phi_4512_ = _e3015;
                                 }
-                                let _e3103 = phi_4511_;
+                                let _e3103 = phi_4512_;
                                 let _e3104 = ((_e3094 + _e3098) + _e3103);
                                 let _e3109 = local_54;
                                 let _e3110 = -(_e3109);
                                 let _e3112 = local_55;
                                 if (_e3112 > _e3110) {
                                     let _e5546 = local_68;
-                                    phi_4521_ = _e5546;
+                                    phi_4522_ = _e5546;
                                 } else {
-                                    phi_4521_ = _e3110;
+                                    phi_4522_ = _e3110;
                                 }
-                                let _e3115 = phi_4521_;
+                                let _e3115 = phi_4522_;
                                 let _e3120 = (((_e3115 - ((_e3104 * _e2885) * (0.000000059604645f * 17f))) - (_e3104 * _e2892)) - (0.000000000000000000000000000000000000011754944f * 64f));
                                 if (_e3006 > _e3120) {
-                                    phi_4531_ = _e3006;
+                                    phi_4532_ = _e3006;
                                 } else {
-                                    phi_4531_ = _e3120;
+                                    phi_4532_ = _e3120;
                                 }
-                                let _e3123 = phi_4531_;
-                                phi_4699_ = (_e3123 > 0f);
+                                let _e3123 = phi_4532_;
+                                phi_4700_ = (_e3123 > 0f);
                             }
-                            let _e3126 = phi_4699_;
+                            let _e3126 = phi_4700_;
                             if _e3126 {
-                                phi_8135_ = false;
+                                phi_8136_ = false;
                             } else {
                                 let _e3129 = local_7.member[0u];
                                 let _e3135 = local_7.member[1u];
@@ -3014,7 +3016,7 @@ fn function_() {
                                 let _e3197 = local_7.member_1[1u];
                                 let _e3200 = local_7.member_2[1u];
                                 let _e3202 = local_7.member_3;
-                                local_4 = array<type_70, 2>(type_70(array<array<f32, 3>, 2>(_e3183, array<f32, 3>(_e3142, _e3143, _e3144)), array<array<f32, 3>, 2>(_e3186, array<f32, 3>(_e3160, _e3161, _e3162)), array<array<f32, 3>, 2>(_e3189, array<f32, 3>(_e3178, _e3179, _e3180)), _e3191), type_70(array<array<f32, 3>, 2>(array<f32, 3>(_e3142, _e3143, _e3144), _e3194), array<array<f32, 3>, 2>(array<f32, 3>(_e3160, _e3161, _e3162), _e3197), array<array<f32, 3>, 2>(array<f32, 3>(_e3178, _e3179, _e3180), _e3200), _e3202));
+                                local_4 = array<type_71, 2>(type_71(array<array<f32, 3>, 2>(_e3183, array<f32, 3>(_e3142, _e3143, _e3144)), array<array<f32, 3>, 2>(_e3186, array<f32, 3>(_e3160, _e3161, _e3162)), array<array<f32, 3>, 2>(_e3189, array<f32, 3>(_e3178, _e3179, _e3180)), _e3191), type_71(array<array<f32, 3>, 2>(array<f32, 3>(_e3142, _e3143, _e3144), _e3194), array<array<f32, 3>, 2>(array<f32, 3>(_e3160, _e3161, _e3162), _e3197), array<array<f32, 3>, 2>(array<f32, 3>(_e3178, _e3179, _e3180), _e3200), _e3202));
                                 let _e3221 = local_4[0u].member_1[0u];
                                 let _e3227 = local_4[0u].member_2[0u];
                                 let _e3233 = ((_e3221[1] * _e3227[2]) - (_e3221[2] * _e3227[1]));
@@ -3042,333 +3044,333 @@ fn function_() {
                                 let _e3365 = local_4[0u].member[1u];
                                 let _e3376 = local_4[0u].member[0u];
                                 if (_e3376[0] < 0f) {
-                                    phi_5156_ = -(_e3376[0]);
+                                    phi_5157_ = -(_e3376[0]);
                                 } else {
-                                    phi_5156_ = _e3376[0];
+                                    phi_5157_ = _e3376[0];
                                 }
-                                let _e3383 = phi_5156_;
+                                let _e3383 = phi_5157_;
                                 if (_e3376[1] < 0f) {
-                                    phi_5163_ = -(_e3376[1]);
+                                    phi_5164_ = -(_e3376[1]);
                                 } else {
-                                    phi_5163_ = _e3376[1];
+                                    phi_5164_ = _e3376[1];
                                 }
-                                let _e3387 = phi_5163_;
+                                let _e3387 = phi_5164_;
                                 if (_e3383 > _e3387) {
-                                    phi_5168_ = _e3383;
+                                    phi_5169_ = _e3383;
                                 } else {
-                                    phi_5168_ = _e3387;
+                                    phi_5169_ = _e3387;
                                 }
-                                let _e3390 = phi_5168_;
+                                let _e3390 = phi_5169_;
                                 if (_e3376[2] < 0f) {
-                                    phi_5175_ = -(_e3376[2]);
+                                    phi_5176_ = -(_e3376[2]);
                                 } else {
-                                    phi_5175_ = _e3376[2];
+                                    phi_5176_ = _e3376[2];
                                 }
-                                let _e3394 = phi_5175_;
+                                let _e3394 = phi_5176_;
                                 if (_e3390 > _e3394) {
-                                    phi_5180_ = _e3390;
+                                    phi_5181_ = _e3390;
                                 } else {
-                                    phi_5180_ = _e3394;
+                                    phi_5181_ = _e3394;
                                 }
-                                let _e3397 = phi_5180_;
+                                let _e3397 = phi_5181_;
                                 let _e3400 = local_4[0u].member[1u];
                                 if (_e3400[0] < 0f) {
-                                    phi_5193_ = -(_e3400[0]);
+                                    phi_5194_ = -(_e3400[0]);
                                 } else {
-                                    phi_5193_ = _e3400[0];
+                                    phi_5194_ = _e3400[0];
                                 }
-                                let _e3407 = phi_5193_;
+                                let _e3407 = phi_5194_;
                                 if (_e3400[1] < 0f) {
-                                    phi_5200_ = -(_e3400[1]);
+                                    phi_5201_ = -(_e3400[1]);
                                 } else {
-                                    phi_5200_ = _e3400[1];
+                                    phi_5201_ = _e3400[1];
                                 }
-                                let _e3411 = phi_5200_;
+                                let _e3411 = phi_5201_;
                                 if (_e3407 > _e3411) {
-                                    phi_5205_ = _e3407;
+                                    phi_5206_ = _e3407;
                                 } else {
-                                    phi_5205_ = _e3411;
+                                    phi_5206_ = _e3411;
                                 }
-                                let _e3414 = phi_5205_;
+                                let _e3414 = phi_5206_;
                                 if (_e3400[2] < 0f) {
-                                    phi_5212_ = -(_e3400[2]);
+                                    phi_5213_ = -(_e3400[2]);
                                 } else {
-                                    phi_5212_ = _e3400[2];
+                                    phi_5213_ = _e3400[2];
                                 }
-                                let _e3418 = phi_5212_;
+                                let _e3418 = phi_5213_;
                                 if (_e3414 > _e3418) {
-                                    phi_5217_ = _e3414;
+                                    phi_5218_ = _e3414;
                                 } else {
-                                    phi_5217_ = _e3418;
+                                    phi_5218_ = _e3418;
                                 }
-                                let _e3421 = phi_5217_;
+                                let _e3421 = phi_5218_;
                                 if (_e3397 > _e3421) {
-                                    phi_5222_ = _e3397;
+                                    phi_5223_ = _e3397;
                                 } else {
-                                    phi_5222_ = _e3421;
+                                    phi_5223_ = _e3421;
                                 }
-                                let _e3424 = phi_5222_;
+                                let _e3424 = phi_5223_;
                                 let _e3426 = local_4[0u].member_3;
                                 let _e3427 = (_e3424 + _e3426);
                                 let _e3430 = local_4[0u].member_1[0u];
                                 if (_e3430[0] < 0f) {
-                                    phi_5239_ = -(_e3430[0]);
+                                    phi_5240_ = -(_e3430[0]);
                                 } else {
-                                    phi_5239_ = _e3430[0];
+                                    phi_5240_ = _e3430[0];
                                 }
-                                let _e3437 = phi_5239_;
+                                let _e3437 = phi_5240_;
                                 if (_e3430[1] < 0f) {
-                                    phi_5246_ = -(_e3430[1]);
+                                    phi_5247_ = -(_e3430[1]);
                                 } else {
-                                    phi_5246_ = _e3430[1];
+                                    phi_5247_ = _e3430[1];
                                 }
-                                let _e3441 = phi_5246_;
+                                let _e3441 = phi_5247_;
                                 if (_e3437 > _e3441) {
-                                    phi_5251_ = _e3437;
+                                    phi_5252_ = _e3437;
                                 } else {
-                                    phi_5251_ = _e3441;
+                                    phi_5252_ = _e3441;
                                 }
-                                let _e3444 = phi_5251_;
+                                let _e3444 = phi_5252_;
                                 if (_e3430[2] < 0f) {
-                                    phi_5258_ = -(_e3430[2]);
+                                    phi_5259_ = -(_e3430[2]);
                                 } else {
-                                    phi_5258_ = _e3430[2];
+                                    phi_5259_ = _e3430[2];
                                 }
-                                let _e3448 = phi_5258_;
+                                let _e3448 = phi_5259_;
                                 if (_e3444 > _e3448) {
-                                    phi_5263_ = _e3444;
+                                    phi_5264_ = _e3444;
                                 } else {
-                                    phi_5263_ = _e3448;
+                                    phi_5264_ = _e3448;
                                 }
-                                let _e3451 = phi_5263_;
+                                let _e3451 = phi_5264_;
                                 let _e3454 = local_4[0u].member_1[1u];
                                 if (_e3454[0] < 0f) {
-                                    phi_5277_ = -(_e3454[0]);
+                                    phi_5278_ = -(_e3454[0]);
                                 } else {
-                                    phi_5277_ = _e3454[0];
+                                    phi_5278_ = _e3454[0];
                                 }
-                                let _e3461 = phi_5277_;
+                                let _e3461 = phi_5278_;
                                 if (_e3454[1] < 0f) {
-                                    phi_5284_ = -(_e3454[1]);
+                                    phi_5285_ = -(_e3454[1]);
                                 } else {
-                                    phi_5284_ = _e3454[1];
+                                    phi_5285_ = _e3454[1];
                                 }
-                                let _e3465 = phi_5284_;
+                                let _e3465 = phi_5285_;
                                 if (_e3461 > _e3465) {
-                                    phi_5289_ = _e3461;
+                                    phi_5290_ = _e3461;
                                 } else {
-                                    phi_5289_ = _e3465;
+                                    phi_5290_ = _e3465;
                                 }
-                                let _e3468 = phi_5289_;
+                                let _e3468 = phi_5290_;
                                 if (_e3454[2] < 0f) {
-                                    phi_5296_ = -(_e3454[2]);
+                                    phi_5297_ = -(_e3454[2]);
                                 } else {
-                                    phi_5296_ = _e3454[2];
+                                    phi_5297_ = _e3454[2];
                                 }
-                                let _e3472 = phi_5296_;
+                                let _e3472 = phi_5297_;
                                 if (_e3468 > _e3472) {
-                                    phi_5301_ = _e3468;
+                                    phi_5302_ = _e3468;
                                 } else {
-                                    phi_5301_ = _e3472;
+                                    phi_5302_ = _e3472;
                                 }
-                                let _e3475 = phi_5301_;
+                                let _e3475 = phi_5302_;
                                 if (_e3451 > _e3475) {
-                                    phi_5306_ = _e3451;
+                                    phi_5307_ = _e3451;
                                 } else {
-                                    phi_5306_ = _e3475;
+                                    phi_5307_ = _e3475;
                                 }
-                                let _e3478 = phi_5306_;
+                                let _e3478 = phi_5307_;
                                 let _e3480 = local_4[0u].member_3;
                                 let _e3481 = (_e3478 + _e3480);
                                 let _e3484 = local_4[0u].member_2[0u];
                                 if (_e3484[0] < 0f) {
-                                    phi_5323_ = -(_e3484[0]);
+                                    phi_5324_ = -(_e3484[0]);
                                 } else {
-                                    phi_5323_ = _e3484[0];
+                                    phi_5324_ = _e3484[0];
                                 }
-                                let _e3491 = phi_5323_;
+                                let _e3491 = phi_5324_;
                                 if (_e3484[1] < 0f) {
-                                    phi_5330_ = -(_e3484[1]);
+                                    phi_5331_ = -(_e3484[1]);
                                 } else {
-                                    phi_5330_ = _e3484[1];
+                                    phi_5331_ = _e3484[1];
                                 }
-                                let _e3495 = phi_5330_;
+                                let _e3495 = phi_5331_;
                                 if (_e3491 > _e3495) {
-                                    phi_5335_ = _e3491;
+                                    phi_5336_ = _e3491;
                                 } else {
-                                    phi_5335_ = _e3495;
+                                    phi_5336_ = _e3495;
                                 }
-                                let _e3498 = phi_5335_;
+                                let _e3498 = phi_5336_;
                                 if (_e3484[2] < 0f) {
-                                    phi_5342_ = -(_e3484[2]);
+                                    phi_5343_ = -(_e3484[2]);
                                 } else {
-                                    phi_5342_ = _e3484[2];
+                                    phi_5343_ = _e3484[2];
                                 }
-                                let _e3502 = phi_5342_;
+                                let _e3502 = phi_5343_;
                                 if (_e3498 > _e3502) {
-                                    phi_5347_ = _e3498;
+                                    phi_5348_ = _e3498;
                                 } else {
-                                    phi_5347_ = _e3502;
+                                    phi_5348_ = _e3502;
                                 }
-                                let _e3505 = phi_5347_;
+                                let _e3505 = phi_5348_;
                                 let _e3508 = local_4[0u].member_2[1u];
                                 if (_e3508[0] < 0f) {
-                                    phi_5361_ = -(_e3508[0]);
+                                    phi_5362_ = -(_e3508[0]);
                                 } else {
-                                    phi_5361_ = _e3508[0];
+                                    phi_5362_ = _e3508[0];
                                 }
-                                let _e3515 = phi_5361_;
+                                let _e3515 = phi_5362_;
                                 if (_e3508[1] < 0f) {
-                                    phi_5368_ = -(_e3508[1]);
+                                    phi_5369_ = -(_e3508[1]);
                                 } else {
-                                    phi_5368_ = _e3508[1];
+                                    phi_5369_ = _e3508[1];
                                 }
-                                let _e3519 = phi_5368_;
+                                let _e3519 = phi_5369_;
                                 if (_e3515 > _e3519) {
-                                    phi_5373_ = _e3515;
+                                    phi_5374_ = _e3515;
                                 } else {
-                                    phi_5373_ = _e3519;
+                                    phi_5374_ = _e3519;
                                 }
-                                let _e3522 = phi_5373_;
+                                let _e3522 = phi_5374_;
                                 if (_e3508[2] < 0f) {
-                                    phi_5380_ = -(_e3508[2]);
+                                    phi_5381_ = -(_e3508[2]);
                                 } else {
-                                    phi_5380_ = _e3508[2];
+                                    phi_5381_ = _e3508[2];
                                 }
-                                let _e3526 = phi_5380_;
+                                let _e3526 = phi_5381_;
                                 if (_e3522 > _e3526) {
-                                    phi_5385_ = _e3522;
+                                    phi_5386_ = _e3522;
                                 } else {
-                                    phi_5385_ = _e3526;
+                                    phi_5386_ = _e3526;
                                 }
-                                let _e3529 = phi_5385_;
+                                let _e3529 = phi_5386_;
                                 if (_e3505 > _e3529) {
-                                    phi_5390_ = _e3505;
+                                    phi_5391_ = _e3505;
                                 } else {
-                                    phi_5390_ = _e3529;
+                                    phi_5391_ = _e3529;
                                 }
-                                let _e3532 = phi_5390_;
+                                let _e3532 = phi_5391_;
                                 let _e3534 = local_4[0u].member_3;
                                 let _e3535 = (_e3532 + _e3534);
                                 let _e3537 = ((_e3481 * 8f) * _e3535);
                                 let _e3544 = local_4[0u].member_3;
                                 if (_e3233 < 0f) {
-                                    phi_5421_ = -(_e3233);
+                                    phi_5422_ = -(_e3233);
                                 } else {
-                                    phi_5421_ = _e3233;
+                                    phi_5422_ = _e3233;
                                 }
-                                let _e3561 = phi_5421_;
+                                let _e3561 = phi_5422_;
                                 if (_e3236 < 0f) {
-                                    phi_5427_ = -(_e3236);
+                                    phi_5428_ = -(_e3236);
                                 } else {
-                                    phi_5427_ = _e3236;
+                                    phi_5428_ = _e3236;
                                 }
-                                let _e3565 = phi_5427_;
+                                let _e3565 = phi_5428_;
                                 if (_e3239 < 0f) {
-                                    phi_5434_ = -(_e3239);
+                                    phi_5435_ = -(_e3239);
                                 } else {
-                                    phi_5434_ = _e3239;
+                                    phi_5435_ = _e3239;
                                 }
-                                let _e3570 = phi_5434_;
+                                let _e3570 = phi_5435_;
                                 let _e3571 = ((_e3561 + _e3565) + _e3570);
                                 if (_e3254 < 0f) {
-                                    phi_5441_ = -(_e3254);
+                                    phi_5442_ = -(_e3254);
                                 } else {
-                                    phi_5441_ = _e3254;
+                                    phi_5442_ = _e3254;
                                 }
-                                let _e3575 = phi_5441_;
+                                let _e3575 = phi_5442_;
                                 if (_e3257 < 0f) {
-                                    phi_5447_ = -(_e3257);
+                                    phi_5448_ = -(_e3257);
                                 } else {
-                                    phi_5447_ = _e3257;
+                                    phi_5448_ = _e3257;
                                 }
-                                let _e3579 = phi_5447_;
+                                let _e3579 = phi_5448_;
                                 if (_e3260 < 0f) {
-                                    phi_5454_ = -(_e3260);
+                                    phi_5455_ = -(_e3260);
                                 } else {
-                                    phi_5454_ = _e3260;
+                                    phi_5455_ = _e3260;
                                 }
-                                let _e3584 = phi_5454_;
+                                let _e3584 = phi_5455_;
                                 let _e3585 = ((_e3575 + _e3579) + _e3584);
                                 if (_e3571 > _e3585) {
-                                    phi_5460_ = _e3571;
+                                    phi_5461_ = _e3571;
                                 } else {
-                                    phi_5460_ = _e3585;
+                                    phi_5461_ = _e3585;
                                 }
-                                let _e3588 = phi_5460_;
+                                let _e3588 = phi_5461_;
                                 if (_e3303 < 0f) {
-                                    phi_5466_ = -(_e3303);
+                                    phi_5467_ = -(_e3303);
                                 } else {
-                                    phi_5466_ = _e3303;
+                                    phi_5467_ = _e3303;
                                 }
-                                let _e3592 = phi_5466_;
+                                let _e3592 = phi_5467_;
                                 if (_e3304 < 0f) {
-                                    phi_5472_ = -(_e3304);
+                                    phi_5473_ = -(_e3304);
                                 } else {
-                                    phi_5472_ = _e3304;
+                                    phi_5473_ = _e3304;
                                 }
-                                let _e3596 = phi_5472_;
+                                let _e3596 = phi_5473_;
                                 if (_e3305 < 0f) {
-                                    phi_5479_ = -(_e3305);
+                                    phi_5480_ = -(_e3305);
                                 } else {
-                                    phi_5479_ = _e3305;
+                                    phi_5480_ = _e3305;
                                 }
-                                let _e3601 = phi_5479_;
+                                let _e3601 = phi_5480_;
                                 let _e3603 = (((_e3592 + _e3596) + _e3601) * 0.5f);
                                 if (_e3588 > _e3603) {
-                                    phi_5486_ = _e3588;
+                                    phi_5487_ = _e3588;
                                 } else {
-                                    phi_5486_ = _e3603;
+                                    phi_5487_ = _e3603;
                                 }
-                                let _e3606 = phi_5486_;
+                                let _e3606 = phi_5487_;
                                 let _e3611 = local_4[0u].member_3;
                                 let _e3624 = ((((_e3308[0] * _e3233) + (_e3308[1] * _e3236)) + (_e3308[2] * _e3239)) * 3f);
                                 let _e3625 = ((((_e3365[0] * _e3254) + (_e3365[1] * _e3257)) + (_e3365[2] * _e3260)) * 3f);
                                 if (_e3624 < _e3625) {
-                                    phi_5510_ = _e3624;
+                                    phi_5511_ = _e3624;
                                 } else {
-                                    phi_5510_ = _e3625;
+                                    phi_5511_ = _e3625;
                                 }
-                                let _e3628 = phi_5510_;
+                                let _e3628 = phi_5511_;
                                 if (_e3339 < _e3362) {
-                                    phi_5515_ = _e3339;
+                                    phi_5516_ = _e3339;
                                 } else {
-                                    phi_5515_ = _e3362;
+                                    phi_5516_ = _e3362;
                                 }
-                                let _e3631 = phi_5515_;
+                                let _e3631 = phi_5516_;
                                 if (_e3628 < _e3631) {
-                                    phi_5520_ = _e3628;
+                                    phi_5521_ = _e3628;
                                 } else {
-                                    phi_5520_ = _e3631;
+                                    phi_5521_ = _e3631;
                                 }
-                                let _e3634 = phi_5520_;
+                                let _e3634 = phi_5521_;
                                 if (_e3624 > _e3625) {
-                                    phi_5525_ = _e3624;
+                                    phi_5526_ = _e3624;
                                 } else {
-                                    phi_5525_ = _e3625;
+                                    phi_5526_ = _e3625;
                                 }
-                                let _e3637 = phi_5525_;
+                                let _e3637 = phi_5526_;
                                 if (_e3339 > _e3362) {
-                                    phi_5530_ = _e3339;
+                                    phi_5531_ = _e3339;
                                 } else {
-                                    phi_5530_ = _e3362;
+                                    phi_5531_ = _e3362;
                                 }
-                                let _e3640 = phi_5530_;
+                                let _e3640 = phi_5531_;
                                 if (_e3637 > _e3640) {
-                                    phi_5535_ = _e3637;
+                                    phi_5536_ = _e3637;
                                 } else {
-                                    phi_5535_ = _e3640;
+                                    phi_5536_ = _e3640;
                                 }
-                                let _e3643 = phi_5535_;
+                                let _e3643 = phi_5536_;
                                 let _e3648 = -(_e3643);
                                 if (_e3634 > _e3648) {
-                                    phi_5545_ = _e3634;
+                                    phi_5546_ = _e3634;
                                 } else {
-                                    phi_5545_ = _e3648;
+                                    phi_5546_ = _e3648;
                                 }
-                                let _e3651 = phi_5545_;
+                                let _e3651 = phi_5546_;
                                 if ((_e3651 - ((((((_e3427 * 8f) * _e3537) * (0.000000059604645f * (490f / 64f))) + ((_e3544 * 19f) * ((_e3427 * (_e3481 + _e3535)) + (_e3481 * _e3535)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3427) * ((1f + _e3481) * (1f + _e3535))))) + ((_e2108 * (((_e3606 + (_e3537 * (0.000000059604645f * 4f))) + ((_e3611 * 6f) * (_e3481 + _e3535))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3481) * (1f + _e3535))))) * (3f * 1.0001f)))) > 0f) {
-                                    phi_6521_ = true;
+                                    phi_6522_ = true;
                                 } else {
                                     let _e3656 = local_4[0u].member_1[0u];
                                     let _e3662 = local_4[0u].member_1[1u];
@@ -3399,210 +3401,210 @@ fn function_() {
                                     local_3 = array<array<f32, 3>, 4>(_e3722, array<f32, 3>(_e3738, _e3739, _e3740), array<f32, 3>((_e3722[0] - _e3734[0]), (_e3722[1] - _e3734[1]), (_e3722[2] - _e3734[2])), array<f32, 3>((_e3738 - _e3734[0]), (_e3739 - _e3734[1]), (_e3740 - _e3734[2])));
                                     let _e3757 = local_4[0u].member[0u];
                                     if (_e3757[0] < 0f) {
-                                        phi_5796_ = -(_e3757[0]);
+                                        phi_5797_ = -(_e3757[0]);
                                     } else {
-                                        phi_5796_ = _e3757[0];
+                                        phi_5797_ = _e3757[0];
                                     }
-                                    let _e3764 = phi_5796_;
+                                    let _e3764 = phi_5797_;
                                     if (_e3757[1] < 0f) {
-                                        phi_5803_ = -(_e3757[1]);
+                                        phi_5804_ = -(_e3757[1]);
                                     } else {
-                                        phi_5803_ = _e3757[1];
+                                        phi_5804_ = _e3757[1];
                                     }
-                                    let _e3768 = phi_5803_;
+                                    let _e3768 = phi_5804_;
                                     if (_e3764 > _e3768) {
-                                        phi_5808_ = _e3764;
+                                        phi_5809_ = _e3764;
                                     } else {
-                                        phi_5808_ = _e3768;
+                                        phi_5809_ = _e3768;
                                     }
-                                    let _e3771 = phi_5808_;
+                                    let _e3771 = phi_5809_;
                                     if (_e3757[2] < 0f) {
-                                        phi_5815_ = -(_e3757[2]);
+                                        phi_5816_ = -(_e3757[2]);
                                     } else {
-                                        phi_5815_ = _e3757[2];
+                                        phi_5816_ = _e3757[2];
                                     }
-                                    let _e3775 = phi_5815_;
+                                    let _e3775 = phi_5816_;
                                     if (_e3771 > _e3775) {
-                                        phi_5820_ = _e3771;
+                                        phi_5821_ = _e3771;
                                     } else {
-                                        phi_5820_ = _e3775;
+                                        phi_5821_ = _e3775;
                                     }
-                                    let _e3778 = phi_5820_;
+                                    let _e3778 = phi_5821_;
                                     let _e3781 = local_4[0u].member[1u];
                                     if (_e3781[0] < 0f) {
-                                        phi_5833_ = -(_e3781[0]);
+                                        phi_5834_ = -(_e3781[0]);
                                     } else {
-                                        phi_5833_ = _e3781[0];
+                                        phi_5834_ = _e3781[0];
                                     }
-                                    let _e3788 = phi_5833_;
+                                    let _e3788 = phi_5834_;
                                     if (_e3781[1] < 0f) {
-                                        phi_5840_ = -(_e3781[1]);
+                                        phi_5841_ = -(_e3781[1]);
                                     } else {
-                                        phi_5840_ = _e3781[1];
+                                        phi_5841_ = _e3781[1];
                                     }
-                                    let _e3792 = phi_5840_;
+                                    let _e3792 = phi_5841_;
                                     if (_e3788 > _e3792) {
-                                        phi_5845_ = _e3788;
+                                        phi_5846_ = _e3788;
                                     } else {
-                                        phi_5845_ = _e3792;
+                                        phi_5846_ = _e3792;
                                     }
-                                    let _e3795 = phi_5845_;
+                                    let _e3795 = phi_5846_;
                                     if (_e3781[2] < 0f) {
-                                        phi_5852_ = -(_e3781[2]);
+                                        phi_5853_ = -(_e3781[2]);
                                     } else {
-                                        phi_5852_ = _e3781[2];
+                                        phi_5853_ = _e3781[2];
                                     }
-                                    let _e3799 = phi_5852_;
+                                    let _e3799 = phi_5853_;
                                     if (_e3795 > _e3799) {
-                                        phi_5857_ = _e3795;
+                                        phi_5858_ = _e3795;
                                     } else {
-                                        phi_5857_ = _e3799;
+                                        phi_5858_ = _e3799;
                                     }
-                                    let _e3802 = phi_5857_;
+                                    let _e3802 = phi_5858_;
                                     if (_e3778 > _e3802) {
-                                        phi_5862_ = _e3778;
+                                        phi_5863_ = _e3778;
                                     } else {
-                                        phi_5862_ = _e3802;
+                                        phi_5863_ = _e3802;
                                     }
-                                    let _e3805 = phi_5862_;
+                                    let _e3805 = phi_5863_;
                                     let _e3807 = local_4[0u].member_3;
                                     let _e3811 = local_4[0u].member_1[0u];
                                     if (_e3811[0] < 0f) {
-                                        phi_5879_ = -(_e3811[0]);
+                                        phi_5880_ = -(_e3811[0]);
                                     } else {
-                                        phi_5879_ = _e3811[0];
+                                        phi_5880_ = _e3811[0];
                                     }
-                                    let _e3818 = phi_5879_;
+                                    let _e3818 = phi_5880_;
                                     if (_e3811[1] < 0f) {
-                                        phi_5886_ = -(_e3811[1]);
+                                        phi_5887_ = -(_e3811[1]);
                                     } else {
-                                        phi_5886_ = _e3811[1];
+                                        phi_5887_ = _e3811[1];
                                     }
-                                    let _e3822 = phi_5886_;
+                                    let _e3822 = phi_5887_;
                                     if (_e3818 > _e3822) {
-                                        phi_5891_ = _e3818;
+                                        phi_5892_ = _e3818;
                                     } else {
-                                        phi_5891_ = _e3822;
+                                        phi_5892_ = _e3822;
                                     }
-                                    let _e3825 = phi_5891_;
+                                    let _e3825 = phi_5892_;
                                     if (_e3811[2] < 0f) {
-                                        phi_5898_ = -(_e3811[2]);
+                                        phi_5899_ = -(_e3811[2]);
                                     } else {
-                                        phi_5898_ = _e3811[2];
+                                        phi_5899_ = _e3811[2];
                                     }
-                                    let _e3829 = phi_5898_;
+                                    let _e3829 = phi_5899_;
                                     if (_e3825 > _e3829) {
-                                        phi_5903_ = _e3825;
+                                        phi_5904_ = _e3825;
                                     } else {
-                                        phi_5903_ = _e3829;
+                                        phi_5904_ = _e3829;
                                     }
-                                    let _e3832 = phi_5903_;
+                                    let _e3832 = phi_5904_;
                                     let _e3835 = local_4[0u].member_1[1u];
                                     if (_e3835[0] < 0f) {
-                                        phi_5917_ = -(_e3835[0]);
+                                        phi_5918_ = -(_e3835[0]);
                                     } else {
-                                        phi_5917_ = _e3835[0];
+                                        phi_5918_ = _e3835[0];
                                     }
-                                    let _e3842 = phi_5917_;
+                                    let _e3842 = phi_5918_;
                                     if (_e3835[1] < 0f) {
-                                        phi_5924_ = -(_e3835[1]);
+                                        phi_5925_ = -(_e3835[1]);
                                     } else {
-                                        phi_5924_ = _e3835[1];
+                                        phi_5925_ = _e3835[1];
                                     }
-                                    let _e3846 = phi_5924_;
+                                    let _e3846 = phi_5925_;
                                     if (_e3842 > _e3846) {
-                                        phi_5929_ = _e3842;
+                                        phi_5930_ = _e3842;
                                     } else {
-                                        phi_5929_ = _e3846;
+                                        phi_5930_ = _e3846;
                                     }
-                                    let _e3849 = phi_5929_;
+                                    let _e3849 = phi_5930_;
                                     if (_e3835[2] < 0f) {
-                                        phi_5936_ = -(_e3835[2]);
+                                        phi_5937_ = -(_e3835[2]);
                                     } else {
-                                        phi_5936_ = _e3835[2];
+                                        phi_5937_ = _e3835[2];
                                     }
-                                    let _e3853 = phi_5936_;
+                                    let _e3853 = phi_5937_;
                                     if (_e3849 > _e3853) {
-                                        phi_5941_ = _e3849;
+                                        phi_5942_ = _e3849;
                                     } else {
-                                        phi_5941_ = _e3853;
+                                        phi_5942_ = _e3853;
                                     }
-                                    let _e3856 = phi_5941_;
+                                    let _e3856 = phi_5942_;
                                     if (_e3832 > _e3856) {
-                                        phi_5946_ = _e3832;
+                                        phi_5947_ = _e3832;
                                     } else {
-                                        phi_5946_ = _e3856;
+                                        phi_5947_ = _e3856;
                                     }
-                                    let _e3859 = phi_5946_;
+                                    let _e3859 = phi_5947_;
                                     let _e3861 = local_4[0u].member_3;
                                     let _e3865 = local_4[0u].member_2[0u];
                                     if (_e3865[0] < 0f) {
-                                        phi_5963_ = -(_e3865[0]);
+                                        phi_5964_ = -(_e3865[0]);
                                     } else {
-                                        phi_5963_ = _e3865[0];
+                                        phi_5964_ = _e3865[0];
                                     }
-                                    let _e3872 = phi_5963_;
+                                    let _e3872 = phi_5964_;
                                     if (_e3865[1] < 0f) {
-                                        phi_5970_ = -(_e3865[1]);
+                                        phi_5971_ = -(_e3865[1]);
                                     } else {
-                                        phi_5970_ = _e3865[1];
+                                        phi_5971_ = _e3865[1];
                                     }
-                                    let _e3876 = phi_5970_;
+                                    let _e3876 = phi_5971_;
                                     if (_e3872 > _e3876) {
-                                        phi_5975_ = _e3872;
+                                        phi_5976_ = _e3872;
                                     } else {
-                                        phi_5975_ = _e3876;
+                                        phi_5976_ = _e3876;
                                     }
-                                    let _e3879 = phi_5975_;
+                                    let _e3879 = phi_5976_;
                                     if (_e3865[2] < 0f) {
-                                        phi_5982_ = -(_e3865[2]);
+                                        phi_5983_ = -(_e3865[2]);
                                     } else {
-                                        phi_5982_ = _e3865[2];
+                                        phi_5983_ = _e3865[2];
                                     }
-                                    let _e3883 = phi_5982_;
+                                    let _e3883 = phi_5983_;
                                     if (_e3879 > _e3883) {
-                                        phi_5987_ = _e3879;
+                                        phi_5988_ = _e3879;
                                     } else {
-                                        phi_5987_ = _e3883;
+                                        phi_5988_ = _e3883;
                                     }
-                                    let _e3886 = phi_5987_;
+                                    let _e3886 = phi_5988_;
                                     let _e3889 = local_4[0u].member_2[1u];
                                     if (_e3889[0] < 0f) {
-                                        phi_6001_ = -(_e3889[0]);
+                                        phi_6002_ = -(_e3889[0]);
                                     } else {
-                                        phi_6001_ = _e3889[0];
+                                        phi_6002_ = _e3889[0];
                                     }
-                                    let _e3896 = phi_6001_;
+                                    let _e3896 = phi_6002_;
                                     if (_e3889[1] < 0f) {
-                                        phi_6008_ = -(_e3889[1]);
+                                        phi_6009_ = -(_e3889[1]);
                                     } else {
-                                        phi_6008_ = _e3889[1];
+                                        phi_6009_ = _e3889[1];
                                     }
-                                    let _e3900 = phi_6008_;
+                                    let _e3900 = phi_6009_;
                                     if (_e3896 > _e3900) {
-                                        phi_6013_ = _e3896;
+                                        phi_6014_ = _e3896;
                                     } else {
-                                        phi_6013_ = _e3900;
+                                        phi_6014_ = _e3900;
                                     }
-                                    let _e3903 = phi_6013_;
+                                    let _e3903 = phi_6014_;
                                     if (_e3889[2] < 0f) {
-                                        phi_6020_ = -(_e3889[2]);
+                                        phi_6021_ = -(_e3889[2]);
                                     } else {
-                                        phi_6020_ = _e3889[2];
+                                        phi_6021_ = _e3889[2];
                                     }
-                                    let _e3907 = phi_6020_;
+                                    let _e3907 = phi_6021_;
                                     if (_e3903 > _e3907) {
-                                        phi_6025_ = _e3903;
+                                        phi_6026_ = _e3903;
                                     } else {
-                                        phi_6025_ = _e3907;
+                                        phi_6026_ = _e3907;
                                     }
-                                    let _e3910 = phi_6025_;
+                                    let _e3910 = phi_6026_;
                                     if (_e3886 > _e3910) {
-                                        phi_6030_ = _e3886;
+                                        phi_6031_ = _e3886;
                                     } else {
-                                        phi_6030_ = _e3910;
+                                        phi_6031_ = _e3910;
                                     }
-                                    let _e3913 = phi_6030_;
+                                    let _e3913 = phi_6031_;
                                     let _e3915 = local_4[0u].member_3;
                                     let _e3918 = (((_e3805 + _e3807) + (_e3859 + _e3861)) + (_e3913 + _e3915));
                                     let _e3921 = local_4[0u].member_3;
@@ -3612,25 +3614,25 @@ fn function_() {
                                     let _e3934 = ((_e3686 * _e3667) - (_e3689 * _e3666));
                                     let _e3936 = local_2[0u];
                                     let _e3944 = (((_e3928 * _e3936[0]) + (_e3931 * _e3936[1])) + (_e3934 * _e3936[2]));
-                                    phi_6068_ = type_35(0u, 4u);
-                                    phi_6071_ = _e3944;
-                                    phi_6073_ = _e3944;
+                                    phi_6069_ = type_36(0u, 4u);
+                                    phi_6072_ = _e3944;
+                                    phi_6074_ = _e3944;
                                     loop {
-                                        let _e3946 = phi_6068_;
-                                        let _e3948 = phi_6071_;
-                                        let _e3950 = phi_6073_;
+                                        let _e3946 = phi_6069_;
+                                        let _e3948 = phi_6072_;
+                                        let _e3950 = phi_6074_;
                                         local_56 = _e3948;
                                         local_57 = _e3950;
                                         local_69 = _e3950;
                                         if (_e3946.member < _e3946.member_1) {
-                                            phi_6069_ = type_35((_e3946.member + 1u), _e3946.member_1);
-                                            phi_6096_ = type_35(1u, _e3946.member);
+                                            phi_6070_ = type_36((_e3946.member + 1u), _e3946.member_1);
+                                            phi_6097_ = type_36(1u, _e3946.member);
                                         } else {
-                                            phi_6069_ = _e3946;
-                                            phi_6096_ = type_35(0u, type_35().member_1);
+                                            phi_6070_ = _e3946;
+                                            phi_6097_ = type_36(0u, type_36().member_1);
                                         }
-                                        let _e3964 = phi_6069_;
-                                        let _e3966 = phi_6096_;
+                                        let _e3964 = phi_6070_;
+                                        let _e3966 = phi_6097_;
                                         let _e3970 = (bitcast<i32>(_e3966.member) != 0i);
                                         if _e3970 {
                                             if (_e3966.member_1 < 4u) {
@@ -3646,99 +3648,99 @@ fn function_() {
                                             let _e3984 = local_3[_e3966.member_1];
                                             let _e3992 = (((_e3928 * _e3984[0]) + (_e3931 * _e3984[1])) + (_e3934 * _e3984[2]));
                                             if (_e3950 < _e3981) {
-                                                phi_6146_ = _e3950;
+                                                phi_6147_ = _e3950;
                                             } else {
-                                                phi_6146_ = _e3981;
+                                                phi_6147_ = _e3981;
                                             }
-                                            let _e3995 = phi_6146_;
+                                            let _e3995 = phi_6147_;
                                             if (_e3995 < _e3992) {
-                                                phi_6151_ = _e3995;
+                                                phi_6152_ = _e3995;
                                             } else {
-                                                phi_6151_ = _e3992;
+                                                phi_6152_ = _e3992;
                                             }
-                                            let _e3998 = phi_6151_;
+                                            let _e3998 = phi_6152_;
                                             if (_e3948 > _e3981) {
-                                                phi_6156_ = _e3948;
+                                                phi_6157_ = _e3948;
                                             } else {
-                                                phi_6156_ = _e3981;
+                                                phi_6157_ = _e3981;
                                             }
-                                            let _e4001 = phi_6156_;
+                                            let _e4001 = phi_6157_;
                                             if (_e4001 > _e3992) {
-                                                phi_6161_ = _e4001;
+                                                phi_6162_ = _e4001;
                                             } else {
-                                                phi_6161_ = _e3992;
+                                                phi_6162_ = _e3992;
                                             }
-                                            let _e4004 = phi_6161_;
-                                            phi_6072_ = _e4004;
-                                            phi_6074_ = _e3998;
+                                            let _e4004 = phi_6162_;
+                                            phi_6073_ = _e4004;
+                                            phi_6075_ = _e3998;
                                         } else {
-                                            phi_6072_ = f32();
-                                            phi_6074_ = f32();
+                                            phi_6073_ = f32();
+                                            phi_6075_ = f32();
                                         }
-                                        let _e4006 = phi_6072_;
-                                        let _e4008 = phi_6074_;
+                                        let _e4006 = phi_6073_;
+                                        let _e4008 = phi_6075_;
                                         continue;
                                         continuing {
-                                            phi_6068_ = _e3964;
-                                            phi_6071_ = _e4006;
-                                            phi_6073_ = _e4008;
+                                            phi_6069_ = _e3964;
+                                            phi_6072_ = _e4006;
+                                            phi_6074_ = _e4008;
                                             break if !(_e3970);
                                         }
                                     }
                                     if (_e3928 < 0f) {
-                                        phi_6167_ = -(_e3928);
+                                        phi_6168_ = -(_e3928);
                                     } else {
-                                        phi_6167_ = _e3928;
+                                        phi_6168_ = _e3928;
                                     }
-                                    let _e4013 = phi_6167_;
+                                    let _e4013 = phi_6168_;
                                     if (_e3931 < 0f) {
-                                        phi_6173_ = -(_e3931);
+                                        phi_6174_ = -(_e3931);
                                     } else {
-                                        phi_6173_ = _e3931;
+                                        phi_6174_ = _e3931;
                                     }
-                                    let _e4017 = phi_6173_;
+                                    let _e4017 = phi_6174_;
                                     if (_e3934 < 0f) {
-                                        phi_6180_ = -(_e3934);
+                                        phi_6181_ = -(_e3934);
                                     } else {
-                                        phi_6180_ = _e3934;
+                                        phi_6181_ = _e3934;
                                     }
-                                    let _e4022 = phi_6180_;
+                                    let _e4022 = phi_6181_;
                                     let _e4023 = ((_e4013 + _e4017) + _e4022);
                                     let _e4028 = local_56;
                                     let _e4029 = -(_e4028);
                                     let _e4031 = local_57;
                                     if (_e4031 > _e4029) {
                                         let _e5651 = local_69;
-                                        phi_6190_ = _e5651;
+                                        phi_6191_ = _e5651;
                                     } else {
-                                        phi_6190_ = _e4029;
+                                        phi_6191_ = _e4029;
                                     }
-                                    let _e4034 = phi_6190_;
+                                    let _e4034 = phi_6191_;
                                     let _e4039 = (((_e4034 - ((_e4023 * _e3918) * (0.000000059604645f * 17f))) - (_e4023 * _e3925)) - (0.000000000000000000000000000000000000011754944f * 64f));
                                     let _e4042 = ((_e3689 * _e3683) - (_e3692 * _e3682));
                                     let _e4045 = ((_e3692 * _e3681) - (_e3686 * _e3683));
                                     let _e4048 = ((_e3686 * _e3682) - (_e3689 * _e3681));
                                     let _e4050 = local_2[0u];
                                     let _e4058 = (((_e4042 * _e4050[0]) + (_e4045 * _e4050[1])) + (_e4048 * _e4050[2]));
-                                    phi_6221_ = type_35(0u, 4u);
-                                    phi_6224_ = _e4058;
-                                    phi_6226_ = _e4058;
+                                    phi_6222_ = type_36(0u, 4u);
+                                    phi_6225_ = _e4058;
+                                    phi_6227_ = _e4058;
                                     loop {
-                                        let _e4060 = phi_6221_;
-                                        let _e4062 = phi_6224_;
-                                        let _e4064 = phi_6226_;
+                                        let _e4060 = phi_6222_;
+                                        let _e4062 = phi_6225_;
+                                        let _e4064 = phi_6227_;
                                         local_58 = _e4062;
                                         local_59 = _e4064;
                                         local_70 = _e4064;
                                         if (_e4060.member < _e4060.member_1) {
-                                            phi_6222_ = type_35((_e4060.member + 1u), _e4060.member_1);
-                                            phi_6249_ = type_35(1u, _e4060.member);
+                                            phi_6223_ = type_36((_e4060.member + 1u), _e4060.member_1);
+                                            phi_6250_ = type_36(1u, _e4060.member);
                                         } else {
-                                            phi_6222_ = _e4060;
-                                            phi_6249_ = type_35(0u, type_35().member_1);
+                                            phi_6223_ = _e4060;
+                                            phi_6250_ = type_36(0u, type_36().member_1);
                                         }
-                                        let _e4078 = phi_6222_;
-                                        let _e4080 = phi_6249_;
+                                        let _e4078 = phi_6223_;
+                                        let _e4080 = phi_6250_;
                                         let _e4084 = (bitcast<i32>(_e4080.member) != 0i);
                                         if _e4084 {
                                             if (_e4080.member_1 < 4u) {
@@ -3754,84 +3756,84 @@ fn function_() {
                                             let _e4098 = local_3[_e4080.member_1];
                                             let _e4106 = (((_e4042 * _e4098[0]) + (_e4045 * _e4098[1])) + (_e4048 * _e4098[2]));
                                             if (_e4064 < _e4095) {
-                                                phi_6299_ = _e4064;
+                                                phi_6300_ = _e4064;
                                             } else {
-                                                phi_6299_ = _e4095;
+                                                phi_6300_ = _e4095;
                                             }
-                                            let _e4109 = phi_6299_;
+                                            let _e4109 = phi_6300_;
                                             if (_e4109 < _e4106) {
-                                                phi_6304_ = _e4109;
+                                                phi_6305_ = _e4109;
                                             } else {
-                                                phi_6304_ = _e4106;
+                                                phi_6305_ = _e4106;
                                             }
-                                            let _e4112 = phi_6304_;
+                                            let _e4112 = phi_6305_;
                                             if (_e4062 > _e4095) {
-                                                phi_6309_ = _e4062;
+                                                phi_6310_ = _e4062;
                                             } else {
-                                                phi_6309_ = _e4095;
+                                                phi_6310_ = _e4095;
                                             }
-                                            let _e4115 = phi_6309_;
+                                            let _e4115 = phi_6310_;
                                             if (_e4115 > _e4106) {
-                                                phi_6314_ = _e4115;
+                                                phi_6315_ = _e4115;
                                             } else {
-                                                phi_6314_ = _e4106;
+                                                phi_6315_ = _e4106;
                                             }
-                                            let _e4118 = phi_6314_;
-                                            phi_6225_ = _e4118;
-                                            phi_6227_ = _e4112;
+                                            let _e4118 = phi_6315_;
+                                            phi_6226_ = _e4118;
+                                            phi_6228_ = _e4112;
                                         } else {
-                                            phi_6225_ = f32();
-                                            phi_6227_ = f32();
+                                            phi_6226_ = f32();
+                                            phi_6228_ = f32();
                                         }
-                                        let _e4120 = phi_6225_;
-                                        let _e4122 = phi_6227_;
+                                        let _e4120 = phi_6226_;
+                                        let _e4122 = phi_6228_;
                                         continue;
                                         continuing {
-                                            phi_6221_ = _e4078;
-                                            phi_6224_ = _e4120;
-                                            phi_6226_ = _e4122;
+                                            phi_6222_ = _e4078;
+                                            phi_6225_ = _e4120;
+                                            phi_6227_ = _e4122;
                                             break if !(_e4084);
                                         }
                                     }
                                     if (_e4042 < 0f) {
-                                        phi_6320_ = -(_e4042);
+                                        phi_6321_ = -(_e4042);
                                     } else {
-                                        phi_6320_ = _e4042;
+                                        phi_6321_ = _e4042;
                                     }
-                                    let _e4127 = phi_6320_;
+                                    let _e4127 = phi_6321_;
                                     if (_e4045 < 0f) {
-                                        phi_6326_ = -(_e4045);
+                                        phi_6327_ = -(_e4045);
                                     } else {
-                                        phi_6326_ = _e4045;
+                                        phi_6327_ = _e4045;
                                     }
-                                    let _e4131 = phi_6326_;
+                                    let _e4131 = phi_6327_;
                                     if (_e4048 < 0f) {
-                                        phi_6333_ = -(_e4048);
+                                        phi_6334_ = -(_e4048);
                                     } else {
-                                        phi_6333_ = _e4048;
+                                        phi_6334_ = _e4048;
                                     }
-                                    let _e4136 = phi_6333_;
+                                    let _e4136 = phi_6334_;
                                     let _e4137 = ((_e4127 + _e4131) + _e4136);
                                     let _e4142 = local_58;
                                     let _e4143 = -(_e4142);
                                     let _e4145 = local_59;
                                     if (_e4145 > _e4143) {
                                         let _e5670 = local_70;
-                                        phi_6343_ = _e5670;
+                                        phi_6344_ = _e5670;
                                     } else {
-                                        phi_6343_ = _e4143;
+                                        phi_6344_ = _e4143;
                                     }
-                                    let _e4148 = phi_6343_;
+                                    let _e4148 = phi_6344_;
                                     let _e4153 = (((_e4148 - ((_e4137 * _e3918) * (0.000000059604645f * 17f))) - (_e4137 * _e3925)) - (0.000000000000000000000000000000000000011754944f * 64f));
                                     if (_e4039 > _e4153) {
-                                        phi_6353_ = _e4039;
+                                        phi_6354_ = _e4039;
                                     } else {
-                                        phi_6353_ = _e4153;
+                                        phi_6354_ = _e4153;
                                     }
-                                    let _e4156 = phi_6353_;
-                                    phi_6521_ = (_e4156 > 0f);
+                                    let _e4156 = phi_6354_;
+                                    phi_6522_ = (_e4156 > 0f);
                                 }
-                                let _e4159 = phi_6521_;
+                                let _e4159 = phi_6522_;
                                 if _e4159 {
                                     let _e4163 = local_4[1u].member_1[0u];
                                     let _e4169 = local_4[1u].member_2[0u];
@@ -3860,333 +3862,333 @@ fn function_() {
                                     let _e4307 = local_4[1u].member[1u];
                                     let _e4318 = local_4[1u].member[0u];
                                     if (_e4318[0] < 0f) {
-                                        phi_6767_ = -(_e4318[0]);
+                                        phi_6768_ = -(_e4318[0]);
                                     } else {
-                                        phi_6767_ = _e4318[0];
+                                        phi_6768_ = _e4318[0];
                                     }
-                                    let _e4325 = phi_6767_;
+                                    let _e4325 = phi_6768_;
                                     if (_e4318[1] < 0f) {
-                                        phi_6774_ = -(_e4318[1]);
+                                        phi_6775_ = -(_e4318[1]);
                                     } else {
-                                        phi_6774_ = _e4318[1];
+                                        phi_6775_ = _e4318[1];
                                     }
-                                    let _e4329 = phi_6774_;
+                                    let _e4329 = phi_6775_;
                                     if (_e4325 > _e4329) {
-                                        phi_6779_ = _e4325;
+                                        phi_6780_ = _e4325;
                                     } else {
-                                        phi_6779_ = _e4329;
+                                        phi_6780_ = _e4329;
                                     }
-                                    let _e4332 = phi_6779_;
+                                    let _e4332 = phi_6780_;
                                     if (_e4318[2] < 0f) {
-                                        phi_6786_ = -(_e4318[2]);
+                                        phi_6787_ = -(_e4318[2]);
                                     } else {
-                                        phi_6786_ = _e4318[2];
+                                        phi_6787_ = _e4318[2];
                                     }
-                                    let _e4336 = phi_6786_;
+                                    let _e4336 = phi_6787_;
                                     if (_e4332 > _e4336) {
-                                        phi_6791_ = _e4332;
+                                        phi_6792_ = _e4332;
                                     } else {
-                                        phi_6791_ = _e4336;
+                                        phi_6792_ = _e4336;
                                     }
-                                    let _e4339 = phi_6791_;
+                                    let _e4339 = phi_6792_;
                                     let _e4342 = local_4[1u].member[1u];
                                     if (_e4342[0] < 0f) {
-                                        phi_6804_ = -(_e4342[0]);
+                                        phi_6805_ = -(_e4342[0]);
                                     } else {
-                                        phi_6804_ = _e4342[0];
+                                        phi_6805_ = _e4342[0];
                                     }
-                                    let _e4349 = phi_6804_;
+                                    let _e4349 = phi_6805_;
                                     if (_e4342[1] < 0f) {
-                                        phi_6811_ = -(_e4342[1]);
+                                        phi_6812_ = -(_e4342[1]);
                                     } else {
-                                        phi_6811_ = _e4342[1];
+                                        phi_6812_ = _e4342[1];
                                     }
-                                    let _e4353 = phi_6811_;
+                                    let _e4353 = phi_6812_;
                                     if (_e4349 > _e4353) {
-                                        phi_6816_ = _e4349;
+                                        phi_6817_ = _e4349;
                                     } else {
-                                        phi_6816_ = _e4353;
+                                        phi_6817_ = _e4353;
                                     }
-                                    let _e4356 = phi_6816_;
+                                    let _e4356 = phi_6817_;
                                     if (_e4342[2] < 0f) {
-                                        phi_6823_ = -(_e4342[2]);
+                                        phi_6824_ = -(_e4342[2]);
                                     } else {
-                                        phi_6823_ = _e4342[2];
+                                        phi_6824_ = _e4342[2];
                                     }
-                                    let _e4360 = phi_6823_;
+                                    let _e4360 = phi_6824_;
                                     if (_e4356 > _e4360) {
-                                        phi_6828_ = _e4356;
+                                        phi_6829_ = _e4356;
                                     } else {
-                                        phi_6828_ = _e4360;
+                                        phi_6829_ = _e4360;
                                     }
-                                    let _e4363 = phi_6828_;
+                                    let _e4363 = phi_6829_;
                                     if (_e4339 > _e4363) {
-                                        phi_6833_ = _e4339;
+                                        phi_6834_ = _e4339;
                                     } else {
-                                        phi_6833_ = _e4363;
+                                        phi_6834_ = _e4363;
                                     }
-                                    let _e4366 = phi_6833_;
+                                    let _e4366 = phi_6834_;
                                     let _e4368 = local_4[1u].member_3;
                                     let _e4369 = (_e4366 + _e4368);
                                     let _e4372 = local_4[1u].member_1[0u];
                                     if (_e4372[0] < 0f) {
-                                        phi_6850_ = -(_e4372[0]);
+                                        phi_6851_ = -(_e4372[0]);
                                     } else {
-                                        phi_6850_ = _e4372[0];
+                                        phi_6851_ = _e4372[0];
                                     }
-                                    let _e4379 = phi_6850_;
+                                    let _e4379 = phi_6851_;
                                     if (_e4372[1] < 0f) {
-                                        phi_6857_ = -(_e4372[1]);
+                                        phi_6858_ = -(_e4372[1]);
                                     } else {
-                                        phi_6857_ = _e4372[1];
+                                        phi_6858_ = _e4372[1];
                                     }
-                                    let _e4383 = phi_6857_;
+                                    let _e4383 = phi_6858_;
                                     if (_e4379 > _e4383) {
-                                        phi_6862_ = _e4379;
+                                        phi_6863_ = _e4379;
                                     } else {
-                                        phi_6862_ = _e4383;
+                                        phi_6863_ = _e4383;
                                     }
-                                    let _e4386 = phi_6862_;
+                                    let _e4386 = phi_6863_;
                                     if (_e4372[2] < 0f) {
-                                        phi_6869_ = -(_e4372[2]);
+                                        phi_6870_ = -(_e4372[2]);
                                     } else {
-                                        phi_6869_ = _e4372[2];
+                                        phi_6870_ = _e4372[2];
                                     }
-                                    let _e4390 = phi_6869_;
+                                    let _e4390 = phi_6870_;
                                     if (_e4386 > _e4390) {
-                                        phi_6874_ = _e4386;
+                                        phi_6875_ = _e4386;
                                     } else {
-                                        phi_6874_ = _e4390;
+                                        phi_6875_ = _e4390;
                                     }
-                                    let _e4393 = phi_6874_;
+                                    let _e4393 = phi_6875_;
                                     let _e4396 = local_4[1u].member_1[1u];
                                     if (_e4396[0] < 0f) {
-                                        phi_6888_ = -(_e4396[0]);
+                                        phi_6889_ = -(_e4396[0]);
                                     } else {
-                                        phi_6888_ = _e4396[0];
+                                        phi_6889_ = _e4396[0];
                                     }
-                                    let _e4403 = phi_6888_;
+                                    let _e4403 = phi_6889_;
                                     if (_e4396[1] < 0f) {
-                                        phi_6895_ = -(_e4396[1]);
+                                        phi_6896_ = -(_e4396[1]);
                                     } else {
-                                        phi_6895_ = _e4396[1];
+                                        phi_6896_ = _e4396[1];
                                     }
-                                    let _e4407 = phi_6895_;
+                                    let _e4407 = phi_6896_;
                                     if (_e4403 > _e4407) {
-                                        phi_6900_ = _e4403;
+                                        phi_6901_ = _e4403;
                                     } else {
-                                        phi_6900_ = _e4407;
+                                        phi_6901_ = _e4407;
                                     }
-                                    let _e4410 = phi_6900_;
+                                    let _e4410 = phi_6901_;
                                     if (_e4396[2] < 0f) {
-                                        phi_6907_ = -(_e4396[2]);
+                                        phi_6908_ = -(_e4396[2]);
                                     } else {
-                                        phi_6907_ = _e4396[2];
+                                        phi_6908_ = _e4396[2];
                                     }
-                                    let _e4414 = phi_6907_;
+                                    let _e4414 = phi_6908_;
                                     if (_e4410 > _e4414) {
-                                        phi_6912_ = _e4410;
+                                        phi_6913_ = _e4410;
                                     } else {
-                                        phi_6912_ = _e4414;
+                                        phi_6913_ = _e4414;
                                     }
-                                    let _e4417 = phi_6912_;
+                                    let _e4417 = phi_6913_;
                                     if (_e4393 > _e4417) {
-                                        phi_6917_ = _e4393;
+                                        phi_6918_ = _e4393;
                                     } else {
-                                        phi_6917_ = _e4417;
+                                        phi_6918_ = _e4417;
                                     }
-                                    let _e4420 = phi_6917_;
+                                    let _e4420 = phi_6918_;
                                     let _e4422 = local_4[1u].member_3;
                                     let _e4423 = (_e4420 + _e4422);
                                     let _e4426 = local_4[1u].member_2[0u];
                                     if (_e4426[0] < 0f) {
-                                        phi_6934_ = -(_e4426[0]);
+                                        phi_6935_ = -(_e4426[0]);
                                     } else {
-                                        phi_6934_ = _e4426[0];
+                                        phi_6935_ = _e4426[0];
                                     }
-                                    let _e4433 = phi_6934_;
+                                    let _e4433 = phi_6935_;
                                     if (_e4426[1] < 0f) {
-                                        phi_6941_ = -(_e4426[1]);
+                                        phi_6942_ = -(_e4426[1]);
                                     } else {
-                                        phi_6941_ = _e4426[1];
+                                        phi_6942_ = _e4426[1];
                                     }
-                                    let _e4437 = phi_6941_;
+                                    let _e4437 = phi_6942_;
                                     if (_e4433 > _e4437) {
-                                        phi_6946_ = _e4433;
+                                        phi_6947_ = _e4433;
                                     } else {
-                                        phi_6946_ = _e4437;
+                                        phi_6947_ = _e4437;
                                     }
-                                    let _e4440 = phi_6946_;
+                                    let _e4440 = phi_6947_;
                                     if (_e4426[2] < 0f) {
-                                        phi_6953_ = -(_e4426[2]);
+                                        phi_6954_ = -(_e4426[2]);
                                     } else {
-                                        phi_6953_ = _e4426[2];
+                                        phi_6954_ = _e4426[2];
                                     }
-                                    let _e4444 = phi_6953_;
+                                    let _e4444 = phi_6954_;
                                     if (_e4440 > _e4444) {
-                                        phi_6958_ = _e4440;
+                                        phi_6959_ = _e4440;
                                     } else {
-                                        phi_6958_ = _e4444;
+                                        phi_6959_ = _e4444;
                                     }
-                                    let _e4447 = phi_6958_;
+                                    let _e4447 = phi_6959_;
                                     let _e4450 = local_4[1u].member_2[1u];
                                     if (_e4450[0] < 0f) {
-                                        phi_6972_ = -(_e4450[0]);
+                                        phi_6973_ = -(_e4450[0]);
                                     } else {
-                                        phi_6972_ = _e4450[0];
+                                        phi_6973_ = _e4450[0];
                                     }
-                                    let _e4457 = phi_6972_;
+                                    let _e4457 = phi_6973_;
                                     if (_e4450[1] < 0f) {
-                                        phi_6979_ = -(_e4450[1]);
+                                        phi_6980_ = -(_e4450[1]);
                                     } else {
-                                        phi_6979_ = _e4450[1];
+                                        phi_6980_ = _e4450[1];
                                     }
-                                    let _e4461 = phi_6979_;
+                                    let _e4461 = phi_6980_;
                                     if (_e4457 > _e4461) {
-                                        phi_6984_ = _e4457;
+                                        phi_6985_ = _e4457;
                                     } else {
-                                        phi_6984_ = _e4461;
+                                        phi_6985_ = _e4461;
                                     }
-                                    let _e4464 = phi_6984_;
+                                    let _e4464 = phi_6985_;
                                     if (_e4450[2] < 0f) {
-                                        phi_6991_ = -(_e4450[2]);
+                                        phi_6992_ = -(_e4450[2]);
                                     } else {
-                                        phi_6991_ = _e4450[2];
+                                        phi_6992_ = _e4450[2];
                                     }
-                                    let _e4468 = phi_6991_;
+                                    let _e4468 = phi_6992_;
                                     if (_e4464 > _e4468) {
-                                        phi_6996_ = _e4464;
+                                        phi_6997_ = _e4464;
                                     } else {
-                                        phi_6996_ = _e4468;
+                                        phi_6997_ = _e4468;
                                     }
-                                    let _e4471 = phi_6996_;
+                                    let _e4471 = phi_6997_;
                                     if (_e4447 > _e4471) {
-                                        phi_7001_ = _e4447;
+                                        phi_7002_ = _e4447;
                                     } else {
-                                        phi_7001_ = _e4471;
+                                        phi_7002_ = _e4471;
                                     }
-                                    let _e4474 = phi_7001_;
+                                    let _e4474 = phi_7002_;
                                     let _e4476 = local_4[1u].member_3;
                                     let _e4477 = (_e4474 + _e4476);
                                     let _e4479 = ((_e4423 * 8f) * _e4477);
                                     let _e4486 = local_4[1u].member_3;
                                     if (_e4175 < 0f) {
-                                        phi_7032_ = -(_e4175);
+                                        phi_7033_ = -(_e4175);
                                     } else {
-                                        phi_7032_ = _e4175;
+                                        phi_7033_ = _e4175;
                                     }
-                                    let _e4503 = phi_7032_;
+                                    let _e4503 = phi_7033_;
                                     if (_e4178 < 0f) {
-                                        phi_7038_ = -(_e4178);
+                                        phi_7039_ = -(_e4178);
                                     } else {
-                                        phi_7038_ = _e4178;
+                                        phi_7039_ = _e4178;
                                     }
-                                    let _e4507 = phi_7038_;
+                                    let _e4507 = phi_7039_;
                                     if (_e4181 < 0f) {
-                                        phi_7045_ = -(_e4181);
+                                        phi_7046_ = -(_e4181);
                                     } else {
-                                        phi_7045_ = _e4181;
+                                        phi_7046_ = _e4181;
                                     }
-                                    let _e4512 = phi_7045_;
+                                    let _e4512 = phi_7046_;
                                     let _e4513 = ((_e4503 + _e4507) + _e4512);
                                     if (_e4196 < 0f) {
-                                        phi_7052_ = -(_e4196);
+                                        phi_7053_ = -(_e4196);
                                     } else {
-                                        phi_7052_ = _e4196;
+                                        phi_7053_ = _e4196;
                                     }
-                                    let _e4517 = phi_7052_;
+                                    let _e4517 = phi_7053_;
                                     if (_e4199 < 0f) {
-                                        phi_7058_ = -(_e4199);
+                                        phi_7059_ = -(_e4199);
                                     } else {
-                                        phi_7058_ = _e4199;
+                                        phi_7059_ = _e4199;
                                     }
-                                    let _e4521 = phi_7058_;
+                                    let _e4521 = phi_7059_;
                                     if (_e4202 < 0f) {
-                                        phi_7065_ = -(_e4202);
+                                        phi_7066_ = -(_e4202);
                                     } else {
-                                        phi_7065_ = _e4202;
+                                        phi_7066_ = _e4202;
                                     }
-                                    let _e4526 = phi_7065_;
+                                    let _e4526 = phi_7066_;
                                     let _e4527 = ((_e4517 + _e4521) + _e4526);
                                     if (_e4513 > _e4527) {
-                                        phi_7071_ = _e4513;
+                                        phi_7072_ = _e4513;
                                     } else {
-                                        phi_7071_ = _e4527;
+                                        phi_7072_ = _e4527;
                                     }
-                                    let _e4530 = phi_7071_;
+                                    let _e4530 = phi_7072_;
                                     if (_e4245 < 0f) {
-                                        phi_7077_ = -(_e4245);
+                                        phi_7078_ = -(_e4245);
                                     } else {
-                                        phi_7077_ = _e4245;
+                                        phi_7078_ = _e4245;
                                     }
-                                    let _e4534 = phi_7077_;
+                                    let _e4534 = phi_7078_;
                                     if (_e4246 < 0f) {
-                                        phi_7083_ = -(_e4246);
+                                        phi_7084_ = -(_e4246);
                                     } else {
-                                        phi_7083_ = _e4246;
+                                        phi_7084_ = _e4246;
                                     }
-                                    let _e4538 = phi_7083_;
+                                    let _e4538 = phi_7084_;
                                     if (_e4247 < 0f) {
-                                        phi_7090_ = -(_e4247);
+                                        phi_7091_ = -(_e4247);
                                     } else {
-                                        phi_7090_ = _e4247;
+                                        phi_7091_ = _e4247;
                                     }
-                                    let _e4543 = phi_7090_;
+                                    let _e4543 = phi_7091_;
                                     let _e4545 = (((_e4534 + _e4538) + _e4543) * 0.5f);
                                     if (_e4530 > _e4545) {
-                                        phi_7097_ = _e4530;
+                                        phi_7098_ = _e4530;
                                     } else {
-                                        phi_7097_ = _e4545;
+                                        phi_7098_ = _e4545;
                                     }
-                                    let _e4548 = phi_7097_;
+                                    let _e4548 = phi_7098_;
                                     let _e4553 = local_4[1u].member_3;
                                     let _e4566 = ((((_e4250[0] * _e4175) + (_e4250[1] * _e4178)) + (_e4250[2] * _e4181)) * 3f);
                                     let _e4567 = ((((_e4307[0] * _e4196) + (_e4307[1] * _e4199)) + (_e4307[2] * _e4202)) * 3f);
                                     if (_e4566 < _e4567) {
-                                        phi_7121_ = _e4566;
+                                        phi_7122_ = _e4566;
                                     } else {
-                                        phi_7121_ = _e4567;
+                                        phi_7122_ = _e4567;
                                     }
-                                    let _e4570 = phi_7121_;
+                                    let _e4570 = phi_7122_;
                                     if (_e4281 < _e4304) {
-                                        phi_7126_ = _e4281;
+                                        phi_7127_ = _e4281;
                                     } else {
-                                        phi_7126_ = _e4304;
+                                        phi_7127_ = _e4304;
                                     }
-                                    let _e4573 = phi_7126_;
+                                    let _e4573 = phi_7127_;
                                     if (_e4570 < _e4573) {
-                                        phi_7131_ = _e4570;
+                                        phi_7132_ = _e4570;
                                     } else {
-                                        phi_7131_ = _e4573;
+                                        phi_7132_ = _e4573;
                                     }
-                                    let _e4576 = phi_7131_;
+                                    let _e4576 = phi_7132_;
                                     if (_e4566 > _e4567) {
-                                        phi_7136_ = _e4566;
+                                        phi_7137_ = _e4566;
                                     } else {
-                                        phi_7136_ = _e4567;
+                                        phi_7137_ = _e4567;
                                     }
-                                    let _e4579 = phi_7136_;
+                                    let _e4579 = phi_7137_;
                                     if (_e4281 > _e4304) {
-                                        phi_7141_ = _e4281;
+                                        phi_7142_ = _e4281;
                                     } else {
-                                        phi_7141_ = _e4304;
+                                        phi_7142_ = _e4304;
                                     }
-                                    let _e4582 = phi_7141_;
+                                    let _e4582 = phi_7142_;
                                     if (_e4579 > _e4582) {
-                                        phi_7146_ = _e4579;
+                                        phi_7147_ = _e4579;
                                     } else {
-                                        phi_7146_ = _e4582;
+                                        phi_7147_ = _e4582;
                                     }
-                                    let _e4585 = phi_7146_;
+                                    let _e4585 = phi_7147_;
                                     let _e4590 = -(_e4585);
                                     if (_e4576 > _e4590) {
-                                        phi_7156_ = _e4576;
+                                        phi_7157_ = _e4576;
                                     } else {
-                                        phi_7156_ = _e4590;
+                                        phi_7157_ = _e4590;
                                     }
-                                    let _e4593 = phi_7156_;
+                                    let _e4593 = phi_7157_;
                                     if ((_e4593 - ((((((_e4369 * 8f) * _e4479) * (0.000000059604645f * (490f / 64f))) + ((_e4486 * 19f) * ((_e4369 * (_e4423 + _e4477)) + (_e4423 * _e4477)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4369) * ((1f + _e4423) * (1f + _e4477))))) + ((_e2108 * (((_e4548 + (_e4479 * (0.000000059604645f * 4f))) + ((_e4553 * 6f) * (_e4423 + _e4477))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4423) * (1f + _e4477))))) * (3f * 1.0001f)))) > 0f) {
-                                        phi_8132_ = true;
+                                        phi_8133_ = true;
                                     } else {
                                         let _e4598 = local_4[1u].member_1[0u];
                                         let _e4604 = local_4[1u].member_1[1u];
@@ -4217,210 +4219,210 @@ fn function_() {
                                         local_1 = array<array<f32, 3>, 4>(_e4664, array<f32, 3>(_e4680, _e4681, _e4682), array<f32, 3>((_e4664[0] - _e4676[0]), (_e4664[1] - _e4676[1]), (_e4664[2] - _e4676[2])), array<f32, 3>((_e4680 - _e4676[0]), (_e4681 - _e4676[1]), (_e4682 - _e4676[2])));
                                         let _e4699 = local_4[1u].member[0u];
                                         if (_e4699[0] < 0f) {
-                                            phi_7407_ = -(_e4699[0]);
+                                            phi_7408_ = -(_e4699[0]);
                                         } else {
-                                            phi_7407_ = _e4699[0];
+                                            phi_7408_ = _e4699[0];
                                         }
-                                        let _e4706 = phi_7407_;
+                                        let _e4706 = phi_7408_;
                                         if (_e4699[1] < 0f) {
-                                            phi_7414_ = -(_e4699[1]);
+                                            phi_7415_ = -(_e4699[1]);
                                         } else {
-                                            phi_7414_ = _e4699[1];
+                                            phi_7415_ = _e4699[1];
                                         }
-                                        let _e4710 = phi_7414_;
+                                        let _e4710 = phi_7415_;
                                         if (_e4706 > _e4710) {
-                                            phi_7419_ = _e4706;
+                                            phi_7420_ = _e4706;
                                         } else {
-                                            phi_7419_ = _e4710;
+                                            phi_7420_ = _e4710;
                                         }
-                                        let _e4713 = phi_7419_;
+                                        let _e4713 = phi_7420_;
                                         if (_e4699[2] < 0f) {
-                                            phi_7426_ = -(_e4699[2]);
+                                            phi_7427_ = -(_e4699[2]);
                                         } else {
-                                            phi_7426_ = _e4699[2];
+                                            phi_7427_ = _e4699[2];
                                         }
-                                        let _e4717 = phi_7426_;
+                                        let _e4717 = phi_7427_;
                                         if (_e4713 > _e4717) {
-                                            phi_7431_ = _e4713;
+                                            phi_7432_ = _e4713;
                                         } else {
-                                            phi_7431_ = _e4717;
+                                            phi_7432_ = _e4717;
                                         }
-                                        let _e4720 = phi_7431_;
+                                        let _e4720 = phi_7432_;
                                         let _e4723 = local_4[1u].member[1u];
                                         if (_e4723[0] < 0f) {
-                                            phi_7444_ = -(_e4723[0]);
+                                            phi_7445_ = -(_e4723[0]);
                                         } else {
-                                            phi_7444_ = _e4723[0];
+                                            phi_7445_ = _e4723[0];
                                         }
-                                        let _e4730 = phi_7444_;
+                                        let _e4730 = phi_7445_;
                                         if (_e4723[1] < 0f) {
-                                            phi_7451_ = -(_e4723[1]);
+                                            phi_7452_ = -(_e4723[1]);
                                         } else {
-                                            phi_7451_ = _e4723[1];
+                                            phi_7452_ = _e4723[1];
                                         }
-                                        let _e4734 = phi_7451_;
+                                        let _e4734 = phi_7452_;
                                         if (_e4730 > _e4734) {
-                                            phi_7456_ = _e4730;
+                                            phi_7457_ = _e4730;
                                         } else {
-                                            phi_7456_ = _e4734;
+                                            phi_7457_ = _e4734;
                                         }
-                                        let _e4737 = phi_7456_;
+                                        let _e4737 = phi_7457_;
                                         if (_e4723[2] < 0f) {
-                                            phi_7463_ = -(_e4723[2]);
+                                            phi_7464_ = -(_e4723[2]);
                                         } else {
-                                            phi_7463_ = _e4723[2];
+                                            phi_7464_ = _e4723[2];
                                         }
-                                        let _e4741 = phi_7463_;
+                                        let _e4741 = phi_7464_;
                                         if (_e4737 > _e4741) {
-                                            phi_7468_ = _e4737;
+                                            phi_7469_ = _e4737;
                                         } else {
-                                            phi_7468_ = _e4741;
+                                            phi_7469_ = _e4741;
                                         }
-                                        let _e4744 = phi_7468_;
+                                        let _e4744 = phi_7469_;
                                         if (_e4720 > _e4744) {
-                                            phi_7473_ = _e4720;
+                                            phi_7474_ = _e4720;
                                         } else {
-                                            phi_7473_ = _e4744;
+                                            phi_7474_ = _e4744;
                                         }
-                                        let _e4747 = phi_7473_;
+                                        let _e4747 = phi_7474_;
                                         let _e4749 = local_4[1u].member_3;
                                         let _e4753 = local_4[1u].member_1[0u];
                                         if (_e4753[0] < 0f) {
-                                            phi_7490_ = -(_e4753[0]);
+                                            phi_7491_ = -(_e4753[0]);
                                         } else {
-                                            phi_7490_ = _e4753[0];
+                                            phi_7491_ = _e4753[0];
                                         }
-                                        let _e4760 = phi_7490_;
+                                        let _e4760 = phi_7491_;
                                         if (_e4753[1] < 0f) {
-                                            phi_7497_ = -(_e4753[1]);
+                                            phi_7498_ = -(_e4753[1]);
                                         } else {
-                                            phi_7497_ = _e4753[1];
+                                            phi_7498_ = _e4753[1];
                                         }
-                                        let _e4764 = phi_7497_;
+                                        let _e4764 = phi_7498_;
                                         if (_e4760 > _e4764) {
-                                            phi_7502_ = _e4760;
+                                            phi_7503_ = _e4760;
                                         } else {
-                                            phi_7502_ = _e4764;
+                                            phi_7503_ = _e4764;
                                         }
-                                        let _e4767 = phi_7502_;
+                                        let _e4767 = phi_7503_;
                                         if (_e4753[2] < 0f) {
-                                            phi_7509_ = -(_e4753[2]);
+                                            phi_7510_ = -(_e4753[2]);
                                         } else {
-                                            phi_7509_ = _e4753[2];
+                                            phi_7510_ = _e4753[2];
                                         }
-                                        let _e4771 = phi_7509_;
+                                        let _e4771 = phi_7510_;
                                         if (_e4767 > _e4771) {
-                                            phi_7514_ = _e4767;
+                                            phi_7515_ = _e4767;
                                         } else {
-                                            phi_7514_ = _e4771;
+                                            phi_7515_ = _e4771;
                                         }
-                                        let _e4774 = phi_7514_;
+                                        let _e4774 = phi_7515_;
                                         let _e4777 = local_4[1u].member_1[1u];
                                         if (_e4777[0] < 0f) {
-                                            phi_7528_ = -(_e4777[0]);
+                                            phi_7529_ = -(_e4777[0]);
                                         } else {
-                                            phi_7528_ = _e4777[0];
+                                            phi_7529_ = _e4777[0];
                                         }
-                                        let _e4784 = phi_7528_;
+                                        let _e4784 = phi_7529_;
                                         if (_e4777[1] < 0f) {
-                                            phi_7535_ = -(_e4777[1]);
+                                            phi_7536_ = -(_e4777[1]);
                                         } else {
-                                            phi_7535_ = _e4777[1];
+                                            phi_7536_ = _e4777[1];
                                         }
-                                        let _e4788 = phi_7535_;
+                                        let _e4788 = phi_7536_;
                                         if (_e4784 > _e4788) {
-                                            phi_7540_ = _e4784;
+                                            phi_7541_ = _e4784;
                                         } else {
-                                            phi_7540_ = _e4788;
+                                            phi_7541_ = _e4788;
                                         }
-                                        let _e4791 = phi_7540_;
+                                        let _e4791 = phi_7541_;
                                         if (_e4777[2] < 0f) {
-                                            phi_7547_ = -(_e4777[2]);
+                                            phi_7548_ = -(_e4777[2]);
                                         } else {
-                                            phi_7547_ = _e4777[2];
+                                            phi_7548_ = _e4777[2];
                                         }
-                                        let _e4795 = phi_7547_;
+                                        let _e4795 = phi_7548_;
                                         if (_e4791 > _e4795) {
-                                            phi_7552_ = _e4791;
+                                            phi_7553_ = _e4791;
                                         } else {
-                                            phi_7552_ = _e4795;
+                                            phi_7553_ = _e4795;
                                         }
-                                        let _e4798 = phi_7552_;
+                                        let _e4798 = phi_7553_;
                                         if (_e4774 > _e4798) {
-                                            phi_7557_ = _e4774;
+                                            phi_7558_ = _e4774;
                                         } else {
-                                            phi_7557_ = _e4798;
+                                            phi_7558_ = _e4798;
                                         }
-                                        let _e4801 = phi_7557_;
+                                        let _e4801 = phi_7558_;
                                         let _e4803 = local_4[1u].member_3;
                                         let _e4807 = local_4[1u].member_2[0u];
                                         if (_e4807[0] < 0f) {
-                                            phi_7574_ = -(_e4807[0]);
+                                            phi_7575_ = -(_e4807[0]);
                                         } else {
-                                            phi_7574_ = _e4807[0];
+                                            phi_7575_ = _e4807[0];
                                         }
-                                        let _e4814 = phi_7574_;
+                                        let _e4814 = phi_7575_;
                                         if (_e4807[1] < 0f) {
-                                            phi_7581_ = -(_e4807[1]);
+                                            phi_7582_ = -(_e4807[1]);
                                         } else {
-                                            phi_7581_ = _e4807[1];
+                                            phi_7582_ = _e4807[1];
                                         }
-                                        let _e4818 = phi_7581_;
+                                        let _e4818 = phi_7582_;
                                         if (_e4814 > _e4818) {
-                                            phi_7586_ = _e4814;
+                                            phi_7587_ = _e4814;
                                         } else {
-                                            phi_7586_ = _e4818;
+                                            phi_7587_ = _e4818;
                                         }
-                                        let _e4821 = phi_7586_;
+                                        let _e4821 = phi_7587_;
                                         if (_e4807[2] < 0f) {
-                                            phi_7593_ = -(_e4807[2]);
+                                            phi_7594_ = -(_e4807[2]);
                                         } else {
-                                            phi_7593_ = _e4807[2];
+                                            phi_7594_ = _e4807[2];
                                         }
-                                        let _e4825 = phi_7593_;
+                                        let _e4825 = phi_7594_;
                                         if (_e4821 > _e4825) {
-                                            phi_7598_ = _e4821;
+                                            phi_7599_ = _e4821;
                                         } else {
-                                            phi_7598_ = _e4825;
+                                            phi_7599_ = _e4825;
                                         }
-                                        let _e4828 = phi_7598_;
+                                        let _e4828 = phi_7599_;
                                         let _e4831 = local_4[1u].member_2[1u];
                                         if (_e4831[0] < 0f) {
-                                            phi_7612_ = -(_e4831[0]);
+                                            phi_7613_ = -(_e4831[0]);
                                         } else {
-                                            phi_7612_ = _e4831[0];
+                                            phi_7613_ = _e4831[0];
                                         }
-                                        let _e4838 = phi_7612_;
+                                        let _e4838 = phi_7613_;
                                         if (_e4831[1] < 0f) {
-                                            phi_7619_ = -(_e4831[1]);
+                                            phi_7620_ = -(_e4831[1]);
                                         } else {
-                                            phi_7619_ = _e4831[1];
+                                            phi_7620_ = _e4831[1];
                                         }
-                                        let _e4842 = phi_7619_;
+                                        let _e4842 = phi_7620_;
                                         if (_e4838 > _e4842) {
-                                            phi_7624_ = _e4838;
+                                            phi_7625_ = _e4838;
                                         } else {
-                                            phi_7624_ = _e4842;
+                                            phi_7625_ = _e4842;
                                         }
-                                        let _e4845 = phi_7624_;
+                                        let _e4845 = phi_7625_;
                                         if (_e4831[2] < 0f) {
-                                            phi_7631_ = -(_e4831[2]);
+                                            phi_7632_ = -(_e4831[2]);
                                         } else {
-                                            phi_7631_ = _e4831[2];
+                                            phi_7632_ = _e4831[2];
                                         }
-                                        let _e4849 = phi_7631_;
+                                        let _e4849 = phi_7632_;
                                         if (_e4845 > _e4849) {
-                                            phi_7636_ = _e4845;
+                                            phi_7637_ = _e4845;
                                         } else {
-                                            phi_7636_ = _e4849;
+                                            phi_7637_ = _e4849;
                                         }
-                                        let _e4852 = phi_7636_;
+                                        let _e4852 = phi_7637_;
                                         if (_e4828 > _e4852) {
-                                            phi_7641_ = _e4828;
+                                            phi_7642_ = _e4828;
                                         } else {
-                                            phi_7641_ = _e4852;
+                                            phi_7642_ = _e4852;
                                         }
-                                        let _e4855 = phi_7641_;
+                                        let _e4855 = phi_7642_;
                                         let _e4857 = local_4[1u].member_3;
                                         let _e4860 = (((_e4747 + _e4749) + (_e4801 + _e4803)) + (_e4855 + _e4857));
                                         let _e4863 = local_4[1u].member_3;
@@ -4430,25 +4432,25 @@ fn function_() {
                                         let _e4876 = ((_e4628 * _e4609) - (_e4631 * _e4608));
                                         let _e4878 = local[0u];
                                         let _e4886 = (((_e4870 * _e4878[0]) + (_e4873 * _e4878[1])) + (_e4876 * _e4878[2]));
-                                        phi_7679_ = type_35(0u, 4u);
-                                        phi_7682_ = _e4886;
-                                        phi_7684_ = _e4886;
+                                        phi_7680_ = type_36(0u, 4u);
+                                        phi_7683_ = _e4886;
+                                        phi_7685_ = _e4886;
                                         loop {
-                                            let _e4888 = phi_7679_;
-                                            let _e4890 = phi_7682_;
-                                            let _e4892 = phi_7684_;
+                                            let _e4888 = phi_7680_;
+                                            let _e4890 = phi_7683_;
+                                            let _e4892 = phi_7685_;
                                             local_60 = _e4890;
                                             local_61 = _e4892;
                                             local_71 = _e4892;
                                             if (_e4888.member < _e4888.member_1) {
-                                                phi_7680_ = type_35((_e4888.member + 1u), _e4888.member_1);
-                                                phi_7707_ = type_35(1u, _e4888.member);
+                                                phi_7681_ = type_36((_e4888.member + 1u), _e4888.member_1);
+                                                phi_7708_ = type_36(1u, _e4888.member);
                                             } else {
-                                                phi_7680_ = _e4888;
-                                                phi_7707_ = type_35(0u, type_35().member_1);
+                                                phi_7681_ = _e4888;
+                                                phi_7708_ = type_36(0u, type_36().member_1);
                                             }
-                                            let _e4906 = phi_7680_;
-                                            let _e4908 = phi_7707_;
+                                            let _e4906 = phi_7681_;
+                                            let _e4908 = phi_7708_;
                                             let _e4912 = (bitcast<i32>(_e4908.member) != 0i);
                                             if _e4912 {
                                                 if (_e4908.member_1 < 4u) {
@@ -4464,99 +4466,99 @@ fn function_() {
                                                 let _e4926 = local_1[_e4908.member_1];
                                                 let _e4934 = (((_e4870 * _e4926[0]) + (_e4873 * _e4926[1])) + (_e4876 * _e4926[2]));
                                                 if (_e4892 < _e4923) {
-                                                    phi_7757_ = _e4892;
+                                                    phi_7758_ = _e4892;
                                                 } else {
-                                                    phi_7757_ = _e4923;
+                                                    phi_7758_ = _e4923;
                                                 }
-                                                let _e4937 = phi_7757_;
+                                                let _e4937 = phi_7758_;
                                                 if (_e4937 < _e4934) {
-                                                    phi_7762_ = _e4937;
+                                                    phi_7763_ = _e4937;
                                                 } else {
-                                                    phi_7762_ = _e4934;
+                                                    phi_7763_ = _e4934;
                                                 }
-                                                let _e4940 = phi_7762_;
+                                                let _e4940 = phi_7763_;
                                                 if (_e4890 > _e4923) {
-                                                    phi_7767_ = _e4890;
+                                                    phi_7768_ = _e4890;
                                                 } else {
-                                                    phi_7767_ = _e4923;
+                                                    phi_7768_ = _e4923;
                                                 }
-                                                let _e4943 = phi_7767_;
+                                                let _e4943 = phi_7768_;
                                                 if (_e4943 > _e4934) {
-                                                    phi_7772_ = _e4943;
+                                                    phi_7773_ = _e4943;
                                                 } else {
-                                                    phi_7772_ = _e4934;
+                                                    phi_7773_ = _e4934;
                                                 }
-                                                let _e4946 = phi_7772_;
-                                                phi_7683_ = _e4946;
-                                                phi_7685_ = _e4940;
+                                                let _e4946 = phi_7773_;
+                                                phi_7684_ = _e4946;
+                                                phi_7686_ = _e4940;
                                             } else {
-                                                phi_7683_ = f32();
-                                                phi_7685_ = f32();
+                                                phi_7684_ = f32();
+                                                phi_7686_ = f32();
                                             }
-                                            let _e4948 = phi_7683_;
-                                            let _e4950 = phi_7685_;
+                                            let _e4948 = phi_7684_;
+                                            let _e4950 = phi_7686_;
                                             continue;
                                             continuing {
-                                                phi_7679_ = _e4906;
-                                                phi_7682_ = _e4948;
-                                                phi_7684_ = _e4950;
+                                                phi_7680_ = _e4906;
+                                                phi_7683_ = _e4948;
+                                                phi_7685_ = _e4950;
                                                 break if !(_e4912);
                                             }
                                         }
                                         if (_e4870 < 0f) {
-                                            phi_7778_ = -(_e4870);
+                                            phi_7779_ = -(_e4870);
                                         } else {
-                                            phi_7778_ = _e4870;
+                                            phi_7779_ = _e4870;
                                         }
-                                        let _e4955 = phi_7778_;
+                                        let _e4955 = phi_7779_;
                                         if (_e4873 < 0f) {
-                                            phi_7784_ = -(_e4873);
+                                            phi_7785_ = -(_e4873);
                                         } else {
-                                            phi_7784_ = _e4873;
+                                            phi_7785_ = _e4873;
                                         }
-                                        let _e4959 = phi_7784_;
+                                        let _e4959 = phi_7785_;
                                         if (_e4876 < 0f) {
-                                            phi_7791_ = -(_e4876);
+                                            phi_7792_ = -(_e4876);
                                         } else {
-                                            phi_7791_ = _e4876;
+                                            phi_7792_ = _e4876;
                                         }
-                                        let _e4964 = phi_7791_;
+                                        let _e4964 = phi_7792_;
                                         let _e4965 = ((_e4955 + _e4959) + _e4964);
                                         let _e4970 = local_60;
                                         let _e4971 = -(_e4970);
                                         let _e4973 = local_61;
                                         if (_e4973 > _e4971) {
                                             let _e5775 = local_71;
-                                            phi_7801_ = _e5775;
+                                            phi_7802_ = _e5775;
                                         } else {
-                                            phi_7801_ = _e4971;
+                                            phi_7802_ = _e4971;
                                         }
-                                        let _e4976 = phi_7801_;
+                                        let _e4976 = phi_7802_;
                                         let _e4981 = (((_e4976 - ((_e4965 * _e4860) * (0.000000059604645f * 17f))) - (_e4965 * _e4867)) - (0.000000000000000000000000000000000000011754944f * 64f));
                                         let _e4984 = ((_e4631 * _e4625) - (_e4634 * _e4624));
                                         let _e4987 = ((_e4634 * _e4623) - (_e4628 * _e4625));
                                         let _e4990 = ((_e4628 * _e4624) - (_e4631 * _e4623));
                                         let _e4992 = local[0u];
                                         let _e5000 = (((_e4984 * _e4992[0]) + (_e4987 * _e4992[1])) + (_e4990 * _e4992[2]));
-                                        phi_7832_ = type_35(0u, 4u);
-                                        phi_7835_ = _e5000;
-                                        phi_7837_ = _e5000;
+                                        phi_7833_ = type_36(0u, 4u);
+                                        phi_7836_ = _e5000;
+                                        phi_7838_ = _e5000;
                                         loop {
-                                            let _e5002 = phi_7832_;
-                                            let _e5004 = phi_7835_;
-                                            let _e5006 = phi_7837_;
+                                            let _e5002 = phi_7833_;
+                                            let _e5004 = phi_7836_;
+                                            let _e5006 = phi_7838_;
                                             local_62 = _e5004;
                                             local_63 = _e5006;
                                             local_72 = _e5006;
                                             if (_e5002.member < _e5002.member_1) {
-                                                phi_7833_ = type_35((_e5002.member + 1u), _e5002.member_1);
-                                                phi_7860_ = type_35(1u, _e5002.member);
+                                                phi_7834_ = type_36((_e5002.member + 1u), _e5002.member_1);
+                                                phi_7861_ = type_36(1u, _e5002.member);
                                             } else {
-                                                phi_7833_ = _e5002;
-                                                phi_7860_ = type_35(0u, type_35().member_1);
+                                                phi_7834_ = _e5002;
+                                                phi_7861_ = type_36(0u, type_36().member_1);
                                             }
-                                            let _e5020 = phi_7833_;
-                                            let _e5022 = phi_7860_;
+                                            let _e5020 = phi_7834_;
+                                            let _e5022 = phi_7861_;
                                             let _e5026 = (bitcast<i32>(_e5022.member) != 0i);
                                             if _e5026 {
                                                 if (_e5022.member_1 < 4u) {
@@ -4572,108 +4574,108 @@ fn function_() {
                                                 let _e5040 = local_1[_e5022.member_1];
                                                 let _e5048 = (((_e4984 * _e5040[0]) + (_e4987 * _e5040[1])) + (_e4990 * _e5040[2]));
                                                 if (_e5006 < _e5037) {
-                                                    phi_7910_ = _e5006;
+                                                    phi_7911_ = _e5006;
                                                 } else {
-                                                    phi_7910_ = _e5037;
+                                                    phi_7911_ = _e5037;
                                                 }
-                                                let _e5051 = phi_7910_;
+                                                let _e5051 = phi_7911_;
                                                 if (_e5051 < _e5048) {
-                                                    phi_7915_ = _e5051;
+                                                    phi_7916_ = _e5051;
                                                 } else {
-                                                    phi_7915_ = _e5048;
+                                                    phi_7916_ = _e5048;
                                                 }
-                                                let _e5054 = phi_7915_;
+                                                let _e5054 = phi_7916_;
                                                 if (_e5004 > _e5037) {
-                                                    phi_7920_ = _e5004;
+                                                    phi_7921_ = _e5004;
                                                 } else {
-                                                    phi_7920_ = _e5037;
+                                                    phi_7921_ = _e5037;
                                                 }
-                                                let _e5057 = phi_7920_;
+                                                let _e5057 = phi_7921_;
                                                 if (_e5057 > _e5048) {
-                                                    phi_7925_ = _e5057;
+                                                    phi_7926_ = _e5057;
                                                 } else {
-                                                    phi_7925_ = _e5048;
+                                                    phi_7926_ = _e5048;
                                                 }
-                                                let _e5060 = phi_7925_;
-                                                phi_7836_ = _e5060;
-                                                phi_7838_ = _e5054;
+                                                let _e5060 = phi_7926_;
+                                                phi_7837_ = _e5060;
+                                                phi_7839_ = _e5054;
                                             } else {
-                                                phi_7836_ = f32();
-                                                phi_7838_ = f32();
+                                                phi_7837_ = f32();
+                                                phi_7839_ = f32();
                                             }
-                                            let _e5062 = phi_7836_;
-                                            let _e5064 = phi_7838_;
+                                            let _e5062 = phi_7837_;
+                                            let _e5064 = phi_7839_;
                                             continue;
                                             continuing {
-                                                phi_7832_ = _e5020;
-                                                phi_7835_ = _e5062;
-                                                phi_7837_ = _e5064;
+                                                phi_7833_ = _e5020;
+                                                phi_7836_ = _e5062;
+                                                phi_7838_ = _e5064;
                                                 break if !(_e5026);
                                             }
                                         }
                                         if (_e4984 < 0f) {
-                                            phi_7931_ = -(_e4984);
+                                            phi_7932_ = -(_e4984);
                                         } else {
-                                            phi_7931_ = _e4984;
+                                            phi_7932_ = _e4984;
                                         }
-                                        let _e5069 = phi_7931_;
+                                        let _e5069 = phi_7932_;
                                         if (_e4987 < 0f) {
-                                            phi_7937_ = -(_e4987);
+                                            phi_7938_ = -(_e4987);
                                         } else {
-                                            phi_7937_ = _e4987;
+                                            phi_7938_ = _e4987;
                                         }
-                                        let _e5073 = phi_7937_;
+                                        let _e5073 = phi_7938_;
                                         if (_e4990 < 0f) {
-                                            phi_7944_ = -(_e4990);
+                                            phi_7945_ = -(_e4990);
                                         } else {
-                                            phi_7944_ = _e4990;
+                                            phi_7945_ = _e4990;
                                         }
-                                        let _e5078 = phi_7944_;
+                                        let _e5078 = phi_7945_;
                                         let _e5079 = ((_e5069 + _e5073) + _e5078);
                                         let _e5084 = local_62;
                                         let _e5085 = -(_e5084);
                                         let _e5087 = local_63;
                                         if (_e5087 > _e5085) {
                                             let _e5794 = local_72;
-                                            phi_7954_ = _e5794;
+                                            phi_7955_ = _e5794;
                                         } else {
-                                            phi_7954_ = _e5085;
+                                            phi_7955_ = _e5085;
                                         }
-                                        let _e5090 = phi_7954_;
+                                        let _e5090 = phi_7955_;
                                         let _e5095 = (((_e5090 - ((_e5079 * _e4860) * (0.000000059604645f * 17f))) - (_e5079 * _e4867)) - (0.000000000000000000000000000000000000011754944f * 64f));
                                         if (_e4981 > _e5095) {
-                                            phi_7964_ = _e4981;
+                                            phi_7965_ = _e4981;
                                         } else {
-                                            phi_7964_ = _e5095;
+                                            phi_7965_ = _e5095;
                                         }
-                                        let _e5098 = phi_7964_;
-                                        phi_8132_ = (_e5098 > 0f);
+                                        let _e5098 = phi_7965_;
+                                        phi_8133_ = (_e5098 > 0f);
                                     }
-                                    let _e5101 = phi_8132_;
-                                    phi_8133_ = _e5101;
+                                    let _e5101 = phi_8133_;
+                                    phi_8134_ = _e5101;
                                 } else {
-                                    phi_8133_ = false;
+                                    phi_8134_ = false;
                                 }
-                                let _e5103 = phi_8133_;
-                                phi_8135_ = !(_e5103);
+                                let _e5103 = phi_8134_;
+                                phi_8136_ = !(_e5103);
                             }
-                            let _e5106 = phi_8135_;
+                            let _e5106 = phi_8136_;
                             if _e5106 {
                                 let _e5108 = atomicAdd((&counters[5u]), 1u);
                                 hits[_e1343] = ((2147483648u | (_e5108 << bitcast<u32>(12i))) | _e1346);
                             }
                         }
-                        phi_8145_ = true;
+                        phi_8146_ = true;
                     }
-                    let _e5115 = phi_8145_;
-                    phi_8146_ = _e5115;
+                    let _e5115 = phi_8146_;
+                    phi_8147_ = _e5115;
                 } else {
-                    phi_8146_ = false;
+                    phi_8147_ = false;
                 }
-                let _e5117 = phi_8146_;
+                let _e5117 = phi_8147_;
                 continue;
                 continuing {
-                    phi_1881_ = _e1335;
+                    phi_1882_ = _e1335;
                     break if !(_e5117);
                 }
             }
@@ -4693,30 +4695,30 @@ fn function_() {
                     let _e5133 = atomicAdd((&output.member[1u]), _e5130);
                 }
             }
-            phi_8178_ = type_35(0u, 16u);
+            phi_8179_ = type_36(0u, 16u);
             loop {
-                let _e5135 = phi_8178_;
+                let _e5135 = phi_8179_;
                 if (_e5135.member < _e5135.member_1) {
-                    phi_8179_ = type_35((_e5135.member + 1u), _e5135.member_1);
-                    phi_8202_ = type_35(1u, _e5135.member);
+                    phi_8180_ = type_36((_e5135.member + 1u), _e5135.member_1);
+                    phi_8203_ = type_36(1u, _e5135.member);
                 } else {
-                    phi_8179_ = _e5135;
-                    phi_8202_ = type_35(0u, type_35().member_1);
+                    phi_8180_ = _e5135;
+                    phi_8203_ = type_36(0u, type_36().member_1);
                 }
-                let _e5149 = phi_8179_;
-                let _e5151 = phi_8202_;
+                let _e5149 = phi_8180_;
+                let _e5151 = phi_8203_;
                 if (bitcast<i32>(_e5151.member) != 0i) {
                     let _e5157 = (_e110 + (_e5151.member_1 * 128u));
                     if (_e5157 >= _e1319) {
-                        phi_8300_ = false;
+                        phi_8301_ = false;
                     } else {
                         let _e5160 = hits[_e5157];
                         if ((_e5160 & 2147483648u) == 0u) {
-                            phi_8225_ = 4294967295u;
+                            phi_8226_ = 4294967295u;
                         } else {
-                            phi_8225_ = ((_e5160 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_8226_ = ((_e5160 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e5167 = phi_8225_;
+                        let _e5167 = phi_8226_;
                         if (_e5167 != 4294967295u) {
                             let _e5171 = ((_e5160 >> bitcast<u32>(10i)) & 3u);
                             let _e5178 = firsts[(2u * _e5171)];
@@ -4726,27 +4728,27 @@ fn function_() {
                             let _e5192 = params.member.member_16;
                             let _e5193 = (_e5127 + _e5167);
                             if (_e5181.member_1 < _e5188.member_1) {
-                                phi_8279_ = type_35(_e5181.member_1, _e5188.member_1);
+                                phi_8280_ = type_36(_e5181.member_1, _e5188.member_1);
                             } else {
-                                phi_8279_ = type_35(_e5188.member_1, _e5181.member_1);
+                                phi_8280_ = type_36(_e5188.member_1, _e5181.member_1);
                             }
-                            let _e5198 = phi_8279_;
+                            let _e5198 = phi_8280_;
                             if (_e5193 < _e5192) {
                                 atomicStore((&output.member[(4u + (2u * _e5193))]), _e5198.member);
                                 atomicStore((&output.member[((2u * _e5193) + 5u)]), _e5198.member_1);
                             }
                         }
-                        phi_8300_ = true;
+                        phi_8301_ = true;
                     }
-                    let _e5209 = phi_8300_;
-                    phi_8301_ = _e5209;
+                    let _e5209 = phi_8301_;
+                    phi_8302_ = _e5209;
                 } else {
-                    phi_8301_ = false;
+                    phi_8302_ = false;
                 }
-                let _e5211 = phi_8301_;
+                let _e5211 = phi_8302_;
                 continue;
                 continuing {
-                    phi_8178_ = _e5149;
+                    phi_8179_ = _e5149;
                     break if !(_e5211);
                 }
             }
@@ -4754,7 +4756,7 @@ fn function_() {
         }
         continue;
         continuing {
-            phi_319_ = _e193;
+            phi_320_ = _e193;
             break if !(_e199);
         }
     }

@@ -3,7 +3,7 @@ struct type_6 {
     member_1: array<f32, 3>,
 }
 
-struct type_11 {
+struct type_12 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -22,56 +22,58 @@ struct type_11 {
     member_15: u32,
     member_16: u32,
     member_17: u32,
-    member_18: array<array<u32, 4>, 8>,
+    member_18: array<array<u32, 2>, 3>,
+    member_19: array<u32, 2>,
+    member_20: array<array<u32, 4>, 8>,
 }
 
-struct type_13 {
-    member: type_11,
+struct type_14 {
+    member: type_12,
 }
 
-struct type_17 {
+struct type_18 {
     member: array<type_6>,
 }
 
-struct type_21 {
+struct type_22 {
     member: array<u32>,
 }
 
-struct type_23 {
+struct type_24 {
     member: array<u32, 3>,
     member_1: u32,
 }
 
-struct type_26 {
-    member: array<type_23>,
+struct type_27 {
+    member: array<type_24>,
 }
 
-struct type_35 {
+struct type_36 {
     member: u32,
     member_1: u32,
 }
 
-struct type_44 {
+struct type_45 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
 }
 
-struct type_47 {
-    member: array<type_44>,
+struct type_48 {
+    member: array<type_45>,
 }
 
-struct type_63 {
+struct type_53 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-struct type_70 {
+struct type_71 {
     member: array<array<f32, 3>, 2>,
     member_1: array<array<f32, 3>, 2>,
     member_2: array<array<f32, 3>, 2>,
     member_3: f32,
 }
 
-struct type_78 {
+struct type_79 {
     member: array<atomic<u32>>,
 }
 
@@ -79,36 +81,36 @@ var<private> id_1: vec3<u32>;
 var<private> n_1: vec3<u32>;
 var<private> lane_1: u32;
 @group(0) @binding(0) 
-var<storage> params: type_13;
+var<storage> params: type_14;
 @group(0) @binding(1) 
-var<storage> nodes: type_17;
+var<storage> nodes: type_18;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
 var<workgroup> columns: array<type_6, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
 @group(0) @binding(2) 
-var<storage> leaves: type_26;
+var<storage> leaves: type_27;
 @group(0) @binding(3) 
-var<storage> bodies: type_21;
+var<storage> bodies: type_22;
 @group(0) @binding(4) 
-var<storage> keys: type_63;
+var<storage> keys: type_53;
 @group(0) @binding(5) 
-var<storage> paths: type_47;
+var<storage> paths: type_48;
 @group(0) @binding(6) 
-var<storage> input: type_21;
+var<storage> input: type_22;
 @group(0) @binding(7) 
-var<storage, read_write> output: type_78;
+var<storage, read_write> output: type_79;
 
 fn function_() {
     var local: array<array<f32, 3>, 4>;
     var local_1: array<array<f32, 3>, 4>;
     var local_2: array<array<f32, 3>, 4>;
     var local_3: array<array<f32, 3>, 4>;
-    var local_4: array<type_70, 2>;
+    var local_4: array<type_71, 2>;
     var local_5: array<array<f32, 3>, 4>;
     var local_6: array<array<f32, 3>, 4>;
-    var local_7: type_70;
+    var local_7: type_71;
     var local_8: array<array<u32, 2>, 6>;
     var local_9: array<array<u32, 2>, 6>;
     var local_10: array<array<u32, 2>, 6>;
@@ -125,631 +127,631 @@ fn function_() {
     var local_21: array<array<u32, 2>, 6>;
     var local_22: array<array<u32, 2>, 6>;
     var local_23: array<array<u32, 2>, 6>;
-    var local_24: type_23;
-    var local_25: type_23;
-    var local_26: type_23;
-    var local_27: type_23;
-    var phi_232_: u32;
-    var phi_270_: u32;
+    var local_24: type_24;
+    var local_25: type_24;
+    var local_26: type_24;
+    var local_27: type_24;
+    var phi_233_: u32;
     var phi_271_: u32;
-    var phi_278_: u32;
-    var phi_294_: u32;
-    var phi_315_: u32;
+    var phi_272_: u32;
+    var phi_279_: u32;
+    var phi_295_: u32;
     var phi_316_: u32;
-    var phi_319_: type_35;
-    var phi_320_: type_35;
-    var phi_343_: type_35;
-    var phi_381_: u32;
+    var phi_317_: u32;
+    var phi_320_: type_36;
+    var phi_321_: type_36;
+    var phi_344_: type_36;
     var phi_382_: u32;
-    var phi_389_: u32;
-    var phi_399_: u32;
-    var phi_478_: array<u32, 2>;
-    var phi_672_: bool;
+    var phi_383_: u32;
+    var phi_390_: u32;
+    var phi_400_: u32;
+    var phi_479_: array<u32, 2>;
     var phi_673_: bool;
-    var phi_677_: type_6;
-    var phi_690_: type_35;
-    var phi_693_: u32;
-    var phi_691_: type_35;
-    var phi_716_: type_35;
-    var phi_806_: u32;
-    var phi_808_: u32;
+    var phi_674_: bool;
+    var phi_678_: type_6;
+    var phi_691_: type_36;
     var phi_694_: u32;
-    var phi_811_: type_35;
-    var phi_814_: u32;
-    var phi_812_: type_35;
-    var phi_837_: type_35;
-    var phi_983_: bool;
+    var phi_692_: type_36;
+    var phi_717_: type_36;
+    var phi_807_: u32;
+    var phi_809_: u32;
+    var phi_695_: u32;
+    var phi_812_: type_36;
+    var phi_815_: u32;
+    var phi_813_: type_36;
+    var phi_838_: type_36;
     var phi_984_: bool;
     var phi_985_: bool;
     var phi_986_: bool;
     var phi_987_: bool;
-    var phi_991_: bool;
-    var phi_947_: bool;
+    var phi_988_: bool;
+    var phi_992_: bool;
     var phi_948_: bool;
     var phi_949_: bool;
-    var phi_953_: bool;
-    var phi_992_: bool;
-    var phi_996_: bool;
+    var phi_950_: bool;
+    var phi_954_: bool;
+    var phi_993_: bool;
     var phi_997_: bool;
-    var phi_1043_: bool;
-    var phi_1053_: bool;
+    var phi_998_: bool;
+    var phi_1044_: bool;
     var phi_1054_: bool;
-    var phi_1058_: bool;
+    var phi_1055_: bool;
     var phi_1059_: bool;
-    var phi_1108_: type_35;
-    var phi_1111_: bool;
-    var phi_1109_: type_35;
-    var phi_1134_: type_35;
-    var phi_1191_: type_35;
-    var phi_1194_: array<u32, 2>;
-    var phi_1192_: type_35;
-    var phi_1217_: type_35;
-    var phi_1292_: bool;
-    var phi_1293_: bool;
-    var phi_1297_: array<u32, 2>;
+    var phi_1060_: bool;
+    var phi_1109_: type_36;
+    var phi_1112_: bool;
+    var phi_1110_: type_36;
+    var phi_1135_: type_36;
+    var phi_1192_: type_36;
     var phi_1195_: array<u32, 2>;
-    var phi_1348_: type_35;
-    var phi_1351_: array<u32, 2>;
-    var phi_1349_: type_35;
-    var phi_1374_: type_35;
-    var phi_1450_: bool;
-    var phi_1451_: bool;
-    var phi_1455_: array<u32, 2>;
+    var phi_1193_: type_36;
+    var phi_1218_: type_36;
+    var phi_1293_: bool;
+    var phi_1294_: bool;
+    var phi_1298_: array<u32, 2>;
+    var phi_1196_: array<u32, 2>;
+    var phi_1349_: type_36;
     var phi_1352_: array<u32, 2>;
+    var phi_1350_: type_36;
+    var phi_1375_: type_36;
+    var phi_1451_: bool;
+    var phi_1452_: bool;
+    var phi_1456_: array<u32, 2>;
+    var phi_1353_: array<u32, 2>;
     var local_28: array<u32, 2>;
     var local_29: array<u32, 2>;
     var local_30: array<u32, 2>;
     var local_31: array<u32, 2>;
     var local_32: array<u32, 2>;
     var local_33: array<u32, 2>;
-    var phi_1471_: bool;
     var phi_1472_: bool;
-    var phi_1523_: type_35;
-    var phi_1526_: array<u32, 2>;
-    var phi_1524_: type_35;
-    var phi_1549_: type_35;
-    var phi_1624_: bool;
-    var phi_1625_: bool;
-    var phi_1629_: array<u32, 2>;
+    var phi_1473_: bool;
+    var phi_1524_: type_36;
     var phi_1527_: array<u32, 2>;
-    var phi_1680_: type_35;
-    var phi_1683_: array<u32, 2>;
-    var phi_1681_: type_35;
-    var phi_1706_: type_35;
-    var phi_1782_: bool;
-    var phi_1783_: bool;
-    var phi_1787_: array<u32, 2>;
+    var phi_1525_: type_36;
+    var phi_1550_: type_36;
+    var phi_1625_: bool;
+    var phi_1626_: bool;
+    var phi_1630_: array<u32, 2>;
+    var phi_1528_: array<u32, 2>;
+    var phi_1681_: type_36;
     var phi_1684_: array<u32, 2>;
+    var phi_1682_: type_36;
+    var phi_1707_: type_36;
+    var phi_1783_: bool;
+    var phi_1784_: bool;
+    var phi_1788_: array<u32, 2>;
+    var phi_1685_: array<u32, 2>;
     var local_34: array<u32, 2>;
     var local_35: array<u32, 2>;
     var local_36: array<u32, 2>;
     var local_37: array<u32, 2>;
     var local_38: array<u32, 2>;
     var local_39: array<u32, 2>;
-    var phi_1803_: bool;
     var phi_1804_: bool;
-    var phi_1112_: bool;
-    var phi_1808_: bool;
+    var phi_1805_: bool;
+    var phi_1113_: bool;
     var phi_1809_: bool;
     var phi_1810_: bool;
-    var phi_1814_: bool;
+    var phi_1811_: bool;
     var phi_1815_: bool;
     var phi_1816_: bool;
     var phi_1817_: bool;
     var phi_1818_: bool;
-    var phi_1822_: bool;
-    var phi_1869_: u32;
-    var phi_1870_: bool;
-    var phi_815_: u32;
+    var phi_1819_: bool;
+    var phi_1823_: bool;
+    var phi_1870_: u32;
     var phi_1871_: bool;
-    var phi_1878_: u32;
-    var phi_1881_: type_35;
-    var phi_1882_: type_35;
-    var phi_1905_: type_35;
-    var phi_2059_: bool;
+    var phi_816_: u32;
+    var phi_1872_: bool;
+    var phi_1879_: u32;
+    var phi_1882_: type_36;
+    var phi_1883_: type_36;
+    var phi_1906_: type_36;
     var phi_2060_: bool;
     var phi_2061_: bool;
     var phi_2062_: bool;
     var phi_2063_: bool;
-    var phi_2067_: bool;
-    var phi_2023_: bool;
+    var phi_2064_: bool;
+    var phi_2068_: bool;
     var phi_2024_: bool;
     var phi_2025_: bool;
-    var phi_2029_: bool;
-    var phi_2068_: bool;
-    var phi_2072_: bool;
+    var phi_2026_: bool;
+    var phi_2030_: bool;
+    var phi_2069_: bool;
     var phi_2073_: bool;
-    var phi_2119_: bool;
-    var phi_2129_: bool;
+    var phi_2074_: bool;
+    var phi_2120_: bool;
     var phi_2130_: bool;
-    var phi_2134_: bool;
+    var phi_2131_: bool;
     var phi_2135_: bool;
-    var phi_2184_: type_35;
-    var phi_2187_: bool;
-    var phi_2185_: type_35;
-    var phi_2210_: type_35;
-    var phi_2267_: type_35;
-    var phi_2270_: array<u32, 2>;
-    var phi_2268_: type_35;
-    var phi_2293_: type_35;
-    var phi_2368_: bool;
-    var phi_2369_: bool;
-    var phi_2373_: array<u32, 2>;
+    var phi_2136_: bool;
+    var phi_2185_: type_36;
+    var phi_2188_: bool;
+    var phi_2186_: type_36;
+    var phi_2211_: type_36;
+    var phi_2268_: type_36;
     var phi_2271_: array<u32, 2>;
-    var phi_2424_: type_35;
-    var phi_2427_: array<u32, 2>;
-    var phi_2425_: type_35;
-    var phi_2450_: type_35;
-    var phi_2526_: bool;
-    var phi_2527_: bool;
-    var phi_2531_: array<u32, 2>;
+    var phi_2269_: type_36;
+    var phi_2294_: type_36;
+    var phi_2369_: bool;
+    var phi_2370_: bool;
+    var phi_2374_: array<u32, 2>;
+    var phi_2272_: array<u32, 2>;
+    var phi_2425_: type_36;
     var phi_2428_: array<u32, 2>;
+    var phi_2426_: type_36;
+    var phi_2451_: type_36;
+    var phi_2527_: bool;
+    var phi_2528_: bool;
+    var phi_2532_: array<u32, 2>;
+    var phi_2429_: array<u32, 2>;
     var local_40: array<u32, 2>;
     var local_41: array<u32, 2>;
     var local_42: array<u32, 2>;
     var local_43: array<u32, 2>;
     var local_44: array<u32, 2>;
     var local_45: array<u32, 2>;
-    var phi_2547_: bool;
     var phi_2548_: bool;
-    var phi_2599_: type_35;
-    var phi_2602_: array<u32, 2>;
-    var phi_2600_: type_35;
-    var phi_2625_: type_35;
-    var phi_2700_: bool;
-    var phi_2701_: bool;
-    var phi_2705_: array<u32, 2>;
+    var phi_2549_: bool;
+    var phi_2600_: type_36;
     var phi_2603_: array<u32, 2>;
-    var phi_2756_: type_35;
-    var phi_2759_: array<u32, 2>;
-    var phi_2757_: type_35;
-    var phi_2782_: type_35;
-    var phi_2858_: bool;
-    var phi_2859_: bool;
-    var phi_2863_: array<u32, 2>;
+    var phi_2601_: type_36;
+    var phi_2626_: type_36;
+    var phi_2701_: bool;
+    var phi_2702_: bool;
+    var phi_2706_: array<u32, 2>;
+    var phi_2604_: array<u32, 2>;
+    var phi_2757_: type_36;
     var phi_2760_: array<u32, 2>;
+    var phi_2758_: type_36;
+    var phi_2783_: type_36;
+    var phi_2859_: bool;
+    var phi_2860_: bool;
+    var phi_2864_: array<u32, 2>;
+    var phi_2761_: array<u32, 2>;
     var local_46: array<u32, 2>;
     var local_47: array<u32, 2>;
     var local_48: array<u32, 2>;
     var local_49: array<u32, 2>;
     var local_50: array<u32, 2>;
     var local_51: array<u32, 2>;
-    var phi_2879_: bool;
     var phi_2880_: bool;
-    var phi_2188_: bool;
-    var phi_2884_: bool;
+    var phi_2881_: bool;
+    var phi_2189_: bool;
     var phi_2885_: bool;
     var phi_2886_: bool;
-    var phi_2890_: bool;
+    var phi_2887_: bool;
     var phi_2891_: bool;
     var phi_2892_: bool;
     var phi_2893_: bool;
     var phi_2894_: bool;
-    var phi_2898_: bool;
-    var phi_3296_: f32;
-    var phi_3303_: f32;
-    var phi_3308_: f32;
-    var phi_3315_: f32;
-    var phi_3320_: f32;
-    var phi_3333_: f32;
-    var phi_3340_: f32;
-    var phi_3345_: f32;
-    var phi_3352_: f32;
-    var phi_3357_: f32;
-    var phi_3362_: f32;
-    var phi_3379_: f32;
-    var phi_3386_: f32;
-    var phi_3391_: f32;
-    var phi_3398_: f32;
-    var phi_3403_: f32;
-    var phi_3417_: f32;
-    var phi_3424_: f32;
-    var phi_3429_: f32;
-    var phi_3436_: f32;
-    var phi_3441_: f32;
-    var phi_3446_: f32;
-    var phi_3463_: f32;
-    var phi_3470_: f32;
-    var phi_3475_: f32;
-    var phi_3482_: f32;
-    var phi_3487_: f32;
-    var phi_3501_: f32;
-    var phi_3508_: f32;
-    var phi_3513_: f32;
-    var phi_3520_: f32;
-    var phi_3525_: f32;
-    var phi_3530_: f32;
-    var phi_3561_: f32;
-    var phi_3567_: f32;
-    var phi_3574_: f32;
-    var phi_3581_: f32;
-    var phi_3587_: f32;
-    var phi_3594_: f32;
-    var phi_3600_: f32;
-    var phi_3606_: f32;
-    var phi_3612_: f32;
-    var phi_3619_: f32;
-    var phi_3626_: f32;
-    var phi_3650_: f32;
-    var phi_3655_: f32;
-    var phi_3660_: f32;
-    var phi_3665_: f32;
-    var phi_3670_: f32;
-    var phi_3675_: f32;
-    var phi_3685_: f32;
-    var phi_3936_: f32;
-    var phi_3943_: f32;
-    var phi_3948_: f32;
-    var phi_3955_: f32;
-    var phi_3960_: f32;
-    var phi_3973_: f32;
-    var phi_3980_: f32;
-    var phi_3985_: f32;
-    var phi_3992_: f32;
-    var phi_3997_: f32;
-    var phi_4002_: f32;
-    var phi_4019_: f32;
-    var phi_4026_: f32;
-    var phi_4031_: f32;
-    var phi_4038_: f32;
-    var phi_4043_: f32;
-    var phi_4057_: f32;
-    var phi_4064_: f32;
-    var phi_4069_: f32;
-    var phi_4076_: f32;
-    var phi_4081_: f32;
-    var phi_4086_: f32;
-    var phi_4103_: f32;
-    var phi_4110_: f32;
-    var phi_4115_: f32;
-    var phi_4122_: f32;
-    var phi_4127_: f32;
-    var phi_4141_: f32;
-    var phi_4148_: f32;
-    var phi_4153_: f32;
-    var phi_4160_: f32;
-    var phi_4165_: f32;
-    var phi_4170_: f32;
-    var phi_4208_: type_35;
-    var phi_4211_: f32;
-    var phi_4213_: f32;
-    var phi_4209_: type_35;
-    var phi_4236_: type_35;
-    var phi_4286_: f32;
-    var phi_4291_: f32;
-    var phi_4296_: f32;
-    var phi_4301_: f32;
+    var phi_2895_: bool;
+    var phi_2899_: bool;
+    var phi_3297_: f32;
+    var phi_3304_: f32;
+    var phi_3309_: f32;
+    var phi_3316_: f32;
+    var phi_3321_: f32;
+    var phi_3334_: f32;
+    var phi_3341_: f32;
+    var phi_3346_: f32;
+    var phi_3353_: f32;
+    var phi_3358_: f32;
+    var phi_3363_: f32;
+    var phi_3380_: f32;
+    var phi_3387_: f32;
+    var phi_3392_: f32;
+    var phi_3399_: f32;
+    var phi_3404_: f32;
+    var phi_3418_: f32;
+    var phi_3425_: f32;
+    var phi_3430_: f32;
+    var phi_3437_: f32;
+    var phi_3442_: f32;
+    var phi_3447_: f32;
+    var phi_3464_: f32;
+    var phi_3471_: f32;
+    var phi_3476_: f32;
+    var phi_3483_: f32;
+    var phi_3488_: f32;
+    var phi_3502_: f32;
+    var phi_3509_: f32;
+    var phi_3514_: f32;
+    var phi_3521_: f32;
+    var phi_3526_: f32;
+    var phi_3531_: f32;
+    var phi_3562_: f32;
+    var phi_3568_: f32;
+    var phi_3575_: f32;
+    var phi_3582_: f32;
+    var phi_3588_: f32;
+    var phi_3595_: f32;
+    var phi_3601_: f32;
+    var phi_3607_: f32;
+    var phi_3613_: f32;
+    var phi_3620_: f32;
+    var phi_3627_: f32;
+    var phi_3651_: f32;
+    var phi_3656_: f32;
+    var phi_3661_: f32;
+    var phi_3666_: f32;
+    var phi_3671_: f32;
+    var phi_3676_: f32;
+    var phi_3686_: f32;
+    var phi_3937_: f32;
+    var phi_3944_: f32;
+    var phi_3949_: f32;
+    var phi_3956_: f32;
+    var phi_3961_: f32;
+    var phi_3974_: f32;
+    var phi_3981_: f32;
+    var phi_3986_: f32;
+    var phi_3993_: f32;
+    var phi_3998_: f32;
+    var phi_4003_: f32;
+    var phi_4020_: f32;
+    var phi_4027_: f32;
+    var phi_4032_: f32;
+    var phi_4039_: f32;
+    var phi_4044_: f32;
+    var phi_4058_: f32;
+    var phi_4065_: f32;
+    var phi_4070_: f32;
+    var phi_4077_: f32;
+    var phi_4082_: f32;
+    var phi_4087_: f32;
+    var phi_4104_: f32;
+    var phi_4111_: f32;
+    var phi_4116_: f32;
+    var phi_4123_: f32;
+    var phi_4128_: f32;
+    var phi_4142_: f32;
+    var phi_4149_: f32;
+    var phi_4154_: f32;
+    var phi_4161_: f32;
+    var phi_4166_: f32;
+    var phi_4171_: f32;
+    var phi_4209_: type_36;
     var phi_4212_: f32;
     var phi_4214_: f32;
-    var phi_4307_: f32;
-    var phi_4313_: f32;
-    var phi_4320_: f32;
+    var phi_4210_: type_36;
+    var phi_4237_: type_36;
+    var phi_4287_: f32;
+    var phi_4292_: f32;
+    var phi_4297_: f32;
+    var phi_4302_: f32;
+    var phi_4213_: f32;
+    var phi_4215_: f32;
+    var phi_4308_: f32;
+    var phi_4314_: f32;
+    var phi_4321_: f32;
     var local_52: f32;
     var local_53: f32;
-    var phi_4330_: f32;
-    var phi_4361_: type_35;
-    var phi_4364_: f32;
-    var phi_4366_: f32;
-    var phi_4362_: type_35;
-    var phi_4389_: type_35;
-    var phi_4439_: f32;
-    var phi_4444_: f32;
-    var phi_4449_: f32;
-    var phi_4454_: f32;
+    var phi_4331_: f32;
+    var phi_4362_: type_36;
     var phi_4365_: f32;
     var phi_4367_: f32;
-    var phi_4460_: f32;
-    var phi_4466_: f32;
-    var phi_4473_: f32;
+    var phi_4363_: type_36;
+    var phi_4390_: type_36;
+    var phi_4440_: f32;
+    var phi_4445_: f32;
+    var phi_4450_: f32;
+    var phi_4455_: f32;
+    var phi_4366_: f32;
+    var phi_4368_: f32;
+    var phi_4461_: f32;
+    var phi_4467_: f32;
+    var phi_4474_: f32;
     var local_54: f32;
     var local_55: f32;
-    var phi_4483_: f32;
-    var phi_4493_: f32;
-    var phi_4526_: type_35;
-    var phi_4529_: f32;
-    var phi_4531_: f32;
-    var phi_4527_: type_35;
-    var phi_4554_: type_35;
-    var phi_4604_: f32;
-    var phi_4609_: f32;
-    var phi_4614_: f32;
-    var phi_4619_: f32;
+    var phi_4484_: f32;
+    var phi_4494_: f32;
+    var phi_4527_: type_36;
     var phi_4530_: f32;
     var phi_4532_: f32;
-    var phi_4625_: f32;
-    var phi_4631_: f32;
-    var phi_4638_: f32;
+    var phi_4528_: type_36;
+    var phi_4555_: type_36;
+    var phi_4605_: f32;
+    var phi_4610_: f32;
+    var phi_4615_: f32;
+    var phi_4620_: f32;
+    var phi_4531_: f32;
+    var phi_4533_: f32;
+    var phi_4626_: f32;
+    var phi_4632_: f32;
+    var phi_4639_: f32;
     var local_56: f32;
     var local_57: f32;
-    var phi_4648_: f32;
-    var phi_4658_: f32;
-    var phi_4661_: bool;
-    var phi_5118_: f32;
-    var phi_5125_: f32;
-    var phi_5130_: f32;
-    var phi_5137_: f32;
-    var phi_5142_: f32;
-    var phi_5155_: f32;
-    var phi_5162_: f32;
-    var phi_5167_: f32;
-    var phi_5174_: f32;
-    var phi_5179_: f32;
-    var phi_5184_: f32;
-    var phi_5201_: f32;
-    var phi_5208_: f32;
-    var phi_5213_: f32;
-    var phi_5220_: f32;
-    var phi_5225_: f32;
-    var phi_5239_: f32;
-    var phi_5246_: f32;
-    var phi_5251_: f32;
-    var phi_5258_: f32;
-    var phi_5263_: f32;
-    var phi_5268_: f32;
-    var phi_5285_: f32;
-    var phi_5292_: f32;
-    var phi_5297_: f32;
-    var phi_5304_: f32;
-    var phi_5309_: f32;
-    var phi_5323_: f32;
-    var phi_5330_: f32;
-    var phi_5335_: f32;
-    var phi_5342_: f32;
-    var phi_5347_: f32;
-    var phi_5352_: f32;
-    var phi_5383_: f32;
-    var phi_5389_: f32;
-    var phi_5396_: f32;
-    var phi_5403_: f32;
-    var phi_5409_: f32;
-    var phi_5416_: f32;
-    var phi_5422_: f32;
-    var phi_5428_: f32;
-    var phi_5434_: f32;
-    var phi_5441_: f32;
-    var phi_5448_: f32;
-    var phi_5472_: f32;
-    var phi_5477_: f32;
-    var phi_5482_: f32;
-    var phi_5487_: f32;
-    var phi_5492_: f32;
-    var phi_5497_: f32;
-    var phi_5507_: f32;
-    var phi_5758_: f32;
-    var phi_5765_: f32;
-    var phi_5770_: f32;
-    var phi_5777_: f32;
-    var phi_5782_: f32;
-    var phi_5795_: f32;
-    var phi_5802_: f32;
-    var phi_5807_: f32;
-    var phi_5814_: f32;
-    var phi_5819_: f32;
-    var phi_5824_: f32;
-    var phi_5841_: f32;
-    var phi_5848_: f32;
-    var phi_5853_: f32;
-    var phi_5860_: f32;
-    var phi_5865_: f32;
-    var phi_5879_: f32;
-    var phi_5886_: f32;
-    var phi_5891_: f32;
-    var phi_5898_: f32;
-    var phi_5903_: f32;
-    var phi_5908_: f32;
-    var phi_5925_: f32;
-    var phi_5932_: f32;
-    var phi_5937_: f32;
-    var phi_5944_: f32;
-    var phi_5949_: f32;
-    var phi_5963_: f32;
-    var phi_5970_: f32;
-    var phi_5975_: f32;
-    var phi_5982_: f32;
-    var phi_5987_: f32;
-    var phi_5992_: f32;
-    var phi_6030_: type_35;
-    var phi_6033_: f32;
-    var phi_6035_: f32;
-    var phi_6031_: type_35;
-    var phi_6058_: type_35;
-    var phi_6108_: f32;
-    var phi_6113_: f32;
-    var phi_6118_: f32;
-    var phi_6123_: f32;
+    var phi_4649_: f32;
+    var phi_4659_: f32;
+    var phi_4662_: bool;
+    var phi_5119_: f32;
+    var phi_5126_: f32;
+    var phi_5131_: f32;
+    var phi_5138_: f32;
+    var phi_5143_: f32;
+    var phi_5156_: f32;
+    var phi_5163_: f32;
+    var phi_5168_: f32;
+    var phi_5175_: f32;
+    var phi_5180_: f32;
+    var phi_5185_: f32;
+    var phi_5202_: f32;
+    var phi_5209_: f32;
+    var phi_5214_: f32;
+    var phi_5221_: f32;
+    var phi_5226_: f32;
+    var phi_5240_: f32;
+    var phi_5247_: f32;
+    var phi_5252_: f32;
+    var phi_5259_: f32;
+    var phi_5264_: f32;
+    var phi_5269_: f32;
+    var phi_5286_: f32;
+    var phi_5293_: f32;
+    var phi_5298_: f32;
+    var phi_5305_: f32;
+    var phi_5310_: f32;
+    var phi_5324_: f32;
+    var phi_5331_: f32;
+    var phi_5336_: f32;
+    var phi_5343_: f32;
+    var phi_5348_: f32;
+    var phi_5353_: f32;
+    var phi_5384_: f32;
+    var phi_5390_: f32;
+    var phi_5397_: f32;
+    var phi_5404_: f32;
+    var phi_5410_: f32;
+    var phi_5417_: f32;
+    var phi_5423_: f32;
+    var phi_5429_: f32;
+    var phi_5435_: f32;
+    var phi_5442_: f32;
+    var phi_5449_: f32;
+    var phi_5473_: f32;
+    var phi_5478_: f32;
+    var phi_5483_: f32;
+    var phi_5488_: f32;
+    var phi_5493_: f32;
+    var phi_5498_: f32;
+    var phi_5508_: f32;
+    var phi_5759_: f32;
+    var phi_5766_: f32;
+    var phi_5771_: f32;
+    var phi_5778_: f32;
+    var phi_5783_: f32;
+    var phi_5796_: f32;
+    var phi_5803_: f32;
+    var phi_5808_: f32;
+    var phi_5815_: f32;
+    var phi_5820_: f32;
+    var phi_5825_: f32;
+    var phi_5842_: f32;
+    var phi_5849_: f32;
+    var phi_5854_: f32;
+    var phi_5861_: f32;
+    var phi_5866_: f32;
+    var phi_5880_: f32;
+    var phi_5887_: f32;
+    var phi_5892_: f32;
+    var phi_5899_: f32;
+    var phi_5904_: f32;
+    var phi_5909_: f32;
+    var phi_5926_: f32;
+    var phi_5933_: f32;
+    var phi_5938_: f32;
+    var phi_5945_: f32;
+    var phi_5950_: f32;
+    var phi_5964_: f32;
+    var phi_5971_: f32;
+    var phi_5976_: f32;
+    var phi_5983_: f32;
+    var phi_5988_: f32;
+    var phi_5993_: f32;
+    var phi_6031_: type_36;
     var phi_6034_: f32;
     var phi_6036_: f32;
-    var phi_6129_: f32;
-    var phi_6135_: f32;
-    var phi_6142_: f32;
+    var phi_6032_: type_36;
+    var phi_6059_: type_36;
+    var phi_6109_: f32;
+    var phi_6114_: f32;
+    var phi_6119_: f32;
+    var phi_6124_: f32;
+    var phi_6035_: f32;
+    var phi_6037_: f32;
+    var phi_6130_: f32;
+    var phi_6136_: f32;
+    var phi_6143_: f32;
     var local_58: f32;
     var local_59: f32;
-    var phi_6152_: f32;
-    var phi_6183_: type_35;
-    var phi_6186_: f32;
-    var phi_6188_: f32;
-    var phi_6184_: type_35;
-    var phi_6211_: type_35;
-    var phi_6261_: f32;
-    var phi_6266_: f32;
-    var phi_6271_: f32;
-    var phi_6276_: f32;
+    var phi_6153_: f32;
+    var phi_6184_: type_36;
     var phi_6187_: f32;
     var phi_6189_: f32;
-    var phi_6282_: f32;
-    var phi_6288_: f32;
-    var phi_6295_: f32;
+    var phi_6185_: type_36;
+    var phi_6212_: type_36;
+    var phi_6262_: f32;
+    var phi_6267_: f32;
+    var phi_6272_: f32;
+    var phi_6277_: f32;
+    var phi_6188_: f32;
+    var phi_6190_: f32;
+    var phi_6283_: f32;
+    var phi_6289_: f32;
+    var phi_6296_: f32;
     var local_60: f32;
     var local_61: f32;
-    var phi_6305_: f32;
-    var phi_6315_: f32;
-    var phi_6348_: type_35;
-    var phi_6351_: f32;
-    var phi_6353_: f32;
-    var phi_6349_: type_35;
-    var phi_6376_: type_35;
-    var phi_6426_: f32;
-    var phi_6431_: f32;
-    var phi_6436_: f32;
-    var phi_6441_: f32;
+    var phi_6306_: f32;
+    var phi_6316_: f32;
+    var phi_6349_: type_36;
     var phi_6352_: f32;
     var phi_6354_: f32;
-    var phi_6447_: f32;
-    var phi_6453_: f32;
-    var phi_6460_: f32;
+    var phi_6350_: type_36;
+    var phi_6377_: type_36;
+    var phi_6427_: f32;
+    var phi_6432_: f32;
+    var phi_6437_: f32;
+    var phi_6442_: f32;
+    var phi_6353_: f32;
+    var phi_6355_: f32;
+    var phi_6448_: f32;
+    var phi_6454_: f32;
+    var phi_6461_: f32;
     var local_62: f32;
     var local_63: f32;
-    var phi_6470_: f32;
-    var phi_6480_: f32;
-    var phi_6483_: bool;
-    var phi_6729_: f32;
-    var phi_6736_: f32;
-    var phi_6741_: f32;
-    var phi_6748_: f32;
-    var phi_6753_: f32;
-    var phi_6766_: f32;
-    var phi_6773_: f32;
-    var phi_6778_: f32;
-    var phi_6785_: f32;
-    var phi_6790_: f32;
-    var phi_6795_: f32;
-    var phi_6812_: f32;
-    var phi_6819_: f32;
-    var phi_6824_: f32;
-    var phi_6831_: f32;
-    var phi_6836_: f32;
-    var phi_6850_: f32;
-    var phi_6857_: f32;
-    var phi_6862_: f32;
-    var phi_6869_: f32;
-    var phi_6874_: f32;
-    var phi_6879_: f32;
-    var phi_6896_: f32;
-    var phi_6903_: f32;
-    var phi_6908_: f32;
-    var phi_6915_: f32;
-    var phi_6920_: f32;
-    var phi_6934_: f32;
-    var phi_6941_: f32;
-    var phi_6946_: f32;
-    var phi_6953_: f32;
-    var phi_6958_: f32;
-    var phi_6963_: f32;
-    var phi_6994_: f32;
-    var phi_7000_: f32;
-    var phi_7007_: f32;
-    var phi_7014_: f32;
-    var phi_7020_: f32;
-    var phi_7027_: f32;
-    var phi_7033_: f32;
-    var phi_7039_: f32;
-    var phi_7045_: f32;
-    var phi_7052_: f32;
-    var phi_7059_: f32;
-    var phi_7083_: f32;
-    var phi_7088_: f32;
-    var phi_7093_: f32;
-    var phi_7098_: f32;
-    var phi_7103_: f32;
-    var phi_7108_: f32;
-    var phi_7118_: f32;
-    var phi_7369_: f32;
-    var phi_7376_: f32;
-    var phi_7381_: f32;
-    var phi_7388_: f32;
-    var phi_7393_: f32;
-    var phi_7406_: f32;
-    var phi_7413_: f32;
-    var phi_7418_: f32;
-    var phi_7425_: f32;
-    var phi_7430_: f32;
-    var phi_7435_: f32;
-    var phi_7452_: f32;
-    var phi_7459_: f32;
-    var phi_7464_: f32;
-    var phi_7471_: f32;
-    var phi_7476_: f32;
-    var phi_7490_: f32;
-    var phi_7497_: f32;
-    var phi_7502_: f32;
-    var phi_7509_: f32;
-    var phi_7514_: f32;
-    var phi_7519_: f32;
-    var phi_7536_: f32;
-    var phi_7543_: f32;
-    var phi_7548_: f32;
-    var phi_7555_: f32;
-    var phi_7560_: f32;
-    var phi_7574_: f32;
-    var phi_7581_: f32;
-    var phi_7586_: f32;
-    var phi_7593_: f32;
-    var phi_7598_: f32;
-    var phi_7603_: f32;
-    var phi_7641_: type_35;
-    var phi_7644_: f32;
-    var phi_7646_: f32;
-    var phi_7642_: type_35;
-    var phi_7669_: type_35;
-    var phi_7719_: f32;
-    var phi_7724_: f32;
-    var phi_7729_: f32;
-    var phi_7734_: f32;
+    var phi_6471_: f32;
+    var phi_6481_: f32;
+    var phi_6484_: bool;
+    var phi_6730_: f32;
+    var phi_6737_: f32;
+    var phi_6742_: f32;
+    var phi_6749_: f32;
+    var phi_6754_: f32;
+    var phi_6767_: f32;
+    var phi_6774_: f32;
+    var phi_6779_: f32;
+    var phi_6786_: f32;
+    var phi_6791_: f32;
+    var phi_6796_: f32;
+    var phi_6813_: f32;
+    var phi_6820_: f32;
+    var phi_6825_: f32;
+    var phi_6832_: f32;
+    var phi_6837_: f32;
+    var phi_6851_: f32;
+    var phi_6858_: f32;
+    var phi_6863_: f32;
+    var phi_6870_: f32;
+    var phi_6875_: f32;
+    var phi_6880_: f32;
+    var phi_6897_: f32;
+    var phi_6904_: f32;
+    var phi_6909_: f32;
+    var phi_6916_: f32;
+    var phi_6921_: f32;
+    var phi_6935_: f32;
+    var phi_6942_: f32;
+    var phi_6947_: f32;
+    var phi_6954_: f32;
+    var phi_6959_: f32;
+    var phi_6964_: f32;
+    var phi_6995_: f32;
+    var phi_7001_: f32;
+    var phi_7008_: f32;
+    var phi_7015_: f32;
+    var phi_7021_: f32;
+    var phi_7028_: f32;
+    var phi_7034_: f32;
+    var phi_7040_: f32;
+    var phi_7046_: f32;
+    var phi_7053_: f32;
+    var phi_7060_: f32;
+    var phi_7084_: f32;
+    var phi_7089_: f32;
+    var phi_7094_: f32;
+    var phi_7099_: f32;
+    var phi_7104_: f32;
+    var phi_7109_: f32;
+    var phi_7119_: f32;
+    var phi_7370_: f32;
+    var phi_7377_: f32;
+    var phi_7382_: f32;
+    var phi_7389_: f32;
+    var phi_7394_: f32;
+    var phi_7407_: f32;
+    var phi_7414_: f32;
+    var phi_7419_: f32;
+    var phi_7426_: f32;
+    var phi_7431_: f32;
+    var phi_7436_: f32;
+    var phi_7453_: f32;
+    var phi_7460_: f32;
+    var phi_7465_: f32;
+    var phi_7472_: f32;
+    var phi_7477_: f32;
+    var phi_7491_: f32;
+    var phi_7498_: f32;
+    var phi_7503_: f32;
+    var phi_7510_: f32;
+    var phi_7515_: f32;
+    var phi_7520_: f32;
+    var phi_7537_: f32;
+    var phi_7544_: f32;
+    var phi_7549_: f32;
+    var phi_7556_: f32;
+    var phi_7561_: f32;
+    var phi_7575_: f32;
+    var phi_7582_: f32;
+    var phi_7587_: f32;
+    var phi_7594_: f32;
+    var phi_7599_: f32;
+    var phi_7604_: f32;
+    var phi_7642_: type_36;
     var phi_7645_: f32;
     var phi_7647_: f32;
-    var phi_7740_: f32;
-    var phi_7746_: f32;
-    var phi_7753_: f32;
+    var phi_7643_: type_36;
+    var phi_7670_: type_36;
+    var phi_7720_: f32;
+    var phi_7725_: f32;
+    var phi_7730_: f32;
+    var phi_7735_: f32;
+    var phi_7646_: f32;
+    var phi_7648_: f32;
+    var phi_7741_: f32;
+    var phi_7747_: f32;
+    var phi_7754_: f32;
     var local_64: f32;
     var local_65: f32;
-    var phi_7763_: f32;
-    var phi_7794_: type_35;
-    var phi_7797_: f32;
-    var phi_7799_: f32;
-    var phi_7795_: type_35;
-    var phi_7822_: type_35;
-    var phi_7872_: f32;
-    var phi_7877_: f32;
-    var phi_7882_: f32;
-    var phi_7887_: f32;
+    var phi_7764_: f32;
+    var phi_7795_: type_36;
     var phi_7798_: f32;
     var phi_7800_: f32;
-    var phi_7893_: f32;
-    var phi_7899_: f32;
-    var phi_7906_: f32;
+    var phi_7796_: type_36;
+    var phi_7823_: type_36;
+    var phi_7873_: f32;
+    var phi_7878_: f32;
+    var phi_7883_: f32;
+    var phi_7888_: f32;
+    var phi_7799_: f32;
+    var phi_7801_: f32;
+    var phi_7894_: f32;
+    var phi_7900_: f32;
+    var phi_7907_: f32;
     var local_66: f32;
     var local_67: f32;
-    var phi_7916_: f32;
-    var phi_7926_: f32;
-    var phi_7959_: type_35;
-    var phi_7962_: f32;
-    var phi_7964_: f32;
-    var phi_7960_: type_35;
-    var phi_7987_: type_35;
-    var phi_8037_: f32;
-    var phi_8042_: f32;
-    var phi_8047_: f32;
-    var phi_8052_: f32;
+    var phi_7917_: f32;
+    var phi_7927_: f32;
+    var phi_7960_: type_36;
     var phi_7963_: f32;
     var phi_7965_: f32;
-    var phi_8058_: f32;
-    var phi_8064_: f32;
-    var phi_8071_: f32;
+    var phi_7961_: type_36;
+    var phi_7988_: type_36;
+    var phi_8038_: f32;
+    var phi_8043_: f32;
+    var phi_8048_: f32;
+    var phi_8053_: f32;
+    var phi_7964_: f32;
+    var phi_7966_: f32;
+    var phi_8059_: f32;
+    var phi_8065_: f32;
+    var phi_8072_: f32;
     var local_68: f32;
     var local_69: f32;
-    var phi_8081_: f32;
-    var phi_8091_: f32;
-    var phi_8094_: bool;
+    var phi_8082_: f32;
+    var phi_8092_: f32;
     var phi_8095_: bool;
-    var phi_8097_: bool;
-    var phi_8107_: bool;
+    var phi_8096_: bool;
+    var phi_8098_: bool;
     var phi_8108_: bool;
-    var phi_8140_: type_35;
-    var phi_8141_: type_35;
-    var phi_8164_: type_35;
-    var phi_8187_: u32;
-    var phi_8262_: bool;
+    var phi_8109_: bool;
+    var phi_8141_: type_36;
+    var phi_8142_: type_36;
+    var phi_8165_: type_36;
+    var phi_8188_: u32;
     var phi_8263_: bool;
+    var phi_8264_: bool;
     var local_70: u32;
     var local_71: bool;
     var local_72: bool;
@@ -771,11 +773,11 @@ fn function_() {
     let _e128 = params.member.member_15;
     let _e130 = input.member[0u];
     if (_e128 < _e130) {
-        phi_232_ = _e128;
+        phi_233_ = _e128;
     } else {
-        phi_232_ = _e130;
+        phi_233_ = _e130;
     }
-    let _e133 = phi_232_;
+    let _e133 = phi_233_;
     let _e134 = (_e110 / 32u);
     let _e135 = (_e110 % 32u);
     let _e137 = params.member.member_12;
@@ -791,30 +793,30 @@ fn function_() {
             return;
         }
         if ((_e141 % _e143) > 0u) {
-            phi_270_ = (_e145 + 1u);
+            phi_271_ = (_e145 + 1u);
         } else {
-            phi_270_ = _e145;
+            phi_271_ = _e145;
         }
-        let _e151 = phi_270_;
-        phi_271_ = _e151;
+        let _e151 = phi_271_;
+        phi_272_ = _e151;
     } else {
-        phi_271_ = 0u;
+        phi_272_ = 0u;
     }
-    let _e153 = phi_271_;
+    let _e153 = phi_272_;
     let _e155 = params.member.member_14;
     if (_e155 < _e153) {
-        phi_278_ = _e155;
+        phi_279_ = _e155;
     } else {
-        phi_278_ = _e153;
+        phi_279_ = _e153;
     }
-    let _e158 = phi_278_;
+    let _e158 = phi_279_;
     let _e159 = (_e158 / 4u);
     if ((_e158 % 4u) > 0u) {
-        phi_294_ = (_e159 + 1u);
+        phi_295_ = (_e159 + 1u);
     } else {
-        phi_294_ = _e159;
+        phi_295_ = _e159;
     }
-    let _e164 = phi_294_;
+    let _e164 = phi_295_;
     if (_e164 > _e123) {
         let _e166 = (_e164 - _e123);
         if (_e126 == 0u) {
@@ -825,28 +827,28 @@ fn function_() {
             return;
         }
         if ((_e166 % _e126) > 0u) {
-            phi_315_ = (_e168 + 1u);
+            phi_316_ = (_e168 + 1u);
         } else {
-            phi_315_ = _e168;
+            phi_316_ = _e168;
         }
-        let _e174 = phi_315_;
-        phi_316_ = _e174;
+        let _e174 = phi_316_;
+        phi_317_ = _e174;
     } else {
-        phi_316_ = 0u;
+        phi_317_ = 0u;
     }
-    let _e176 = phi_316_;
-    phi_319_ = type_35(0u, _e176);
+    let _e176 = phi_317_;
+    phi_320_ = type_36(0u, _e176);
     loop {
-        let _e179 = phi_319_;
+        let _e179 = phi_320_;
         if (_e179.member < _e179.member_1) {
-            phi_320_ = type_35((_e179.member + 1u), _e179.member_1);
-            phi_343_ = type_35(1u, _e179.member);
+            phi_321_ = type_36((_e179.member + 1u), _e179.member_1);
+            phi_344_ = type_36(1u, _e179.member);
         } else {
-            phi_320_ = _e179;
-            phi_343_ = type_35(0u, type_35().member_1);
+            phi_321_ = _e179;
+            phi_344_ = type_36(0u, type_36().member_1);
         }
-        let _e193 = phi_320_;
-        let _e195 = phi_343_;
+        let _e193 = phi_321_;
+        let _e195 = phi_344_;
         let _e199 = (bitcast<i32>(_e195.member) != 0i);
         if _e199 {
             let _e203 = (((_e123 + (_e195.member_1 * _e126)) * 4u) + _e134);
@@ -863,32 +865,32 @@ fn function_() {
                     return;
                 }
                 if ((_e209 % _e211) > 0u) {
-                    phi_381_ = (_e213 + 1u);
+                    phi_382_ = (_e213 + 1u);
                 } else {
-                    phi_381_ = _e213;
+                    phi_382_ = _e213;
                 }
-                let _e219 = phi_381_;
-                phi_382_ = _e219;
+                let _e219 = phi_382_;
+                phi_383_ = _e219;
             } else {
-                phi_382_ = 0u;
+                phi_383_ = 0u;
             }
-            let _e221 = phi_382_;
+            let _e221 = phi_383_;
             let _e223 = params.member.member_14;
             if (_e223 < _e221) {
-                phi_389_ = _e223;
+                phi_390_ = _e223;
             } else {
-                phi_389_ = _e221;
+                phi_390_ = _e221;
             }
-            let _e226 = phi_389_;
+            let _e226 = phi_390_;
             let _e227 = (_e203 < _e226);
             let _e229 = params.member.member_12;
             if _e227 {
                 let _e231 = params.member.member_13;
-                phi_399_ = (_e203 * _e231);
+                phi_400_ = (_e203 * _e231);
             } else {
-                phi_399_ = 0u;
+                phi_400_ = 0u;
             }
-            let _e234 = phi_399_;
+            let _e234 = phi_400_;
             let _e236 = (2u * (_e229 + _e234));
             let _e239 = input.member[(4u + _e236)];
             let _e242 = input.member[(_e236 + 5u)];
@@ -896,9 +898,9 @@ fn function_() {
                 atomicStore((&counters[_e110]), 0u);
             }
             workgroupBarrier();
-            let _e249 = params.member.member_18[0u][0u];
+            let _e249 = params.member.member_20[0u][0u];
             let _e250 = (_e249 + (_e239 * 32u));
-            let _e255 = params.member.member_18[0u][2u];
+            let _e255 = params.member.member_20[0u][2u];
             let _e256 = (_e255 + (_e242 * 32u));
             if (_e135 == 0u) {
                 firsts[(2u * _e134)] = _e250;
@@ -906,11 +908,11 @@ fn function_() {
             }
             let _e264 = params.member.member_8;
             if (_e264 == 0u) {
-                phi_478_ = array<u32, 2>(0u, 2u);
+                phi_479_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_478_ = array<u32, 2>(1u, 1u);
+                phi_479_ = array<u32, 2>(1u, 1u);
             }
-            let _e267 = phi_478_;
+            let _e267 = phi_479_;
             let _e270 = (_e110 / 32u);
             let _e271 = (_e110 % 32u);
             let _e273 = params.member.member_9;
@@ -922,7 +924,7 @@ fn function_() {
             } else {
                 return;
             }
-            let _e279 = params.member.member_18[_e273][_e267[0]];
+            let _e279 = params.member.member_20[_e273][_e267[0]];
             let _e282 = nodes.member[(_e279 + _e239)];
             let _e284 = params.member.member_9;
             if (_e284 < 8u) {
@@ -933,7 +935,7 @@ fn function_() {
             } else {
                 return;
             }
-            let _e290 = params.member.member_18[_e284][_e267[1]];
+            let _e290 = params.member.member_20[_e284][_e267[1]];
             let _e293 = nodes.member[(_e290 + _e242)];
             let _e295 = params.member.member_9;
             let _e296 = (_e295 - 1u);
@@ -945,7 +947,7 @@ fn function_() {
             } else {
                 return;
             }
-            let _e304 = params.member.member_18[_e296][_e267[0]];
+            let _e304 = params.member.member_20[_e296][_e267[0]];
             let _e307 = nodes.member[(_e304 + ((_e239 * 32u) + _e271))];
             let _e309 = params.member.member_9;
             let _e310 = (_e309 - 1u);
@@ -957,7 +959,7 @@ fn function_() {
             } else {
                 return;
             }
-            let _e318 = params.member.member_18[_e310][_e267[1]];
+            let _e318 = params.member.member_20[_e310][_e267[1]];
             let _e321 = nodes.member[(_e318 + ((_e242 * 32u) + _e271))];
             if _e227 {
                 if ((((((_e321.member[0] <= _e282.member_1[0]) && (_e282.member[0] <= _e321.member_1[0])) && (_e321.member[1] <= _e282.member_1[1])) && (_e282.member[1] <= _e321.member_1[1])) && (_e321.member[2] <= _e282.member_1[2])) && (_e282.member[2] <= _e321.member_1[2])) {
@@ -970,39 +972,39 @@ fn function_() {
             workgroupBarrier();
             if _e227 {
                 if ((((((_e307.member[0] <= _e293.member_1[0]) && (_e293.member[0] <= _e307.member_1[0])) && (_e307.member[1] <= _e293.member_1[1])) && (_e293.member[1] <= _e307.member_1[1])) && (_e307.member[2] <= _e293.member_1[2])) && (_e293.member[2] <= _e307.member_1[2])) {
-                    phi_672_ = false;
+                    phi_673_ = false;
                 } else {
-                    phi_672_ = true;
+                    phi_673_ = true;
                 }
-                let _e410 = phi_672_;
-                phi_673_ = _e410;
+                let _e410 = phi_673_;
+                phi_674_ = _e410;
             } else {
-                phi_673_ = true;
+                phi_674_ = true;
             }
-            let _e412 = phi_673_;
+            let _e412 = phi_674_;
             if _e412 {
-                phi_677_ = type_6(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_678_ = type_6(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_677_ = _e307;
+                phi_678_ = _e307;
             }
-            let _e414 = phi_677_;
+            let _e414 = phi_678_;
             let _e415 = (_e110 / 32u);
             let _e418 = atomicLoad((&counters[_e415]));
-            phi_690_ = type_35(0u, _e418);
-            phi_693_ = 0u;
+            phi_691_ = type_36(0u, _e418);
+            phi_694_ = 0u;
             loop {
-                let _e421 = phi_690_;
-                let _e423 = phi_693_;
+                let _e421 = phi_691_;
+                let _e423 = phi_694_;
                 local_70 = _e423;
                 if (_e421.member < _e421.member_1) {
-                    phi_691_ = type_35((_e421.member + 1u), _e421.member_1);
-                    phi_716_ = type_35(1u, _e421.member);
+                    phi_692_ = type_36((_e421.member + 1u), _e421.member_1);
+                    phi_717_ = type_36(1u, _e421.member);
                 } else {
-                    phi_691_ = _e421;
-                    phi_716_ = type_35(0u, type_35().member_1);
+                    phi_692_ = _e421;
+                    phi_717_ = type_36(0u, type_36().member_1);
                 }
-                let _e437 = phi_691_;
-                let _e439 = phi_716_;
+                let _e437 = phi_692_;
+                let _e439 = phi_717_;
                 let _e443 = (bitcast<i32>(_e439.member) != 0i);
                 if _e443 {
                     let _e447 = names[((_e415 * 32u) + _e439.member_1)];
@@ -1011,55 +1013,55 @@ fn function_() {
                         let _e484 = atomicAdd((&counters[4u]), 1u);
                         if (_e484 < 2048u) {
                             hits[_e484] = (((_e415 << bitcast<u32>(10i)) | ((_e110 % 32u) << bitcast<u32>(5i))) | _e447);
-                            phi_806_ = _e423;
+                            phi_807_ = _e423;
                         } else {
-                            phi_806_ = (_e423 | (1u << bitcast<u32>((_e439.member_1 & 31u))));
+                            phi_807_ = (_e423 | (1u << bitcast<u32>((_e439.member_1 & 31u))));
                         }
-                        let _e498 = phi_806_;
-                        phi_808_ = _e498;
+                        let _e498 = phi_807_;
+                        phi_809_ = _e498;
                     } else {
-                        phi_808_ = _e423;
+                        phi_809_ = _e423;
                     }
-                    let _e500 = phi_808_;
-                    phi_694_ = _e500;
+                    let _e500 = phi_809_;
+                    phi_695_ = _e500;
                 } else {
-                    phi_694_ = u32();
+                    phi_695_ = u32();
                 }
-                let _e502 = phi_694_;
+                let _e502 = phi_695_;
                 continue;
                 continuing {
-                    phi_690_ = _e437;
-                    phi_693_ = _e502;
+                    phi_691_ = _e437;
+                    phi_694_ = _e502;
                     break if !(_e443);
                 }
             }
-            phi_811_ = type_35(0u, 32u);
+            phi_812_ = type_36(0u, 32u);
             let _e5547 = local_70;
-            phi_814_ = _e5547;
+            phi_815_ = _e5547;
             loop {
-                let _e505 = phi_811_;
-                let _e507 = phi_814_;
+                let _e505 = phi_812_;
+                let _e507 = phi_815_;
                 if (_e505.member < _e505.member_1) {
-                    phi_812_ = type_35((_e505.member + 1u), _e505.member_1);
-                    phi_837_ = type_35(1u, _e505.member);
+                    phi_813_ = type_36((_e505.member + 1u), _e505.member_1);
+                    phi_838_ = type_36(1u, _e505.member);
                 } else {
-                    phi_812_ = _e505;
-                    phi_837_ = type_35(0u, type_35().member_1);
+                    phi_813_ = _e505;
+                    phi_838_ = type_36(0u, type_36().member_1);
                 }
-                let _e521 = phi_812_;
-                let _e523 = phi_837_;
+                let _e521 = phi_813_;
+                let _e523 = phi_838_;
                 if (bitcast<i32>(_e523.member) != 0i) {
                     if (_e507 == 0u) {
-                        phi_1869_ = u32();
-                        phi_1870_ = false;
+                        phi_1870_ = u32();
+                        phi_1871_ = false;
                     } else {
                         let _e534 = names[((_e134 * 32u) + select(firstTrailingBit(_e507), 32u, (_e507 == 0u)))];
                         let _e537 = (_e250 + _e135);
                         let _e538 = (_e256 + _e534);
                         let _e540 = leaves.member[_e537];
                         let _e542 = leaves.member[_e538];
-                        local_24 = type_23(array<u32, 3>(_e540.member[0], _e540.member[1], _e540.member[2]), _e540.member_1);
-                        local_25 = type_23(array<u32, 3>(_e542.member[0], _e542.member[1], _e542.member[2]), _e542.member_1);
+                        local_24 = type_24(array<u32, 3>(_e540.member[0], _e540.member[1], _e540.member[2]), _e540.member_1);
+                        local_25 = type_24(array<u32, 3>(_e542.member[0], _e542.member[1], _e542.member[2]), _e542.member_1);
                         let _e558 = nodes.member[_e537];
                         let _e560 = nodes.member[_e538];
                         let _e562 = params.member.member_1;
@@ -1069,86 +1071,86 @@ fn function_() {
                                 let _e610 = local_24.member[0u];
                                 let _e613 = local_25.member[0u];
                                 if (_e610 == _e613) {
-                                    phi_948_ = bool();
-                                    phi_949_ = true;
+                                    phi_949_ = bool();
+                                    phi_950_ = true;
                                 } else {
                                     let _e617 = local_24.member[0u];
                                     let _e620 = local_25.member[1u];
                                     let _e621 = (_e617 == _e620);
                                     if _e621 {
-                                        phi_947_ = bool();
+                                        phi_948_ = bool();
                                     } else {
                                         let _e624 = local_24.member[0u];
                                         let _e627 = local_25.member[2u];
-                                        phi_947_ = (_e624 == _e627);
+                                        phi_948_ = (_e624 == _e627);
                                     }
-                                    let _e630 = phi_947_;
-                                    phi_948_ = _e630;
-                                    phi_949_ = _e621;
+                                    let _e630 = phi_948_;
+                                    phi_949_ = _e630;
+                                    phi_950_ = _e621;
                                 }
-                                let _e632 = phi_948_;
-                                let _e634 = phi_949_;
+                                let _e632 = phi_949_;
+                                let _e634 = phi_950_;
                                 if _e634 {
-                                    phi_953_ = true;
+                                    phi_954_ = true;
                                 } else {
-                                    phi_953_ = _e632;
+                                    phi_954_ = _e632;
                                 }
-                                let _e636 = phi_953_;
-                                phi_992_ = _e636;
+                                let _e636 = phi_954_;
+                                phi_993_ = _e636;
                             } else {
                                 let _e570 = local_24.member[0u];
                                 let _e573 = local_25.member[0u];
                                 if (_e570 == _e573) {
-                                    phi_986_ = bool();
-                                    phi_987_ = true;
+                                    phi_987_ = bool();
+                                    phi_988_ = true;
                                 } else {
                                     let _e577 = local_24.member[0u];
                                     let _e580 = local_25.member[1u];
                                     if (_e577 == _e580) {
-                                        phi_984_ = bool();
-                                        phi_985_ = true;
+                                        phi_985_ = bool();
+                                        phi_986_ = true;
                                     } else {
                                         let _e584 = local_24.member[1u];
                                         let _e587 = local_25.member[0u];
                                         let _e588 = (_e584 == _e587);
                                         if _e588 {
-                                            phi_983_ = bool();
+                                            phi_984_ = bool();
                                         } else {
                                             let _e591 = local_24.member[1u];
                                             let _e594 = local_25.member[1u];
-                                            phi_983_ = (_e591 == _e594);
+                                            phi_984_ = (_e591 == _e594);
                                         }
-                                        let _e597 = phi_983_;
-                                        phi_984_ = _e597;
-                                        phi_985_ = _e588;
+                                        let _e597 = phi_984_;
+                                        phi_985_ = _e597;
+                                        phi_986_ = _e588;
                                     }
-                                    let _e599 = phi_984_;
-                                    let _e601 = phi_985_;
-                                    phi_986_ = _e599;
-                                    phi_987_ = _e601;
+                                    let _e599 = phi_985_;
+                                    let _e601 = phi_986_;
+                                    phi_987_ = _e599;
+                                    phi_988_ = _e601;
                                 }
-                                let _e603 = phi_986_;
-                                let _e605 = phi_987_;
+                                let _e603 = phi_987_;
+                                let _e605 = phi_988_;
                                 if _e605 {
-                                    phi_991_ = true;
+                                    phi_992_ = true;
                                 } else {
-                                    phi_991_ = _e603;
+                                    phi_992_ = _e603;
                                 }
-                                let _e607 = phi_991_;
-                                phi_992_ = _e607;
+                                let _e607 = phi_992_;
+                                phi_993_ = _e607;
                             }
-                            let _e638 = phi_992_;
+                            let _e638 = phi_993_;
                             if _e638 {
-                                phi_996_ = false;
+                                phi_997_ = false;
                             } else {
-                                phi_996_ = true;
+                                phi_997_ = true;
                             }
-                            let _e640 = phi_996_;
-                            phi_997_ = _e640;
+                            let _e640 = phi_997_;
+                            phi_998_ = _e640;
                         } else {
-                            phi_997_ = true;
+                            phi_998_ = true;
                         }
-                        let _e642 = phi_997_;
+                        let _e642 = phi_998_;
                         if _e642 {
                             let _e644 = params.member.member_1;
                             if ((_e644 & 2u) != 0u) {
@@ -1158,57 +1160,57 @@ fn function_() {
                                 let _e656 = bodies.member[_e654];
                                 if ((_e651 / 2u) == (_e656 / 2u)) {
                                     let _e661 = params.member.member_1;
-                                    phi_1043_ = !(((_e661 & 4u) != 0u));
+                                    phi_1044_ = !(((_e661 & 4u) != 0u));
                                 } else {
-                                    phi_1043_ = false;
+                                    phi_1044_ = false;
                                 }
-                                let _e666 = phi_1043_;
+                                let _e666 = phi_1044_;
                                 if _e666 {
-                                    phi_1054_ = true;
+                                    phi_1055_ = true;
                                 } else {
                                     if (((_e651 & _e656) & 1u) == 0u) {
-                                        phi_1053_ = false;
+                                        phi_1054_ = false;
                                     } else {
-                                        phi_1053_ = true;
+                                        phi_1054_ = true;
                                     }
-                                    let _e671 = phi_1053_;
-                                    phi_1054_ = _e671;
+                                    let _e671 = phi_1054_;
+                                    phi_1055_ = _e671;
                                 }
-                                let _e673 = phi_1054_;
+                                let _e673 = phi_1055_;
                                 if _e673 {
-                                    phi_1058_ = false;
+                                    phi_1059_ = false;
                                 } else {
-                                    phi_1058_ = true;
+                                    phi_1059_ = true;
                                 }
-                                let _e675 = phi_1058_;
-                                phi_1059_ = _e675;
+                                let _e675 = phi_1059_;
+                                phi_1060_ = _e675;
                             } else {
-                                phi_1059_ = true;
+                                phi_1060_ = true;
                             }
-                            let _e677 = phi_1059_;
+                            let _e677 = phi_1060_;
                             if _e677 {
                                 let _e679 = params.member.member_1;
                                 if ((_e679 & 32u) != 0u) {
                                     let _e683 = params.member.member_6;
                                     let _e724 = (((((((_e558.member_1[0] - _e560.member[0]) > _e683) && ((_e560.member_1[0] - _e558.member[0]) > _e683)) && ((_e558.member_1[1] - _e560.member[1]) > _e683)) && ((_e560.member_1[1] - _e558.member[1]) > _e683)) && ((_e558.member_1[2] - _e560.member[2]) > _e683)) && ((_e560.member_1[2] - _e558.member[2]) > _e683));
                                     if _e724 {
-                                        phi_1808_ = bool();
+                                        phi_1809_ = bool();
                                     } else {
-                                        phi_1108_ = type_35(0u, 3u);
-                                        phi_1111_ = true;
+                                        phi_1109_ = type_36(0u, 3u);
+                                        phi_1112_ = true;
                                         loop {
-                                            let _e728 = phi_1108_;
-                                            let _e730 = phi_1111_;
+                                            let _e728 = phi_1109_;
+                                            let _e730 = phi_1112_;
                                             local_71 = _e730;
                                             if (_e728.member < _e728.member_1) {
-                                                phi_1109_ = type_35((_e728.member + 1u), _e728.member_1);
-                                                phi_1134_ = type_35(1u, _e728.member);
+                                                phi_1110_ = type_36((_e728.member + 1u), _e728.member_1);
+                                                phi_1135_ = type_36(1u, _e728.member);
                                             } else {
-                                                phi_1109_ = _e728;
-                                                phi_1134_ = type_35(0u, type_35().member_1);
+                                                phi_1110_ = _e728;
+                                                phi_1135_ = type_36(0u, type_36().member_1);
                                             }
-                                            let _e744 = phi_1109_;
-                                            let _e746 = phi_1134_;
+                                            let _e744 = phi_1110_;
+                                            let _e746 = phi_1135_;
                                             let _e750 = (bitcast<i32>(_e746.member) != 0i);
                                             if _e750 {
                                                 let _e752 = local_24.member[0u];
@@ -1219,23 +1221,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e782 = local_22[_e746.member_1];
-                                                phi_1191_ = type_35(1u, 3u);
-                                                phi_1194_ = array<u32, 2>(_e782[0], _e782[1]);
+                                                phi_1192_ = type_36(1u, 3u);
+                                                phi_1195_ = array<u32, 2>(_e782[0], _e782[1]);
                                                 loop {
-                                                    let _e787 = phi_1191_;
-                                                    let _e789 = phi_1194_;
+                                                    let _e787 = phi_1192_;
+                                                    let _e789 = phi_1195_;
                                                     local_28 = _e789;
                                                     local_30 = _e789;
                                                     local_32 = _e789;
                                                     if (_e787.member < _e787.member_1) {
-                                                        phi_1192_ = type_35((_e787.member + 1u), _e787.member_1);
-                                                        phi_1217_ = type_35(1u, _e787.member);
+                                                        phi_1193_ = type_36((_e787.member + 1u), _e787.member_1);
+                                                        phi_1218_ = type_36(1u, _e787.member);
                                                     } else {
-                                                        phi_1192_ = _e787;
-                                                        phi_1217_ = type_35(0u, type_35().member_1);
+                                                        phi_1193_ = _e787;
+                                                        phi_1218_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e803 = phi_1192_;
-                                                    let _e805 = phi_1217_;
+                                                    let _e803 = phi_1193_;
+                                                    let _e805 = phi_1218_;
                                                     let _e809 = (bitcast<i32>(_e805.member) != 0i);
                                                     if _e809 {
                                                         if (_e805.member_1 < 3u) {
@@ -1251,32 +1253,32 @@ fn function_() {
                                                         }
                                                         let _e842 = local_23[_e746.member_1];
                                                         if (_e789[1] > _e842[1]) {
-                                                            phi_1293_ = true;
+                                                            phi_1294_ = true;
                                                         } else {
                                                             if (_e789[1] == _e842[1]) {
-                                                                phi_1292_ = (_e789[0] > _e842[0]);
+                                                                phi_1293_ = (_e789[0] > _e842[0]);
                                                             } else {
-                                                                phi_1292_ = false;
+                                                                phi_1293_ = false;
                                                             }
-                                                            let _e853 = phi_1292_;
-                                                            phi_1293_ = _e853;
+                                                            let _e853 = phi_1293_;
+                                                            phi_1294_ = _e853;
                                                         }
-                                                        let _e855 = phi_1293_;
+                                                        let _e855 = phi_1294_;
                                                         if _e855 {
-                                                            phi_1297_ = array<u32, 2>(_e842[0], _e842[1]);
+                                                            phi_1298_ = array<u32, 2>(_e842[0], _e842[1]);
                                                         } else {
-                                                            phi_1297_ = _e789;
+                                                            phi_1298_ = _e789;
                                                         }
-                                                        let _e857 = phi_1297_;
-                                                        phi_1195_ = _e857;
+                                                        let _e857 = phi_1298_;
+                                                        phi_1196_ = _e857;
                                                     } else {
-                                                        phi_1195_ = array<u32, 2>();
+                                                        phi_1196_ = array<u32, 2>();
                                                     }
-                                                    let _e859 = phi_1195_;
+                                                    let _e859 = phi_1196_;
                                                     continue;
                                                     continuing {
-                                                        phi_1191_ = _e803;
-                                                        phi_1194_ = _e859;
+                                                        phi_1192_ = _e803;
+                                                        phi_1195_ = _e859;
                                                         break if !(_e809);
                                                     }
                                                 }
@@ -1289,23 +1291,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e893 = local_20[_e890];
-                                                phi_1348_ = type_35(1u, 3u);
-                                                phi_1351_ = array<u32, 2>(_e893[0], _e893[1]);
+                                                phi_1349_ = type_36(1u, 3u);
+                                                phi_1352_ = array<u32, 2>(_e893[0], _e893[1]);
                                                 loop {
-                                                    let _e898 = phi_1348_;
-                                                    let _e900 = phi_1351_;
+                                                    let _e898 = phi_1349_;
+                                                    let _e900 = phi_1352_;
                                                     local_29 = _e900;
                                                     local_31 = _e900;
                                                     local_33 = _e900;
                                                     if (_e898.member < _e898.member_1) {
-                                                        phi_1349_ = type_35((_e898.member + 1u), _e898.member_1);
-                                                        phi_1374_ = type_35(1u, _e898.member);
+                                                        phi_1350_ = type_36((_e898.member + 1u), _e898.member_1);
+                                                        phi_1375_ = type_36(1u, _e898.member);
                                                     } else {
-                                                        phi_1349_ = _e898;
-                                                        phi_1374_ = type_35(0u, type_35().member_1);
+                                                        phi_1350_ = _e898;
+                                                        phi_1375_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e914 = phi_1349_;
-                                                    let _e916 = phi_1374_;
+                                                    let _e914 = phi_1350_;
+                                                    let _e916 = phi_1375_;
                                                     let _e920 = (bitcast<i32>(_e916.member) != 0i);
                                                     if _e920 {
                                                         if (_e916.member_1 < 3u) {
@@ -1322,53 +1324,53 @@ fn function_() {
                                                         }
                                                         let _e954 = local_21[_e951];
                                                         if (_e954[1] > _e900[1]) {
-                                                            phi_1451_ = true;
+                                                            phi_1452_ = true;
                                                         } else {
                                                             if (_e954[1] == _e900[1]) {
-                                                                phi_1450_ = (_e954[0] > _e900[0]);
+                                                                phi_1451_ = (_e954[0] > _e900[0]);
                                                             } else {
-                                                                phi_1450_ = false;
+                                                                phi_1451_ = false;
                                                             }
-                                                            let _e965 = phi_1450_;
-                                                            phi_1451_ = _e965;
+                                                            let _e965 = phi_1451_;
+                                                            phi_1452_ = _e965;
                                                         }
-                                                        let _e967 = phi_1451_;
+                                                        let _e967 = phi_1452_;
                                                         if _e967 {
-                                                            phi_1455_ = array<u32, 2>(_e954[0], _e954[1]);
+                                                            phi_1456_ = array<u32, 2>(_e954[0], _e954[1]);
                                                         } else {
-                                                            phi_1455_ = _e900;
+                                                            phi_1456_ = _e900;
                                                         }
-                                                        let _e969 = phi_1455_;
-                                                        phi_1352_ = _e969;
+                                                        let _e969 = phi_1456_;
+                                                        phi_1353_ = _e969;
                                                     } else {
-                                                        phi_1352_ = array<u32, 2>();
+                                                        phi_1353_ = array<u32, 2>();
                                                     }
-                                                    let _e971 = phi_1352_;
+                                                    let _e971 = phi_1353_;
                                                     continue;
                                                     continuing {
-                                                        phi_1348_ = _e914;
-                                                        phi_1351_ = _e971;
+                                                        phi_1349_ = _e914;
+                                                        phi_1352_ = _e971;
                                                         break if !(_e920);
                                                     }
                                                 }
                                                 let _e974 = local_28;
                                                 let _e977 = local_29;
                                                 if (_e974[1] > _e977[1]) {
-                                                    phi_1472_ = true;
+                                                    phi_1473_ = true;
                                                 } else {
                                                     let _e981 = local_30;
                                                     let _e984 = local_31;
                                                     if (_e981[1] == _e984[1]) {
                                                         let _e988 = local_32;
                                                         let _e991 = local_33;
-                                                        phi_1471_ = (_e988[0] > _e991[0]);
+                                                        phi_1472_ = (_e988[0] > _e991[0]);
                                                     } else {
-                                                        phi_1471_ = false;
+                                                        phi_1472_ = false;
                                                     }
-                                                    let _e995 = phi_1471_;
-                                                    phi_1472_ = _e995;
+                                                    let _e995 = phi_1472_;
+                                                    phi_1473_ = _e995;
                                                 }
-                                                let _e997 = phi_1472_;
+                                                let _e997 = phi_1473_;
                                                 let _e1000 = local_25.member[0u];
                                                 let _e1002 = keys.member[_e1000];
                                                 local_18 = array<array<u32, 2>, 6>(array<u32, 2>(_e1002[0][0], _e1002[0][1]), array<u32, 2>(_e1002[1][0], _e1002[1][1]), array<u32, 2>(_e1002[2][0], _e1002[2][1]), array<u32, 2>(_e1002[3][0], _e1002[3][1]), array<u32, 2>(_e1002[4][0], _e1002[4][1]), array<u32, 2>(_e1002[5][0], _e1002[5][1]));
@@ -1377,23 +1379,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e1030 = local_18[_e746.member_1];
-                                                phi_1523_ = type_35(1u, 3u);
-                                                phi_1526_ = array<u32, 2>(_e1030[0], _e1030[1]);
+                                                phi_1524_ = type_36(1u, 3u);
+                                                phi_1527_ = array<u32, 2>(_e1030[0], _e1030[1]);
                                                 loop {
-                                                    let _e1035 = phi_1523_;
-                                                    let _e1037 = phi_1526_;
+                                                    let _e1035 = phi_1524_;
+                                                    let _e1037 = phi_1527_;
                                                     local_34 = _e1037;
                                                     local_36 = _e1037;
                                                     local_38 = _e1037;
                                                     if (_e1035.member < _e1035.member_1) {
-                                                        phi_1524_ = type_35((_e1035.member + 1u), _e1035.member_1);
-                                                        phi_1549_ = type_35(1u, _e1035.member);
+                                                        phi_1525_ = type_36((_e1035.member + 1u), _e1035.member_1);
+                                                        phi_1550_ = type_36(1u, _e1035.member);
                                                     } else {
-                                                        phi_1524_ = _e1035;
-                                                        phi_1549_ = type_35(0u, type_35().member_1);
+                                                        phi_1525_ = _e1035;
+                                                        phi_1550_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1051 = phi_1524_;
-                                                    let _e1053 = phi_1549_;
+                                                    let _e1051 = phi_1525_;
+                                                    let _e1053 = phi_1550_;
                                                     let _e1057 = (bitcast<i32>(_e1053.member) != 0i);
                                                     if _e1057 {
                                                         if (_e1053.member_1 < 3u) {
@@ -1409,32 +1411,32 @@ fn function_() {
                                                         }
                                                         let _e1090 = local_19[_e746.member_1];
                                                         if (_e1037[1] > _e1090[1]) {
-                                                            phi_1625_ = true;
+                                                            phi_1626_ = true;
                                                         } else {
                                                             if (_e1037[1] == _e1090[1]) {
-                                                                phi_1624_ = (_e1037[0] > _e1090[0]);
+                                                                phi_1625_ = (_e1037[0] > _e1090[0]);
                                                             } else {
-                                                                phi_1624_ = false;
+                                                                phi_1625_ = false;
                                                             }
-                                                            let _e1101 = phi_1624_;
-                                                            phi_1625_ = _e1101;
+                                                            let _e1101 = phi_1625_;
+                                                            phi_1626_ = _e1101;
                                                         }
-                                                        let _e1103 = phi_1625_;
+                                                        let _e1103 = phi_1626_;
                                                         if _e1103 {
-                                                            phi_1629_ = array<u32, 2>(_e1090[0], _e1090[1]);
+                                                            phi_1630_ = array<u32, 2>(_e1090[0], _e1090[1]);
                                                         } else {
-                                                            phi_1629_ = _e1037;
+                                                            phi_1630_ = _e1037;
                                                         }
-                                                        let _e1105 = phi_1629_;
-                                                        phi_1527_ = _e1105;
+                                                        let _e1105 = phi_1630_;
+                                                        phi_1528_ = _e1105;
                                                     } else {
-                                                        phi_1527_ = array<u32, 2>();
+                                                        phi_1528_ = array<u32, 2>();
                                                     }
-                                                    let _e1107 = phi_1527_;
+                                                    let _e1107 = phi_1528_;
                                                     continue;
                                                     continuing {
-                                                        phi_1523_ = _e1051;
-                                                        phi_1526_ = _e1107;
+                                                        phi_1524_ = _e1051;
+                                                        phi_1527_ = _e1107;
                                                         break if !(_e1057);
                                                     }
                                                 }
@@ -1447,23 +1449,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e1141 = local_16[_e1138];
-                                                phi_1680_ = type_35(1u, 3u);
-                                                phi_1683_ = array<u32, 2>(_e1141[0], _e1141[1]);
+                                                phi_1681_ = type_36(1u, 3u);
+                                                phi_1684_ = array<u32, 2>(_e1141[0], _e1141[1]);
                                                 loop {
-                                                    let _e1146 = phi_1680_;
-                                                    let _e1148 = phi_1683_;
+                                                    let _e1146 = phi_1681_;
+                                                    let _e1148 = phi_1684_;
                                                     local_35 = _e1148;
                                                     local_37 = _e1148;
                                                     local_39 = _e1148;
                                                     if (_e1146.member < _e1146.member_1) {
-                                                        phi_1681_ = type_35((_e1146.member + 1u), _e1146.member_1);
-                                                        phi_1706_ = type_35(1u, _e1146.member);
+                                                        phi_1682_ = type_36((_e1146.member + 1u), _e1146.member_1);
+                                                        phi_1707_ = type_36(1u, _e1146.member);
                                                     } else {
-                                                        phi_1681_ = _e1146;
-                                                        phi_1706_ = type_35(0u, type_35().member_1);
+                                                        phi_1682_ = _e1146;
+                                                        phi_1707_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1162 = phi_1681_;
-                                                    let _e1164 = phi_1706_;
+                                                    let _e1162 = phi_1682_;
+                                                    let _e1164 = phi_1707_;
                                                     let _e1168 = (bitcast<i32>(_e1164.member) != 0i);
                                                     if _e1168 {
                                                         if (_e1164.member_1 < 3u) {
@@ -1480,105 +1482,105 @@ fn function_() {
                                                         }
                                                         let _e1202 = local_17[_e1199];
                                                         if (_e1202[1] > _e1148[1]) {
-                                                            phi_1783_ = true;
+                                                            phi_1784_ = true;
                                                         } else {
                                                             if (_e1202[1] == _e1148[1]) {
-                                                                phi_1782_ = (_e1202[0] > _e1148[0]);
+                                                                phi_1783_ = (_e1202[0] > _e1148[0]);
                                                             } else {
-                                                                phi_1782_ = false;
+                                                                phi_1783_ = false;
                                                             }
-                                                            let _e1213 = phi_1782_;
-                                                            phi_1783_ = _e1213;
+                                                            let _e1213 = phi_1783_;
+                                                            phi_1784_ = _e1213;
                                                         }
-                                                        let _e1215 = phi_1783_;
+                                                        let _e1215 = phi_1784_;
                                                         if _e1215 {
-                                                            phi_1787_ = array<u32, 2>(_e1202[0], _e1202[1]);
+                                                            phi_1788_ = array<u32, 2>(_e1202[0], _e1202[1]);
                                                         } else {
-                                                            phi_1787_ = _e1148;
+                                                            phi_1788_ = _e1148;
                                                         }
-                                                        let _e1217 = phi_1787_;
-                                                        phi_1684_ = _e1217;
+                                                        let _e1217 = phi_1788_;
+                                                        phi_1685_ = _e1217;
                                                     } else {
-                                                        phi_1684_ = array<u32, 2>();
+                                                        phi_1685_ = array<u32, 2>();
                                                     }
-                                                    let _e1219 = phi_1684_;
+                                                    let _e1219 = phi_1685_;
                                                     continue;
                                                     continuing {
-                                                        phi_1680_ = _e1162;
-                                                        phi_1683_ = _e1219;
+                                                        phi_1681_ = _e1162;
+                                                        phi_1684_ = _e1219;
                                                         break if !(_e1168);
                                                     }
                                                 }
                                                 let _e1222 = local_34;
                                                 let _e1225 = local_35;
                                                 if (_e1222[1] > _e1225[1]) {
-                                                    phi_1804_ = true;
+                                                    phi_1805_ = true;
                                                 } else {
                                                     let _e1229 = local_36;
                                                     let _e1232 = local_37;
                                                     if (_e1229[1] == _e1232[1]) {
                                                         let _e1236 = local_38;
                                                         let _e1239 = local_39;
-                                                        phi_1803_ = (_e1236[0] > _e1239[0]);
+                                                        phi_1804_ = (_e1236[0] > _e1239[0]);
                                                     } else {
-                                                        phi_1803_ = false;
+                                                        phi_1804_ = false;
                                                     }
-                                                    let _e1243 = phi_1803_;
-                                                    phi_1804_ = _e1243;
+                                                    let _e1243 = phi_1804_;
+                                                    phi_1805_ = _e1243;
                                                 }
-                                                let _e1245 = phi_1804_;
-                                                phi_1112_ = (_e730 && (!(_e997) && !(_e1245)));
+                                                let _e1245 = phi_1805_;
+                                                phi_1113_ = (_e730 && (!(_e997) && !(_e1245)));
                                             } else {
-                                                phi_1112_ = bool();
+                                                phi_1113_ = bool();
                                             }
-                                            let _e1250 = phi_1112_;
+                                            let _e1250 = phi_1113_;
                                             continue;
                                             continuing {
-                                                phi_1108_ = _e744;
-                                                phi_1111_ = _e1250;
+                                                phi_1109_ = _e744;
+                                                phi_1112_ = _e1250;
                                                 break if !(_e750);
                                             }
                                         }
                                         let _e5623 = local_71;
-                                        phi_1808_ = _e5623;
+                                        phi_1809_ = _e5623;
                                     }
-                                    let _e1253 = phi_1808_;
-                                    phi_1809_ = _e1253;
-                                    phi_1810_ = _e724;
+                                    let _e1253 = phi_1809_;
+                                    phi_1810_ = _e1253;
+                                    phi_1811_ = _e724;
                                 } else {
-                                    phi_1809_ = bool();
-                                    phi_1810_ = true;
+                                    phi_1810_ = bool();
+                                    phi_1811_ = true;
                                 }
-                                let _e1255 = phi_1809_;
-                                let _e1257 = phi_1810_;
+                                let _e1255 = phi_1810_;
+                                let _e1257 = phi_1811_;
                                 if _e1257 {
-                                    phi_1814_ = false;
+                                    phi_1815_ = false;
                                 } else {
-                                    phi_1814_ = true;
+                                    phi_1815_ = true;
                                 }
-                                let _e1259 = phi_1814_;
-                                phi_1815_ = _e1255;
-                                phi_1816_ = _e1259;
+                                let _e1259 = phi_1815_;
+                                phi_1816_ = _e1255;
+                                phi_1817_ = _e1259;
                             } else {
-                                phi_1815_ = false;
-                                phi_1816_ = true;
+                                phi_1816_ = false;
+                                phi_1817_ = true;
                             }
-                            let _e1261 = phi_1815_;
-                            let _e1263 = phi_1816_;
-                            phi_1817_ = _e1261;
-                            phi_1818_ = _e1263;
+                            let _e1261 = phi_1816_;
+                            let _e1263 = phi_1817_;
+                            phi_1818_ = _e1261;
+                            phi_1819_ = _e1263;
                         } else {
-                            phi_1817_ = false;
-                            phi_1818_ = true;
+                            phi_1818_ = false;
+                            phi_1819_ = true;
                         }
-                        let _e1265 = phi_1817_;
-                        let _e1267 = phi_1818_;
+                        let _e1265 = phi_1818_;
+                        let _e1267 = phi_1819_;
                         if _e1267 {
-                            phi_1822_ = _e1265;
+                            phi_1823_ = _e1265;
                         } else {
-                            phi_1822_ = true;
+                            phi_1823_ = true;
                         }
-                        let _e1269 = phi_1822_;
+                        let _e1269 = phi_1823_;
                         if _e1269 {
                             let _e1271 = params.member.member_16;
                             let _e1273 = local_24.member_1;
@@ -1590,50 +1592,50 @@ fn function_() {
                             }
                             let _e1286 = atomicAdd((&output.member[1u]), 1u);
                         }
-                        phi_1869_ = (_e507 & (_e507 - 1u));
-                        phi_1870_ = true;
+                        phi_1870_ = (_e507 & (_e507 - 1u));
+                        phi_1871_ = true;
                     }
-                    let _e1288 = phi_1869_;
-                    let _e1290 = phi_1870_;
-                    phi_815_ = _e1288;
-                    phi_1871_ = _e1290;
+                    let _e1288 = phi_1870_;
+                    let _e1290 = phi_1871_;
+                    phi_816_ = _e1288;
+                    phi_1872_ = _e1290;
                 } else {
-                    phi_815_ = u32();
-                    phi_1871_ = false;
+                    phi_816_ = u32();
+                    phi_1872_ = false;
                 }
-                let _e1292 = phi_815_;
-                let _e1294 = phi_1871_;
+                let _e1292 = phi_816_;
+                let _e1294 = phi_1872_;
                 continue;
                 continuing {
-                    phi_811_ = _e521;
-                    phi_814_ = _e1292;
+                    phi_812_ = _e521;
+                    phi_815_ = _e1292;
                     break if !(_e1294);
                 }
             }
             workgroupBarrier();
             let _e1297 = atomicLoad((&counters[4u]));
             if (2048u < _e1297) {
-                phi_1878_ = 2048u;
+                phi_1879_ = 2048u;
             } else {
-                phi_1878_ = _e1297;
+                phi_1879_ = _e1297;
             }
-            let _e1300 = phi_1878_;
-            phi_1881_ = type_35(0u, 16u);
+            let _e1300 = phi_1879_;
+            phi_1882_ = type_36(0u, 16u);
             loop {
-                let _e1302 = phi_1881_;
+                let _e1302 = phi_1882_;
                 if (_e1302.member < _e1302.member_1) {
-                    phi_1882_ = type_35((_e1302.member + 1u), _e1302.member_1);
-                    phi_1905_ = type_35(1u, _e1302.member);
+                    phi_1883_ = type_36((_e1302.member + 1u), _e1302.member_1);
+                    phi_1906_ = type_36(1u, _e1302.member);
                 } else {
-                    phi_1882_ = _e1302;
-                    phi_1905_ = type_35(0u, type_35().member_1);
+                    phi_1883_ = _e1302;
+                    phi_1906_ = type_36(0u, type_36().member_1);
                 }
-                let _e1316 = phi_1882_;
-                let _e1318 = phi_1905_;
+                let _e1316 = phi_1883_;
+                let _e1318 = phi_1906_;
                 if (bitcast<i32>(_e1318.member) != 0i) {
                     let _e1324 = (_e110 + (_e1318.member_1 * 128u));
                     if (_e1324 >= _e1300) {
-                        phi_8107_ = false;
+                        phi_8108_ = false;
                     } else {
                         let _e1327 = hits[_e1324];
                         let _e1330 = ((_e1327 >> bitcast<u32>(10i)) & 3u);
@@ -1643,8 +1645,8 @@ fn function_() {
                         let _e1343 = (_e1342 + (_e1327 & 31u));
                         let _e1345 = leaves.member[_e1338];
                         let _e1347 = leaves.member[_e1343];
-                        local_26 = type_23(array<u32, 3>(_e1345.member[0], _e1345.member[1], _e1345.member[2]), _e1345.member_1);
-                        local_27 = type_23(array<u32, 3>(_e1347.member[0], _e1347.member[1], _e1347.member[2]), _e1347.member_1);
+                        local_26 = type_24(array<u32, 3>(_e1345.member[0], _e1345.member[1], _e1345.member[2]), _e1345.member_1);
+                        local_27 = type_24(array<u32, 3>(_e1347.member[0], _e1347.member[1], _e1347.member[2]), _e1347.member_1);
                         let _e1363 = nodes.member[_e1338];
                         let _e1365 = nodes.member[_e1343];
                         let _e1367 = params.member.member_1;
@@ -1654,86 +1656,86 @@ fn function_() {
                                 let _e1415 = local_26.member[0u];
                                 let _e1418 = local_27.member[0u];
                                 if (_e1415 == _e1418) {
-                                    phi_2024_ = bool();
-                                    phi_2025_ = true;
+                                    phi_2025_ = bool();
+                                    phi_2026_ = true;
                                 } else {
                                     let _e1422 = local_26.member[0u];
                                     let _e1425 = local_27.member[1u];
                                     let _e1426 = (_e1422 == _e1425);
                                     if _e1426 {
-                                        phi_2023_ = bool();
+                                        phi_2024_ = bool();
                                     } else {
                                         let _e1429 = local_26.member[0u];
                                         let _e1432 = local_27.member[2u];
-                                        phi_2023_ = (_e1429 == _e1432);
+                                        phi_2024_ = (_e1429 == _e1432);
                                     }
-                                    let _e1435 = phi_2023_;
-                                    phi_2024_ = _e1435;
-                                    phi_2025_ = _e1426;
+                                    let _e1435 = phi_2024_;
+                                    phi_2025_ = _e1435;
+                                    phi_2026_ = _e1426;
                                 }
-                                let _e1437 = phi_2024_;
-                                let _e1439 = phi_2025_;
+                                let _e1437 = phi_2025_;
+                                let _e1439 = phi_2026_;
                                 if _e1439 {
-                                    phi_2029_ = true;
+                                    phi_2030_ = true;
                                 } else {
-                                    phi_2029_ = _e1437;
+                                    phi_2030_ = _e1437;
                                 }
-                                let _e1441 = phi_2029_;
-                                phi_2068_ = _e1441;
+                                let _e1441 = phi_2030_;
+                                phi_2069_ = _e1441;
                             } else {
                                 let _e1375 = local_26.member[0u];
                                 let _e1378 = local_27.member[0u];
                                 if (_e1375 == _e1378) {
-                                    phi_2062_ = bool();
-                                    phi_2063_ = true;
+                                    phi_2063_ = bool();
+                                    phi_2064_ = true;
                                 } else {
                                     let _e1382 = local_26.member[0u];
                                     let _e1385 = local_27.member[1u];
                                     if (_e1382 == _e1385) {
-                                        phi_2060_ = bool();
-                                        phi_2061_ = true;
+                                        phi_2061_ = bool();
+                                        phi_2062_ = true;
                                     } else {
                                         let _e1389 = local_26.member[1u];
                                         let _e1392 = local_27.member[0u];
                                         let _e1393 = (_e1389 == _e1392);
                                         if _e1393 {
-                                            phi_2059_ = bool();
+                                            phi_2060_ = bool();
                                         } else {
                                             let _e1396 = local_26.member[1u];
                                             let _e1399 = local_27.member[1u];
-                                            phi_2059_ = (_e1396 == _e1399);
+                                            phi_2060_ = (_e1396 == _e1399);
                                         }
-                                        let _e1402 = phi_2059_;
-                                        phi_2060_ = _e1402;
-                                        phi_2061_ = _e1393;
+                                        let _e1402 = phi_2060_;
+                                        phi_2061_ = _e1402;
+                                        phi_2062_ = _e1393;
                                     }
-                                    let _e1404 = phi_2060_;
-                                    let _e1406 = phi_2061_;
-                                    phi_2062_ = _e1404;
-                                    phi_2063_ = _e1406;
+                                    let _e1404 = phi_2061_;
+                                    let _e1406 = phi_2062_;
+                                    phi_2063_ = _e1404;
+                                    phi_2064_ = _e1406;
                                 }
-                                let _e1408 = phi_2062_;
-                                let _e1410 = phi_2063_;
+                                let _e1408 = phi_2063_;
+                                let _e1410 = phi_2064_;
                                 if _e1410 {
-                                    phi_2067_ = true;
+                                    phi_2068_ = true;
                                 } else {
-                                    phi_2067_ = _e1408;
+                                    phi_2068_ = _e1408;
                                 }
-                                let _e1412 = phi_2067_;
-                                phi_2068_ = _e1412;
+                                let _e1412 = phi_2068_;
+                                phi_2069_ = _e1412;
                             }
-                            let _e1443 = phi_2068_;
+                            let _e1443 = phi_2069_;
                             if _e1443 {
-                                phi_2072_ = false;
+                                phi_2073_ = false;
                             } else {
-                                phi_2072_ = true;
+                                phi_2073_ = true;
                             }
-                            let _e1445 = phi_2072_;
-                            phi_2073_ = _e1445;
+                            let _e1445 = phi_2073_;
+                            phi_2074_ = _e1445;
                         } else {
-                            phi_2073_ = true;
+                            phi_2074_ = true;
                         }
-                        let _e1447 = phi_2073_;
+                        let _e1447 = phi_2074_;
                         if _e1447 {
                             let _e1449 = params.member.member_1;
                             if ((_e1449 & 2u) != 0u) {
@@ -1743,57 +1745,57 @@ fn function_() {
                                 let _e1461 = bodies.member[_e1459];
                                 if ((_e1456 / 2u) == (_e1461 / 2u)) {
                                     let _e1466 = params.member.member_1;
-                                    phi_2119_ = !(((_e1466 & 4u) != 0u));
+                                    phi_2120_ = !(((_e1466 & 4u) != 0u));
                                 } else {
-                                    phi_2119_ = false;
+                                    phi_2120_ = false;
                                 }
-                                let _e1471 = phi_2119_;
+                                let _e1471 = phi_2120_;
                                 if _e1471 {
-                                    phi_2130_ = true;
+                                    phi_2131_ = true;
                                 } else {
                                     if (((_e1456 & _e1461) & 1u) == 0u) {
-                                        phi_2129_ = false;
+                                        phi_2130_ = false;
                                     } else {
-                                        phi_2129_ = true;
+                                        phi_2130_ = true;
                                     }
-                                    let _e1476 = phi_2129_;
-                                    phi_2130_ = _e1476;
+                                    let _e1476 = phi_2130_;
+                                    phi_2131_ = _e1476;
                                 }
-                                let _e1478 = phi_2130_;
+                                let _e1478 = phi_2131_;
                                 if _e1478 {
-                                    phi_2134_ = false;
+                                    phi_2135_ = false;
                                 } else {
-                                    phi_2134_ = true;
+                                    phi_2135_ = true;
                                 }
-                                let _e1480 = phi_2134_;
-                                phi_2135_ = _e1480;
+                                let _e1480 = phi_2135_;
+                                phi_2136_ = _e1480;
                             } else {
-                                phi_2135_ = true;
+                                phi_2136_ = true;
                             }
-                            let _e1482 = phi_2135_;
+                            let _e1482 = phi_2136_;
                             if _e1482 {
                                 let _e1484 = params.member.member_1;
                                 if ((_e1484 & 32u) != 0u) {
                                     let _e1488 = params.member.member_6;
                                     let _e1529 = (((((((_e1363.member_1[0] - _e1365.member[0]) > _e1488) && ((_e1365.member_1[0] - _e1363.member[0]) > _e1488)) && ((_e1363.member_1[1] - _e1365.member[1]) > _e1488)) && ((_e1365.member_1[1] - _e1363.member[1]) > _e1488)) && ((_e1363.member_1[2] - _e1365.member[2]) > _e1488)) && ((_e1365.member_1[2] - _e1363.member[2]) > _e1488));
                                     if _e1529 {
-                                        phi_2884_ = bool();
+                                        phi_2885_ = bool();
                                     } else {
-                                        phi_2184_ = type_35(0u, 3u);
-                                        phi_2187_ = true;
+                                        phi_2185_ = type_36(0u, 3u);
+                                        phi_2188_ = true;
                                         loop {
-                                            let _e1533 = phi_2184_;
-                                            let _e1535 = phi_2187_;
+                                            let _e1533 = phi_2185_;
+                                            let _e1535 = phi_2188_;
                                             local_72 = _e1535;
                                             if (_e1533.member < _e1533.member_1) {
-                                                phi_2185_ = type_35((_e1533.member + 1u), _e1533.member_1);
-                                                phi_2210_ = type_35(1u, _e1533.member);
+                                                phi_2186_ = type_36((_e1533.member + 1u), _e1533.member_1);
+                                                phi_2211_ = type_36(1u, _e1533.member);
                                             } else {
-                                                phi_2185_ = _e1533;
-                                                phi_2210_ = type_35(0u, type_35().member_1);
+                                                phi_2186_ = _e1533;
+                                                phi_2211_ = type_36(0u, type_36().member_1);
                                             }
-                                            let _e1549 = phi_2185_;
-                                            let _e1551 = phi_2210_;
+                                            let _e1549 = phi_2186_;
+                                            let _e1551 = phi_2211_;
                                             let _e1555 = (bitcast<i32>(_e1551.member) != 0i);
                                             if _e1555 {
                                                 let _e1557 = local_26.member[0u];
@@ -1804,23 +1806,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e1587 = local_14[_e1551.member_1];
-                                                phi_2267_ = type_35(1u, 3u);
-                                                phi_2270_ = array<u32, 2>(_e1587[0], _e1587[1]);
+                                                phi_2268_ = type_36(1u, 3u);
+                                                phi_2271_ = array<u32, 2>(_e1587[0], _e1587[1]);
                                                 loop {
-                                                    let _e1592 = phi_2267_;
-                                                    let _e1594 = phi_2270_;
+                                                    let _e1592 = phi_2268_;
+                                                    let _e1594 = phi_2271_;
                                                     local_40 = _e1594;
                                                     local_42 = _e1594;
                                                     local_44 = _e1594;
                                                     if (_e1592.member < _e1592.member_1) {
-                                                        phi_2268_ = type_35((_e1592.member + 1u), _e1592.member_1);
-                                                        phi_2293_ = type_35(1u, _e1592.member);
+                                                        phi_2269_ = type_36((_e1592.member + 1u), _e1592.member_1);
+                                                        phi_2294_ = type_36(1u, _e1592.member);
                                                     } else {
-                                                        phi_2268_ = _e1592;
-                                                        phi_2293_ = type_35(0u, type_35().member_1);
+                                                        phi_2269_ = _e1592;
+                                                        phi_2294_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1608 = phi_2268_;
-                                                    let _e1610 = phi_2293_;
+                                                    let _e1608 = phi_2269_;
+                                                    let _e1610 = phi_2294_;
                                                     let _e1614 = (bitcast<i32>(_e1610.member) != 0i);
                                                     if _e1614 {
                                                         if (_e1610.member_1 < 3u) {
@@ -1836,32 +1838,32 @@ fn function_() {
                                                         }
                                                         let _e1647 = local_15[_e1551.member_1];
                                                         if (_e1594[1] > _e1647[1]) {
-                                                            phi_2369_ = true;
+                                                            phi_2370_ = true;
                                                         } else {
                                                             if (_e1594[1] == _e1647[1]) {
-                                                                phi_2368_ = (_e1594[0] > _e1647[0]);
+                                                                phi_2369_ = (_e1594[0] > _e1647[0]);
                                                             } else {
-                                                                phi_2368_ = false;
+                                                                phi_2369_ = false;
                                                             }
-                                                            let _e1658 = phi_2368_;
-                                                            phi_2369_ = _e1658;
+                                                            let _e1658 = phi_2369_;
+                                                            phi_2370_ = _e1658;
                                                         }
-                                                        let _e1660 = phi_2369_;
+                                                        let _e1660 = phi_2370_;
                                                         if _e1660 {
-                                                            phi_2373_ = array<u32, 2>(_e1647[0], _e1647[1]);
+                                                            phi_2374_ = array<u32, 2>(_e1647[0], _e1647[1]);
                                                         } else {
-                                                            phi_2373_ = _e1594;
+                                                            phi_2374_ = _e1594;
                                                         }
-                                                        let _e1662 = phi_2373_;
-                                                        phi_2271_ = _e1662;
+                                                        let _e1662 = phi_2374_;
+                                                        phi_2272_ = _e1662;
                                                     } else {
-                                                        phi_2271_ = array<u32, 2>();
+                                                        phi_2272_ = array<u32, 2>();
                                                     }
-                                                    let _e1664 = phi_2271_;
+                                                    let _e1664 = phi_2272_;
                                                     continue;
                                                     continuing {
-                                                        phi_2267_ = _e1608;
-                                                        phi_2270_ = _e1664;
+                                                        phi_2268_ = _e1608;
+                                                        phi_2271_ = _e1664;
                                                         break if !(_e1614);
                                                     }
                                                 }
@@ -1874,23 +1876,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e1698 = local_12[_e1695];
-                                                phi_2424_ = type_35(1u, 3u);
-                                                phi_2427_ = array<u32, 2>(_e1698[0], _e1698[1]);
+                                                phi_2425_ = type_36(1u, 3u);
+                                                phi_2428_ = array<u32, 2>(_e1698[0], _e1698[1]);
                                                 loop {
-                                                    let _e1703 = phi_2424_;
-                                                    let _e1705 = phi_2427_;
+                                                    let _e1703 = phi_2425_;
+                                                    let _e1705 = phi_2428_;
                                                     local_41 = _e1705;
                                                     local_43 = _e1705;
                                                     local_45 = _e1705;
                                                     if (_e1703.member < _e1703.member_1) {
-                                                        phi_2425_ = type_35((_e1703.member + 1u), _e1703.member_1);
-                                                        phi_2450_ = type_35(1u, _e1703.member);
+                                                        phi_2426_ = type_36((_e1703.member + 1u), _e1703.member_1);
+                                                        phi_2451_ = type_36(1u, _e1703.member);
                                                     } else {
-                                                        phi_2425_ = _e1703;
-                                                        phi_2450_ = type_35(0u, type_35().member_1);
+                                                        phi_2426_ = _e1703;
+                                                        phi_2451_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1719 = phi_2425_;
-                                                    let _e1721 = phi_2450_;
+                                                    let _e1719 = phi_2426_;
+                                                    let _e1721 = phi_2451_;
                                                     let _e1725 = (bitcast<i32>(_e1721.member) != 0i);
                                                     if _e1725 {
                                                         if (_e1721.member_1 < 3u) {
@@ -1907,53 +1909,53 @@ fn function_() {
                                                         }
                                                         let _e1759 = local_13[_e1756];
                                                         if (_e1759[1] > _e1705[1]) {
-                                                            phi_2527_ = true;
+                                                            phi_2528_ = true;
                                                         } else {
                                                             if (_e1759[1] == _e1705[1]) {
-                                                                phi_2526_ = (_e1759[0] > _e1705[0]);
+                                                                phi_2527_ = (_e1759[0] > _e1705[0]);
                                                             } else {
-                                                                phi_2526_ = false;
+                                                                phi_2527_ = false;
                                                             }
-                                                            let _e1770 = phi_2526_;
-                                                            phi_2527_ = _e1770;
+                                                            let _e1770 = phi_2527_;
+                                                            phi_2528_ = _e1770;
                                                         }
-                                                        let _e1772 = phi_2527_;
+                                                        let _e1772 = phi_2528_;
                                                         if _e1772 {
-                                                            phi_2531_ = array<u32, 2>(_e1759[0], _e1759[1]);
+                                                            phi_2532_ = array<u32, 2>(_e1759[0], _e1759[1]);
                                                         } else {
-                                                            phi_2531_ = _e1705;
+                                                            phi_2532_ = _e1705;
                                                         }
-                                                        let _e1774 = phi_2531_;
-                                                        phi_2428_ = _e1774;
+                                                        let _e1774 = phi_2532_;
+                                                        phi_2429_ = _e1774;
                                                     } else {
-                                                        phi_2428_ = array<u32, 2>();
+                                                        phi_2429_ = array<u32, 2>();
                                                     }
-                                                    let _e1776 = phi_2428_;
+                                                    let _e1776 = phi_2429_;
                                                     continue;
                                                     continuing {
-                                                        phi_2424_ = _e1719;
-                                                        phi_2427_ = _e1776;
+                                                        phi_2425_ = _e1719;
+                                                        phi_2428_ = _e1776;
                                                         break if !(_e1725);
                                                     }
                                                 }
                                                 let _e1779 = local_40;
                                                 let _e1782 = local_41;
                                                 if (_e1779[1] > _e1782[1]) {
-                                                    phi_2548_ = true;
+                                                    phi_2549_ = true;
                                                 } else {
                                                     let _e1786 = local_42;
                                                     let _e1789 = local_43;
                                                     if (_e1786[1] == _e1789[1]) {
                                                         let _e1793 = local_44;
                                                         let _e1796 = local_45;
-                                                        phi_2547_ = (_e1793[0] > _e1796[0]);
+                                                        phi_2548_ = (_e1793[0] > _e1796[0]);
                                                     } else {
-                                                        phi_2547_ = false;
+                                                        phi_2548_ = false;
                                                     }
-                                                    let _e1800 = phi_2547_;
-                                                    phi_2548_ = _e1800;
+                                                    let _e1800 = phi_2548_;
+                                                    phi_2549_ = _e1800;
                                                 }
-                                                let _e1802 = phi_2548_;
+                                                let _e1802 = phi_2549_;
                                                 let _e1805 = local_27.member[0u];
                                                 let _e1807 = keys.member[_e1805];
                                                 local_10 = array<array<u32, 2>, 6>(array<u32, 2>(_e1807[0][0], _e1807[0][1]), array<u32, 2>(_e1807[1][0], _e1807[1][1]), array<u32, 2>(_e1807[2][0], _e1807[2][1]), array<u32, 2>(_e1807[3][0], _e1807[3][1]), array<u32, 2>(_e1807[4][0], _e1807[4][1]), array<u32, 2>(_e1807[5][0], _e1807[5][1]));
@@ -1962,23 +1964,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e1835 = local_10[_e1551.member_1];
-                                                phi_2599_ = type_35(1u, 3u);
-                                                phi_2602_ = array<u32, 2>(_e1835[0], _e1835[1]);
+                                                phi_2600_ = type_36(1u, 3u);
+                                                phi_2603_ = array<u32, 2>(_e1835[0], _e1835[1]);
                                                 loop {
-                                                    let _e1840 = phi_2599_;
-                                                    let _e1842 = phi_2602_;
+                                                    let _e1840 = phi_2600_;
+                                                    let _e1842 = phi_2603_;
                                                     local_46 = _e1842;
                                                     local_48 = _e1842;
                                                     local_50 = _e1842;
                                                     if (_e1840.member < _e1840.member_1) {
-                                                        phi_2600_ = type_35((_e1840.member + 1u), _e1840.member_1);
-                                                        phi_2625_ = type_35(1u, _e1840.member);
+                                                        phi_2601_ = type_36((_e1840.member + 1u), _e1840.member_1);
+                                                        phi_2626_ = type_36(1u, _e1840.member);
                                                     } else {
-                                                        phi_2600_ = _e1840;
-                                                        phi_2625_ = type_35(0u, type_35().member_1);
+                                                        phi_2601_ = _e1840;
+                                                        phi_2626_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1856 = phi_2600_;
-                                                    let _e1858 = phi_2625_;
+                                                    let _e1856 = phi_2601_;
+                                                    let _e1858 = phi_2626_;
                                                     let _e1862 = (bitcast<i32>(_e1858.member) != 0i);
                                                     if _e1862 {
                                                         if (_e1858.member_1 < 3u) {
@@ -1994,32 +1996,32 @@ fn function_() {
                                                         }
                                                         let _e1895 = local_11[_e1551.member_1];
                                                         if (_e1842[1] > _e1895[1]) {
-                                                            phi_2701_ = true;
+                                                            phi_2702_ = true;
                                                         } else {
                                                             if (_e1842[1] == _e1895[1]) {
-                                                                phi_2700_ = (_e1842[0] > _e1895[0]);
+                                                                phi_2701_ = (_e1842[0] > _e1895[0]);
                                                             } else {
-                                                                phi_2700_ = false;
+                                                                phi_2701_ = false;
                                                             }
-                                                            let _e1906 = phi_2700_;
-                                                            phi_2701_ = _e1906;
+                                                            let _e1906 = phi_2701_;
+                                                            phi_2702_ = _e1906;
                                                         }
-                                                        let _e1908 = phi_2701_;
+                                                        let _e1908 = phi_2702_;
                                                         if _e1908 {
-                                                            phi_2705_ = array<u32, 2>(_e1895[0], _e1895[1]);
+                                                            phi_2706_ = array<u32, 2>(_e1895[0], _e1895[1]);
                                                         } else {
-                                                            phi_2705_ = _e1842;
+                                                            phi_2706_ = _e1842;
                                                         }
-                                                        let _e1910 = phi_2705_;
-                                                        phi_2603_ = _e1910;
+                                                        let _e1910 = phi_2706_;
+                                                        phi_2604_ = _e1910;
                                                     } else {
-                                                        phi_2603_ = array<u32, 2>();
+                                                        phi_2604_ = array<u32, 2>();
                                                     }
-                                                    let _e1912 = phi_2603_;
+                                                    let _e1912 = phi_2604_;
                                                     continue;
                                                     continuing {
-                                                        phi_2599_ = _e1856;
-                                                        phi_2602_ = _e1912;
+                                                        phi_2600_ = _e1856;
+                                                        phi_2603_ = _e1912;
                                                         break if !(_e1862);
                                                     }
                                                 }
@@ -2032,23 +2034,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e1946 = local_8[_e1943];
-                                                phi_2756_ = type_35(1u, 3u);
-                                                phi_2759_ = array<u32, 2>(_e1946[0], _e1946[1]);
+                                                phi_2757_ = type_36(1u, 3u);
+                                                phi_2760_ = array<u32, 2>(_e1946[0], _e1946[1]);
                                                 loop {
-                                                    let _e1951 = phi_2756_;
-                                                    let _e1953 = phi_2759_;
+                                                    let _e1951 = phi_2757_;
+                                                    let _e1953 = phi_2760_;
                                                     local_47 = _e1953;
                                                     local_49 = _e1953;
                                                     local_51 = _e1953;
                                                     if (_e1951.member < _e1951.member_1) {
-                                                        phi_2757_ = type_35((_e1951.member + 1u), _e1951.member_1);
-                                                        phi_2782_ = type_35(1u, _e1951.member);
+                                                        phi_2758_ = type_36((_e1951.member + 1u), _e1951.member_1);
+                                                        phi_2783_ = type_36(1u, _e1951.member);
                                                     } else {
-                                                        phi_2757_ = _e1951;
-                                                        phi_2782_ = type_35(0u, type_35().member_1);
+                                                        phi_2758_ = _e1951;
+                                                        phi_2783_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1967 = phi_2757_;
-                                                    let _e1969 = phi_2782_;
+                                                    let _e1967 = phi_2758_;
+                                                    let _e1969 = phi_2783_;
                                                     let _e1973 = (bitcast<i32>(_e1969.member) != 0i);
                                                     if _e1973 {
                                                         if (_e1969.member_1 < 3u) {
@@ -2065,105 +2067,105 @@ fn function_() {
                                                         }
                                                         let _e2007 = local_9[_e2004];
                                                         if (_e2007[1] > _e1953[1]) {
-                                                            phi_2859_ = true;
+                                                            phi_2860_ = true;
                                                         } else {
                                                             if (_e2007[1] == _e1953[1]) {
-                                                                phi_2858_ = (_e2007[0] > _e1953[0]);
+                                                                phi_2859_ = (_e2007[0] > _e1953[0]);
                                                             } else {
-                                                                phi_2858_ = false;
+                                                                phi_2859_ = false;
                                                             }
-                                                            let _e2018 = phi_2858_;
-                                                            phi_2859_ = _e2018;
+                                                            let _e2018 = phi_2859_;
+                                                            phi_2860_ = _e2018;
                                                         }
-                                                        let _e2020 = phi_2859_;
+                                                        let _e2020 = phi_2860_;
                                                         if _e2020 {
-                                                            phi_2863_ = array<u32, 2>(_e2007[0], _e2007[1]);
+                                                            phi_2864_ = array<u32, 2>(_e2007[0], _e2007[1]);
                                                         } else {
-                                                            phi_2863_ = _e1953;
+                                                            phi_2864_ = _e1953;
                                                         }
-                                                        let _e2022 = phi_2863_;
-                                                        phi_2760_ = _e2022;
+                                                        let _e2022 = phi_2864_;
+                                                        phi_2761_ = _e2022;
                                                     } else {
-                                                        phi_2760_ = array<u32, 2>();
+                                                        phi_2761_ = array<u32, 2>();
                                                     }
-                                                    let _e2024 = phi_2760_;
+                                                    let _e2024 = phi_2761_;
                                                     continue;
                                                     continuing {
-                                                        phi_2756_ = _e1967;
-                                                        phi_2759_ = _e2024;
+                                                        phi_2757_ = _e1967;
+                                                        phi_2760_ = _e2024;
                                                         break if !(_e1973);
                                                     }
                                                 }
                                                 let _e2027 = local_46;
                                                 let _e2030 = local_47;
                                                 if (_e2027[1] > _e2030[1]) {
-                                                    phi_2880_ = true;
+                                                    phi_2881_ = true;
                                                 } else {
                                                     let _e2034 = local_48;
                                                     let _e2037 = local_49;
                                                     if (_e2034[1] == _e2037[1]) {
                                                         let _e2041 = local_50;
                                                         let _e2044 = local_51;
-                                                        phi_2879_ = (_e2041[0] > _e2044[0]);
+                                                        phi_2880_ = (_e2041[0] > _e2044[0]);
                                                     } else {
-                                                        phi_2879_ = false;
+                                                        phi_2880_ = false;
                                                     }
-                                                    let _e2048 = phi_2879_;
-                                                    phi_2880_ = _e2048;
+                                                    let _e2048 = phi_2880_;
+                                                    phi_2881_ = _e2048;
                                                 }
-                                                let _e2050 = phi_2880_;
-                                                phi_2188_ = (_e1535 && (!(_e1802) && !(_e2050)));
+                                                let _e2050 = phi_2881_;
+                                                phi_2189_ = (_e1535 && (!(_e1802) && !(_e2050)));
                                             } else {
-                                                phi_2188_ = bool();
+                                                phi_2189_ = bool();
                                             }
-                                            let _e2055 = phi_2188_;
+                                            let _e2055 = phi_2189_;
                                             continue;
                                             continuing {
-                                                phi_2184_ = _e1549;
-                                                phi_2187_ = _e2055;
+                                                phi_2185_ = _e1549;
+                                                phi_2188_ = _e2055;
                                                 break if !(_e1555);
                                             }
                                         }
                                         let _e5713 = local_72;
-                                        phi_2884_ = _e5713;
+                                        phi_2885_ = _e5713;
                                     }
-                                    let _e2058 = phi_2884_;
-                                    phi_2885_ = _e2058;
-                                    phi_2886_ = _e1529;
+                                    let _e2058 = phi_2885_;
+                                    phi_2886_ = _e2058;
+                                    phi_2887_ = _e1529;
                                 } else {
-                                    phi_2885_ = bool();
-                                    phi_2886_ = true;
+                                    phi_2886_ = bool();
+                                    phi_2887_ = true;
                                 }
-                                let _e2060 = phi_2885_;
-                                let _e2062 = phi_2886_;
+                                let _e2060 = phi_2886_;
+                                let _e2062 = phi_2887_;
                                 if _e2062 {
-                                    phi_2890_ = false;
+                                    phi_2891_ = false;
                                 } else {
-                                    phi_2890_ = true;
+                                    phi_2891_ = true;
                                 }
-                                let _e2064 = phi_2890_;
-                                phi_2891_ = _e2060;
-                                phi_2892_ = _e2064;
+                                let _e2064 = phi_2891_;
+                                phi_2892_ = _e2060;
+                                phi_2893_ = _e2064;
                             } else {
-                                phi_2891_ = false;
-                                phi_2892_ = true;
+                                phi_2892_ = false;
+                                phi_2893_ = true;
                             }
-                            let _e2066 = phi_2891_;
-                            let _e2068 = phi_2892_;
-                            phi_2893_ = _e2066;
-                            phi_2894_ = _e2068;
+                            let _e2066 = phi_2892_;
+                            let _e2068 = phi_2893_;
+                            phi_2894_ = _e2066;
+                            phi_2895_ = _e2068;
                         } else {
-                            phi_2893_ = false;
-                            phi_2894_ = true;
+                            phi_2894_ = false;
+                            phi_2895_ = true;
                         }
-                        let _e2070 = phi_2893_;
-                        let _e2072 = phi_2894_;
+                        let _e2070 = phi_2894_;
+                        let _e2072 = phi_2895_;
                         if _e2072 {
-                            phi_2898_ = _e2070;
+                            phi_2899_ = _e2070;
                         } else {
-                            phi_2898_ = true;
+                            phi_2899_ = true;
                         }
-                        let _e2074 = phi_2898_;
+                        let _e2074 = phi_2899_;
                         if _e2074 {
                             let _e2076 = atomicAdd((&counters[7u]), 1u);
                             let _e2078 = params.member.member_4;
@@ -2176,7 +2178,7 @@ fn function_() {
                             let _e2096 = paths.member[_e2086];
                             let _e2102 = paths.member[_e2089];
                             let _e2104 = paths.member[_e2092];
-                            local_7 = type_70(array<array<f32, 3>, 2>(array<f32, 3>((_e2094.member[0] - _e2096.member[0]), (_e2094.member[1] - _e2096.member[1]), (_e2094.member[2] - _e2096.member[2])), array<f32, 3>((_e2094.member_1[0] - _e2096.member_1[0]), (_e2094.member_1[1] - _e2096.member_1[1]), (_e2094.member_1[2] - _e2096.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2102.member[0] - _e2096.member[0]), (_e2102.member[1] - _e2096.member[1]), (_e2102.member[2] - _e2096.member[2])), array<f32, 3>((_e2102.member_1[0] - _e2096.member_1[0]), (_e2102.member_1[1] - _e2096.member_1[1]), (_e2102.member_1[2] - _e2096.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2104.member[0] - _e2096.member[0]), (_e2104.member[1] - _e2096.member[1]), (_e2104.member[2] - _e2096.member[2])), array<f32, 3>((_e2104.member_1[0] - _e2096.member_1[0]), (_e2104.member_1[1] - _e2096.member_1[1]), (_e2104.member_1[2] - _e2096.member_1[2]))), (_e2078 + _e2078));
+                            local_7 = type_71(array<array<f32, 3>, 2>(array<f32, 3>((_e2094.member[0] - _e2096.member[0]), (_e2094.member[1] - _e2096.member[1]), (_e2094.member[2] - _e2096.member[2])), array<f32, 3>((_e2094.member_1[0] - _e2096.member_1[0]), (_e2094.member_1[1] - _e2096.member_1[1]), (_e2094.member_1[2] - _e2096.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2102.member[0] - _e2096.member[0]), (_e2102.member[1] - _e2096.member[1]), (_e2102.member[2] - _e2096.member[2])), array<f32, 3>((_e2102.member_1[0] - _e2096.member_1[0]), (_e2102.member_1[1] - _e2096.member_1[1]), (_e2102.member_1[2] - _e2096.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2104.member[0] - _e2096.member[0]), (_e2104.member[1] - _e2096.member[1]), (_e2104.member[2] - _e2096.member[2])), array<f32, 3>((_e2104.member_1[0] - _e2096.member_1[0]), (_e2104.member_1[1] - _e2096.member_1[1]), (_e2104.member_1[2] - _e2096.member_1[2]))), (_e2078 + _e2078));
                             let _e2164 = local_7.member_1[0u];
                             let _e2170 = local_7.member_2[0u];
                             let _e2176 = ((_e2164[1] * _e2170[2]) - (_e2164[2] * _e2170[1]));
@@ -2204,333 +2206,333 @@ fn function_() {
                             let _e2308 = local_7.member[1u];
                             let _e2319 = local_7.member[0u];
                             if (_e2319[0] < 0f) {
-                                phi_3296_ = -(_e2319[0]);
+                                phi_3297_ = -(_e2319[0]);
                             } else {
-                                phi_3296_ = _e2319[0];
+                                phi_3297_ = _e2319[0];
                             }
-                            let _e2326 = phi_3296_;
+                            let _e2326 = phi_3297_;
                             if (_e2319[1] < 0f) {
-                                phi_3303_ = -(_e2319[1]);
+                                phi_3304_ = -(_e2319[1]);
                             } else {
-                                phi_3303_ = _e2319[1];
+                                phi_3304_ = _e2319[1];
                             }
-                            let _e2330 = phi_3303_;
+                            let _e2330 = phi_3304_;
                             if (_e2326 > _e2330) {
-                                phi_3308_ = _e2326;
+                                phi_3309_ = _e2326;
                             } else {
-                                phi_3308_ = _e2330;
+                                phi_3309_ = _e2330;
                             }
-                            let _e2333 = phi_3308_;
+                            let _e2333 = phi_3309_;
                             if (_e2319[2] < 0f) {
-                                phi_3315_ = -(_e2319[2]);
+                                phi_3316_ = -(_e2319[2]);
                             } else {
-                                phi_3315_ = _e2319[2];
+                                phi_3316_ = _e2319[2];
                             }
-                            let _e2337 = phi_3315_;
+                            let _e2337 = phi_3316_;
                             if (_e2333 > _e2337) {
-                                phi_3320_ = _e2333;
+                                phi_3321_ = _e2333;
                             } else {
-                                phi_3320_ = _e2337;
+                                phi_3321_ = _e2337;
                             }
-                            let _e2340 = phi_3320_;
+                            let _e2340 = phi_3321_;
                             let _e2343 = local_7.member[1u];
                             if (_e2343[0] < 0f) {
-                                phi_3333_ = -(_e2343[0]);
+                                phi_3334_ = -(_e2343[0]);
                             } else {
-                                phi_3333_ = _e2343[0];
+                                phi_3334_ = _e2343[0];
                             }
-                            let _e2350 = phi_3333_;
+                            let _e2350 = phi_3334_;
                             if (_e2343[1] < 0f) {
-                                phi_3340_ = -(_e2343[1]);
+                                phi_3341_ = -(_e2343[1]);
                             } else {
-                                phi_3340_ = _e2343[1];
+                                phi_3341_ = _e2343[1];
                             }
-                            let _e2354 = phi_3340_;
+                            let _e2354 = phi_3341_;
                             if (_e2350 > _e2354) {
-                                phi_3345_ = _e2350;
+                                phi_3346_ = _e2350;
                             } else {
-                                phi_3345_ = _e2354;
+                                phi_3346_ = _e2354;
                             }
-                            let _e2357 = phi_3345_;
+                            let _e2357 = phi_3346_;
                             if (_e2343[2] < 0f) {
-                                phi_3352_ = -(_e2343[2]);
+                                phi_3353_ = -(_e2343[2]);
                             } else {
-                                phi_3352_ = _e2343[2];
+                                phi_3353_ = _e2343[2];
                             }
-                            let _e2361 = phi_3352_;
+                            let _e2361 = phi_3353_;
                             if (_e2357 > _e2361) {
-                                phi_3357_ = _e2357;
+                                phi_3358_ = _e2357;
                             } else {
-                                phi_3357_ = _e2361;
+                                phi_3358_ = _e2361;
                             }
-                            let _e2364 = phi_3357_;
+                            let _e2364 = phi_3358_;
                             if (_e2340 > _e2364) {
-                                phi_3362_ = _e2340;
+                                phi_3363_ = _e2340;
                             } else {
-                                phi_3362_ = _e2364;
+                                phi_3363_ = _e2364;
                             }
-                            let _e2367 = phi_3362_;
+                            let _e2367 = phi_3363_;
                             let _e2369 = local_7.member_3;
                             let _e2370 = (_e2367 + _e2369);
                             let _e2373 = local_7.member_1[0u];
                             if (_e2373[0] < 0f) {
-                                phi_3379_ = -(_e2373[0]);
+                                phi_3380_ = -(_e2373[0]);
                             } else {
-                                phi_3379_ = _e2373[0];
+                                phi_3380_ = _e2373[0];
                             }
-                            let _e2380 = phi_3379_;
+                            let _e2380 = phi_3380_;
                             if (_e2373[1] < 0f) {
-                                phi_3386_ = -(_e2373[1]);
+                                phi_3387_ = -(_e2373[1]);
                             } else {
-                                phi_3386_ = _e2373[1];
+                                phi_3387_ = _e2373[1];
                             }
-                            let _e2384 = phi_3386_;
+                            let _e2384 = phi_3387_;
                             if (_e2380 > _e2384) {
-                                phi_3391_ = _e2380;
+                                phi_3392_ = _e2380;
                             } else {
-                                phi_3391_ = _e2384;
+                                phi_3392_ = _e2384;
                             }
-                            let _e2387 = phi_3391_;
+                            let _e2387 = phi_3392_;
                             if (_e2373[2] < 0f) {
-                                phi_3398_ = -(_e2373[2]);
+                                phi_3399_ = -(_e2373[2]);
                             } else {
-                                phi_3398_ = _e2373[2];
+                                phi_3399_ = _e2373[2];
                             }
-                            let _e2391 = phi_3398_;
+                            let _e2391 = phi_3399_;
                             if (_e2387 > _e2391) {
-                                phi_3403_ = _e2387;
+                                phi_3404_ = _e2387;
                             } else {
-                                phi_3403_ = _e2391;
+                                phi_3404_ = _e2391;
                             }
-                            let _e2394 = phi_3403_;
+                            let _e2394 = phi_3404_;
                             let _e2397 = local_7.member_1[1u];
                             if (_e2397[0] < 0f) {
-                                phi_3417_ = -(_e2397[0]);
+                                phi_3418_ = -(_e2397[0]);
                             } else {
-                                phi_3417_ = _e2397[0];
+                                phi_3418_ = _e2397[0];
                             }
-                            let _e2404 = phi_3417_;
+                            let _e2404 = phi_3418_;
                             if (_e2397[1] < 0f) {
-                                phi_3424_ = -(_e2397[1]);
+                                phi_3425_ = -(_e2397[1]);
                             } else {
-                                phi_3424_ = _e2397[1];
+                                phi_3425_ = _e2397[1];
                             }
-                            let _e2408 = phi_3424_;
+                            let _e2408 = phi_3425_;
                             if (_e2404 > _e2408) {
-                                phi_3429_ = _e2404;
+                                phi_3430_ = _e2404;
                             } else {
-                                phi_3429_ = _e2408;
+                                phi_3430_ = _e2408;
                             }
-                            let _e2411 = phi_3429_;
+                            let _e2411 = phi_3430_;
                             if (_e2397[2] < 0f) {
-                                phi_3436_ = -(_e2397[2]);
+                                phi_3437_ = -(_e2397[2]);
                             } else {
-                                phi_3436_ = _e2397[2];
+                                phi_3437_ = _e2397[2];
                             }
-                            let _e2415 = phi_3436_;
+                            let _e2415 = phi_3437_;
                             if (_e2411 > _e2415) {
-                                phi_3441_ = _e2411;
+                                phi_3442_ = _e2411;
                             } else {
-                                phi_3441_ = _e2415;
+                                phi_3442_ = _e2415;
                             }
-                            let _e2418 = phi_3441_;
+                            let _e2418 = phi_3442_;
                             if (_e2394 > _e2418) {
-                                phi_3446_ = _e2394;
+                                phi_3447_ = _e2394;
                             } else {
-                                phi_3446_ = _e2418;
+                                phi_3447_ = _e2418;
                             }
-                            let _e2421 = phi_3446_;
+                            let _e2421 = phi_3447_;
                             let _e2423 = local_7.member_3;
                             let _e2424 = (_e2421 + _e2423);
                             let _e2427 = local_7.member_2[0u];
                             if (_e2427[0] < 0f) {
-                                phi_3463_ = -(_e2427[0]);
+                                phi_3464_ = -(_e2427[0]);
                             } else {
-                                phi_3463_ = _e2427[0];
+                                phi_3464_ = _e2427[0];
                             }
-                            let _e2434 = phi_3463_;
+                            let _e2434 = phi_3464_;
                             if (_e2427[1] < 0f) {
-                                phi_3470_ = -(_e2427[1]);
+                                phi_3471_ = -(_e2427[1]);
                             } else {
-                                phi_3470_ = _e2427[1];
+                                phi_3471_ = _e2427[1];
                             }
-                            let _e2438 = phi_3470_;
+                            let _e2438 = phi_3471_;
                             if (_e2434 > _e2438) {
-                                phi_3475_ = _e2434;
+                                phi_3476_ = _e2434;
                             } else {
-                                phi_3475_ = _e2438;
+                                phi_3476_ = _e2438;
                             }
-                            let _e2441 = phi_3475_;
+                            let _e2441 = phi_3476_;
                             if (_e2427[2] < 0f) {
-                                phi_3482_ = -(_e2427[2]);
+                                phi_3483_ = -(_e2427[2]);
                             } else {
-                                phi_3482_ = _e2427[2];
+                                phi_3483_ = _e2427[2];
                             }
-                            let _e2445 = phi_3482_;
+                            let _e2445 = phi_3483_;
                             if (_e2441 > _e2445) {
-                                phi_3487_ = _e2441;
+                                phi_3488_ = _e2441;
                             } else {
-                                phi_3487_ = _e2445;
+                                phi_3488_ = _e2445;
                             }
-                            let _e2448 = phi_3487_;
+                            let _e2448 = phi_3488_;
                             let _e2451 = local_7.member_2[1u];
                             if (_e2451[0] < 0f) {
-                                phi_3501_ = -(_e2451[0]);
+                                phi_3502_ = -(_e2451[0]);
                             } else {
-                                phi_3501_ = _e2451[0];
+                                phi_3502_ = _e2451[0];
                             }
-                            let _e2458 = phi_3501_;
+                            let _e2458 = phi_3502_;
                             if (_e2451[1] < 0f) {
-                                phi_3508_ = -(_e2451[1]);
+                                phi_3509_ = -(_e2451[1]);
                             } else {
-                                phi_3508_ = _e2451[1];
+                                phi_3509_ = _e2451[1];
                             }
-                            let _e2462 = phi_3508_;
+                            let _e2462 = phi_3509_;
                             if (_e2458 > _e2462) {
-                                phi_3513_ = _e2458;
+                                phi_3514_ = _e2458;
                             } else {
-                                phi_3513_ = _e2462;
+                                phi_3514_ = _e2462;
                             }
-                            let _e2465 = phi_3513_;
+                            let _e2465 = phi_3514_;
                             if (_e2451[2] < 0f) {
-                                phi_3520_ = -(_e2451[2]);
+                                phi_3521_ = -(_e2451[2]);
                             } else {
-                                phi_3520_ = _e2451[2];
+                                phi_3521_ = _e2451[2];
                             }
-                            let _e2469 = phi_3520_;
+                            let _e2469 = phi_3521_;
                             if (_e2465 > _e2469) {
-                                phi_3525_ = _e2465;
+                                phi_3526_ = _e2465;
                             } else {
-                                phi_3525_ = _e2469;
+                                phi_3526_ = _e2469;
                             }
-                            let _e2472 = phi_3525_;
+                            let _e2472 = phi_3526_;
                             if (_e2448 > _e2472) {
-                                phi_3530_ = _e2448;
+                                phi_3531_ = _e2448;
                             } else {
-                                phi_3530_ = _e2472;
+                                phi_3531_ = _e2472;
                             }
-                            let _e2475 = phi_3530_;
+                            let _e2475 = phi_3531_;
                             let _e2477 = local_7.member_3;
                             let _e2478 = (_e2475 + _e2477);
                             let _e2480 = ((_e2424 * 8f) * _e2478);
                             let _e2487 = local_7.member_3;
                             if (_e2176 < 0f) {
-                                phi_3561_ = -(_e2176);
+                                phi_3562_ = -(_e2176);
                             } else {
-                                phi_3561_ = _e2176;
+                                phi_3562_ = _e2176;
                             }
-                            let _e2504 = phi_3561_;
+                            let _e2504 = phi_3562_;
                             if (_e2179 < 0f) {
-                                phi_3567_ = -(_e2179);
+                                phi_3568_ = -(_e2179);
                             } else {
-                                phi_3567_ = _e2179;
+                                phi_3568_ = _e2179;
                             }
-                            let _e2508 = phi_3567_;
+                            let _e2508 = phi_3568_;
                             if (_e2182 < 0f) {
-                                phi_3574_ = -(_e2182);
+                                phi_3575_ = -(_e2182);
                             } else {
-                                phi_3574_ = _e2182;
+                                phi_3575_ = _e2182;
                             }
-                            let _e2513 = phi_3574_;
+                            let _e2513 = phi_3575_;
                             let _e2514 = ((_e2504 + _e2508) + _e2513);
                             if (_e2197 < 0f) {
-                                phi_3581_ = -(_e2197);
+                                phi_3582_ = -(_e2197);
                             } else {
-                                phi_3581_ = _e2197;
+                                phi_3582_ = _e2197;
                             }
-                            let _e2518 = phi_3581_;
+                            let _e2518 = phi_3582_;
                             if (_e2200 < 0f) {
-                                phi_3587_ = -(_e2200);
+                                phi_3588_ = -(_e2200);
                             } else {
-                                phi_3587_ = _e2200;
+                                phi_3588_ = _e2200;
                             }
-                            let _e2522 = phi_3587_;
+                            let _e2522 = phi_3588_;
                             if (_e2203 < 0f) {
-                                phi_3594_ = -(_e2203);
+                                phi_3595_ = -(_e2203);
                             } else {
-                                phi_3594_ = _e2203;
+                                phi_3595_ = _e2203;
                             }
-                            let _e2527 = phi_3594_;
+                            let _e2527 = phi_3595_;
                             let _e2528 = ((_e2518 + _e2522) + _e2527);
                             if (_e2514 > _e2528) {
-                                phi_3600_ = _e2514;
+                                phi_3601_ = _e2514;
                             } else {
-                                phi_3600_ = _e2528;
+                                phi_3601_ = _e2528;
                             }
-                            let _e2531 = phi_3600_;
+                            let _e2531 = phi_3601_;
                             if (_e2246 < 0f) {
-                                phi_3606_ = -(_e2246);
+                                phi_3607_ = -(_e2246);
                             } else {
-                                phi_3606_ = _e2246;
+                                phi_3607_ = _e2246;
                             }
-                            let _e2535 = phi_3606_;
+                            let _e2535 = phi_3607_;
                             if (_e2247 < 0f) {
-                                phi_3612_ = -(_e2247);
+                                phi_3613_ = -(_e2247);
                             } else {
-                                phi_3612_ = _e2247;
+                                phi_3613_ = _e2247;
                             }
-                            let _e2539 = phi_3612_;
+                            let _e2539 = phi_3613_;
                             if (_e2248 < 0f) {
-                                phi_3619_ = -(_e2248);
+                                phi_3620_ = -(_e2248);
                             } else {
-                                phi_3619_ = _e2248;
+                                phi_3620_ = _e2248;
                             }
-                            let _e2544 = phi_3619_;
+                            let _e2544 = phi_3620_;
                             let _e2546 = (((_e2535 + _e2539) + _e2544) * 0.5f);
                             if (_e2531 > _e2546) {
-                                phi_3626_ = _e2531;
+                                phi_3627_ = _e2531;
                             } else {
-                                phi_3626_ = _e2546;
+                                phi_3627_ = _e2546;
                             }
-                            let _e2549 = phi_3626_;
+                            let _e2549 = phi_3627_;
                             let _e2554 = local_7.member_3;
                             let _e2567 = ((((_e2251[0] * _e2176) + (_e2251[1] * _e2179)) + (_e2251[2] * _e2182)) * 3f);
                             let _e2568 = ((((_e2308[0] * _e2197) + (_e2308[1] * _e2200)) + (_e2308[2] * _e2203)) * 3f);
                             if (_e2567 < _e2568) {
-                                phi_3650_ = _e2567;
+                                phi_3651_ = _e2567;
                             } else {
-                                phi_3650_ = _e2568;
+                                phi_3651_ = _e2568;
                             }
-                            let _e2571 = phi_3650_;
+                            let _e2571 = phi_3651_;
                             if (_e2282 < _e2305) {
-                                phi_3655_ = _e2282;
+                                phi_3656_ = _e2282;
                             } else {
-                                phi_3655_ = _e2305;
+                                phi_3656_ = _e2305;
                             }
-                            let _e2574 = phi_3655_;
+                            let _e2574 = phi_3656_;
                             if (_e2571 < _e2574) {
-                                phi_3660_ = _e2571;
+                                phi_3661_ = _e2571;
                             } else {
-                                phi_3660_ = _e2574;
+                                phi_3661_ = _e2574;
                             }
-                            let _e2577 = phi_3660_;
+                            let _e2577 = phi_3661_;
                             if (_e2567 > _e2568) {
-                                phi_3665_ = _e2567;
+                                phi_3666_ = _e2567;
                             } else {
-                                phi_3665_ = _e2568;
+                                phi_3666_ = _e2568;
                             }
-                            let _e2580 = phi_3665_;
+                            let _e2580 = phi_3666_;
                             if (_e2282 > _e2305) {
-                                phi_3670_ = _e2282;
+                                phi_3671_ = _e2282;
                             } else {
-                                phi_3670_ = _e2305;
+                                phi_3671_ = _e2305;
                             }
-                            let _e2583 = phi_3670_;
+                            let _e2583 = phi_3671_;
                             if (_e2580 > _e2583) {
-                                phi_3675_ = _e2580;
+                                phi_3676_ = _e2580;
                             } else {
-                                phi_3675_ = _e2583;
+                                phi_3676_ = _e2583;
                             }
-                            let _e2586 = phi_3675_;
+                            let _e2586 = phi_3676_;
                             let _e2591 = -(_e2586);
                             if (_e2577 > _e2591) {
-                                phi_3685_ = _e2577;
+                                phi_3686_ = _e2577;
                             } else {
-                                phi_3685_ = _e2591;
+                                phi_3686_ = _e2591;
                             }
-                            let _e2594 = phi_3685_;
+                            let _e2594 = phi_3686_;
                             if ((_e2594 - ((((((_e2370 * 8f) * _e2480) * (0.000000059604645f * (490f / 64f))) + ((_e2487 * 19f) * ((_e2370 * (_e2424 + _e2478)) + (_e2424 * _e2478)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2370) * ((1f + _e2424) * (1f + _e2478))))) + ((_e2080 * (((_e2549 + (_e2480 * (0.000000059604645f * 4f))) + ((_e2554 * 6f) * (_e2424 + _e2478))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2424) * (1f + _e2478))))) * (3f * 1.0001f)))) > 0f) {
-                                phi_4661_ = true;
+                                phi_4662_ = true;
                             } else {
                                 let _e2599 = local_7.member_1[0u];
                                 let _e2605 = local_7.member_1[1u];
@@ -2555,210 +2557,210 @@ fn function_() {
                                 local_6 = array<array<f32, 3>, 4>(_e2662, array<f32, 3>((_e2662[0] - _e2668[0]), (_e2662[1] - _e2668[1]), (_e2662[2] - _e2668[2])), array<f32, 3>((_e2662[0] - _e2674[0]), (_e2662[1] - _e2674[1]), (_e2662[2] - _e2674[2])), _e2662);
                                 let _e2692 = local_7.member[0u];
                                 if (_e2692[0] < 0f) {
-                                    phi_3936_ = -(_e2692[0]);
+                                    phi_3937_ = -(_e2692[0]);
                                 } else {
-                                    phi_3936_ = _e2692[0];
+                                    phi_3937_ = _e2692[0];
                                 }
-                                let _e2699 = phi_3936_;
+                                let _e2699 = phi_3937_;
                                 if (_e2692[1] < 0f) {
-                                    phi_3943_ = -(_e2692[1]);
+                                    phi_3944_ = -(_e2692[1]);
                                 } else {
-                                    phi_3943_ = _e2692[1];
+                                    phi_3944_ = _e2692[1];
                                 }
-                                let _e2703 = phi_3943_;
+                                let _e2703 = phi_3944_;
                                 if (_e2699 > _e2703) {
-                                    phi_3948_ = _e2699;
+                                    phi_3949_ = _e2699;
                                 } else {
-                                    phi_3948_ = _e2703;
+                                    phi_3949_ = _e2703;
                                 }
-                                let _e2706 = phi_3948_;
+                                let _e2706 = phi_3949_;
                                 if (_e2692[2] < 0f) {
-                                    phi_3955_ = -(_e2692[2]);
+                                    phi_3956_ = -(_e2692[2]);
                                 } else {
-                                    phi_3955_ = _e2692[2];
+                                    phi_3956_ = _e2692[2];
                                 }
-                                let _e2710 = phi_3955_;
+                                let _e2710 = phi_3956_;
                                 if (_e2706 > _e2710) {
-                                    phi_3960_ = _e2706;
+                                    phi_3961_ = _e2706;
                                 } else {
-                                    phi_3960_ = _e2710;
+                                    phi_3961_ = _e2710;
                                 }
-                                let _e2713 = phi_3960_;
+                                let _e2713 = phi_3961_;
                                 let _e2716 = local_7.member[1u];
                                 if (_e2716[0] < 0f) {
-                                    phi_3973_ = -(_e2716[0]);
+                                    phi_3974_ = -(_e2716[0]);
                                 } else {
-                                    phi_3973_ = _e2716[0];
+                                    phi_3974_ = _e2716[0];
                                 }
-                                let _e2723 = phi_3973_;
+                                let _e2723 = phi_3974_;
                                 if (_e2716[1] < 0f) {
-                                    phi_3980_ = -(_e2716[1]);
+                                    phi_3981_ = -(_e2716[1]);
                                 } else {
-                                    phi_3980_ = _e2716[1];
+                                    phi_3981_ = _e2716[1];
                                 }
-                                let _e2727 = phi_3980_;
+                                let _e2727 = phi_3981_;
                                 if (_e2723 > _e2727) {
-                                    phi_3985_ = _e2723;
+                                    phi_3986_ = _e2723;
                                 } else {
-                                    phi_3985_ = _e2727;
+                                    phi_3986_ = _e2727;
                                 }
-                                let _e2730 = phi_3985_;
+                                let _e2730 = phi_3986_;
                                 if (_e2716[2] < 0f) {
-                                    phi_3992_ = -(_e2716[2]);
+                                    phi_3993_ = -(_e2716[2]);
                                 } else {
-                                    phi_3992_ = _e2716[2];
+                                    phi_3993_ = _e2716[2];
                                 }
-                                let _e2734 = phi_3992_;
+                                let _e2734 = phi_3993_;
                                 if (_e2730 > _e2734) {
-                                    phi_3997_ = _e2730;
+                                    phi_3998_ = _e2730;
                                 } else {
-                                    phi_3997_ = _e2734;
+                                    phi_3998_ = _e2734;
                                 }
-                                let _e2737 = phi_3997_;
+                                let _e2737 = phi_3998_;
                                 if (_e2713 > _e2737) {
-                                    phi_4002_ = _e2713;
+                                    phi_4003_ = _e2713;
                                 } else {
-                                    phi_4002_ = _e2737;
+                                    phi_4003_ = _e2737;
                                 }
-                                let _e2740 = phi_4002_;
+                                let _e2740 = phi_4003_;
                                 let _e2742 = local_7.member_3;
                                 let _e2746 = local_7.member_1[0u];
                                 if (_e2746[0] < 0f) {
-                                    phi_4019_ = -(_e2746[0]);
+                                    phi_4020_ = -(_e2746[0]);
                                 } else {
-                                    phi_4019_ = _e2746[0];
+                                    phi_4020_ = _e2746[0];
                                 }
-                                let _e2753 = phi_4019_;
+                                let _e2753 = phi_4020_;
                                 if (_e2746[1] < 0f) {
-                                    phi_4026_ = -(_e2746[1]);
+                                    phi_4027_ = -(_e2746[1]);
                                 } else {
-                                    phi_4026_ = _e2746[1];
+                                    phi_4027_ = _e2746[1];
                                 }
-                                let _e2757 = phi_4026_;
+                                let _e2757 = phi_4027_;
                                 if (_e2753 > _e2757) {
-                                    phi_4031_ = _e2753;
+                                    phi_4032_ = _e2753;
                                 } else {
-                                    phi_4031_ = _e2757;
+                                    phi_4032_ = _e2757;
                                 }
-                                let _e2760 = phi_4031_;
+                                let _e2760 = phi_4032_;
                                 if (_e2746[2] < 0f) {
-                                    phi_4038_ = -(_e2746[2]);
+                                    phi_4039_ = -(_e2746[2]);
                                 } else {
-                                    phi_4038_ = _e2746[2];
+                                    phi_4039_ = _e2746[2];
                                 }
-                                let _e2764 = phi_4038_;
+                                let _e2764 = phi_4039_;
                                 if (_e2760 > _e2764) {
-                                    phi_4043_ = _e2760;
+                                    phi_4044_ = _e2760;
                                 } else {
-                                    phi_4043_ = _e2764;
+                                    phi_4044_ = _e2764;
                                 }
-                                let _e2767 = phi_4043_;
+                                let _e2767 = phi_4044_;
                                 let _e2770 = local_7.member_1[1u];
                                 if (_e2770[0] < 0f) {
-                                    phi_4057_ = -(_e2770[0]);
+                                    phi_4058_ = -(_e2770[0]);
                                 } else {
-                                    phi_4057_ = _e2770[0];
+                                    phi_4058_ = _e2770[0];
                                 }
-                                let _e2777 = phi_4057_;
+                                let _e2777 = phi_4058_;
                                 if (_e2770[1] < 0f) {
-                                    phi_4064_ = -(_e2770[1]);
+                                    phi_4065_ = -(_e2770[1]);
                                 } else {
-                                    phi_4064_ = _e2770[1];
+                                    phi_4065_ = _e2770[1];
                                 }
-                                let _e2781 = phi_4064_;
+                                let _e2781 = phi_4065_;
                                 if (_e2777 > _e2781) {
-                                    phi_4069_ = _e2777;
+                                    phi_4070_ = _e2777;
                                 } else {
-                                    phi_4069_ = _e2781;
+                                    phi_4070_ = _e2781;
                                 }
-                                let _e2784 = phi_4069_;
+                                let _e2784 = phi_4070_;
                                 if (_e2770[2] < 0f) {
-                                    phi_4076_ = -(_e2770[2]);
+                                    phi_4077_ = -(_e2770[2]);
                                 } else {
-                                    phi_4076_ = _e2770[2];
+                                    phi_4077_ = _e2770[2];
                                 }
-                                let _e2788 = phi_4076_;
+                                let _e2788 = phi_4077_;
                                 if (_e2784 > _e2788) {
-                                    phi_4081_ = _e2784;
+                                    phi_4082_ = _e2784;
                                 } else {
-                                    phi_4081_ = _e2788;
+                                    phi_4082_ = _e2788;
                                 }
-                                let _e2791 = phi_4081_;
+                                let _e2791 = phi_4082_;
                                 if (_e2767 > _e2791) {
-                                    phi_4086_ = _e2767;
+                                    phi_4087_ = _e2767;
                                 } else {
-                                    phi_4086_ = _e2791;
+                                    phi_4087_ = _e2791;
                                 }
-                                let _e2794 = phi_4086_;
+                                let _e2794 = phi_4087_;
                                 let _e2796 = local_7.member_3;
                                 let _e2800 = local_7.member_2[0u];
                                 if (_e2800[0] < 0f) {
-                                    phi_4103_ = -(_e2800[0]);
+                                    phi_4104_ = -(_e2800[0]);
                                 } else {
-                                    phi_4103_ = _e2800[0];
+                                    phi_4104_ = _e2800[0];
                                 }
-                                let _e2807 = phi_4103_;
+                                let _e2807 = phi_4104_;
                                 if (_e2800[1] < 0f) {
-                                    phi_4110_ = -(_e2800[1]);
+                                    phi_4111_ = -(_e2800[1]);
                                 } else {
-                                    phi_4110_ = _e2800[1];
+                                    phi_4111_ = _e2800[1];
                                 }
-                                let _e2811 = phi_4110_;
+                                let _e2811 = phi_4111_;
                                 if (_e2807 > _e2811) {
-                                    phi_4115_ = _e2807;
+                                    phi_4116_ = _e2807;
                                 } else {
-                                    phi_4115_ = _e2811;
+                                    phi_4116_ = _e2811;
                                 }
-                                let _e2814 = phi_4115_;
+                                let _e2814 = phi_4116_;
                                 if (_e2800[2] < 0f) {
-                                    phi_4122_ = -(_e2800[2]);
+                                    phi_4123_ = -(_e2800[2]);
                                 } else {
-                                    phi_4122_ = _e2800[2];
+                                    phi_4123_ = _e2800[2];
                                 }
-                                let _e2818 = phi_4122_;
+                                let _e2818 = phi_4123_;
                                 if (_e2814 > _e2818) {
-                                    phi_4127_ = _e2814;
+                                    phi_4128_ = _e2814;
                                 } else {
-                                    phi_4127_ = _e2818;
+                                    phi_4128_ = _e2818;
                                 }
-                                let _e2821 = phi_4127_;
+                                let _e2821 = phi_4128_;
                                 let _e2824 = local_7.member_2[1u];
                                 if (_e2824[0] < 0f) {
-                                    phi_4141_ = -(_e2824[0]);
+                                    phi_4142_ = -(_e2824[0]);
                                 } else {
-                                    phi_4141_ = _e2824[0];
+                                    phi_4142_ = _e2824[0];
                                 }
-                                let _e2831 = phi_4141_;
+                                let _e2831 = phi_4142_;
                                 if (_e2824[1] < 0f) {
-                                    phi_4148_ = -(_e2824[1]);
+                                    phi_4149_ = -(_e2824[1]);
                                 } else {
-                                    phi_4148_ = _e2824[1];
+                                    phi_4149_ = _e2824[1];
                                 }
-                                let _e2835 = phi_4148_;
+                                let _e2835 = phi_4149_;
                                 if (_e2831 > _e2835) {
-                                    phi_4153_ = _e2831;
+                                    phi_4154_ = _e2831;
                                 } else {
-                                    phi_4153_ = _e2835;
+                                    phi_4154_ = _e2835;
                                 }
-                                let _e2838 = phi_4153_;
+                                let _e2838 = phi_4154_;
                                 if (_e2824[2] < 0f) {
-                                    phi_4160_ = -(_e2824[2]);
+                                    phi_4161_ = -(_e2824[2]);
                                 } else {
-                                    phi_4160_ = _e2824[2];
+                                    phi_4161_ = _e2824[2];
                                 }
-                                let _e2842 = phi_4160_;
+                                let _e2842 = phi_4161_;
                                 if (_e2838 > _e2842) {
-                                    phi_4165_ = _e2838;
+                                    phi_4166_ = _e2838;
                                 } else {
-                                    phi_4165_ = _e2842;
+                                    phi_4166_ = _e2842;
                                 }
-                                let _e2845 = phi_4165_;
+                                let _e2845 = phi_4166_;
                                 if (_e2821 > _e2845) {
-                                    phi_4170_ = _e2821;
+                                    phi_4171_ = _e2821;
                                 } else {
-                                    phi_4170_ = _e2845;
+                                    phi_4171_ = _e2845;
                                 }
-                                let _e2848 = phi_4170_;
+                                let _e2848 = phi_4171_;
                                 let _e2850 = local_7.member_3;
                                 let _e2853 = (((_e2740 + _e2742) + (_e2794 + _e2796)) + (_e2848 + _e2850));
                                 let _e2856 = local_7.member_3;
@@ -2768,25 +2770,25 @@ fn function_() {
                                 let _e2869 = ((_e2629 * _e2610) - (_e2632 * _e2609));
                                 let _e2871 = local_5[0u];
                                 let _e2879 = (((_e2863 * _e2871[0]) + (_e2866 * _e2871[1])) + (_e2869 * _e2871[2]));
-                                phi_4208_ = type_35(0u, 4u);
-                                phi_4211_ = _e2879;
-                                phi_4213_ = _e2879;
+                                phi_4209_ = type_36(0u, 4u);
+                                phi_4212_ = _e2879;
+                                phi_4214_ = _e2879;
                                 loop {
-                                    let _e2881 = phi_4208_;
-                                    let _e2883 = phi_4211_;
-                                    let _e2885 = phi_4213_;
+                                    let _e2881 = phi_4209_;
+                                    let _e2883 = phi_4212_;
+                                    let _e2885 = phi_4214_;
                                     local_52 = _e2883;
                                     local_53 = _e2885;
                                     local_73 = _e2885;
                                     if (_e2881.member < _e2881.member_1) {
-                                        phi_4209_ = type_35((_e2881.member + 1u), _e2881.member_1);
-                                        phi_4236_ = type_35(1u, _e2881.member);
+                                        phi_4210_ = type_36((_e2881.member + 1u), _e2881.member_1);
+                                        phi_4237_ = type_36(1u, _e2881.member);
                                     } else {
-                                        phi_4209_ = _e2881;
-                                        phi_4236_ = type_35(0u, type_35().member_1);
+                                        phi_4210_ = _e2881;
+                                        phi_4237_ = type_36(0u, type_36().member_1);
                                     }
-                                    let _e2899 = phi_4209_;
-                                    let _e2901 = phi_4236_;
+                                    let _e2899 = phi_4210_;
+                                    let _e2901 = phi_4237_;
                                     let _e2905 = (bitcast<i32>(_e2901.member) != 0i);
                                     if _e2905 {
                                         if (_e2901.member_1 < 4u) {
@@ -2802,99 +2804,99 @@ fn function_() {
                                         let _e2919 = local_6[_e2901.member_1];
                                         let _e2927 = (((_e2863 * _e2919[0]) + (_e2866 * _e2919[1])) + (_e2869 * _e2919[2]));
                                         if (_e2885 < _e2916) {
-                                            phi_4286_ = _e2885;
+                                            phi_4287_ = _e2885;
                                         } else {
-                                            phi_4286_ = _e2916;
+                                            phi_4287_ = _e2916;
                                         }
-                                        let _e2930 = phi_4286_;
+                                        let _e2930 = phi_4287_;
                                         if (_e2930 < _e2927) {
-                                            phi_4291_ = _e2930;
+                                            phi_4292_ = _e2930;
                                         } else {
-                                            phi_4291_ = _e2927;
+                                            phi_4292_ = _e2927;
                                         }
-                                        let _e2933 = phi_4291_;
+                                        let _e2933 = phi_4292_;
                                         if (_e2883 > _e2916) {
-                                            phi_4296_ = _e2883;
+                                            phi_4297_ = _e2883;
                                         } else {
-                                            phi_4296_ = _e2916;
+                                            phi_4297_ = _e2916;
                                         }
-                                        let _e2936 = phi_4296_;
+                                        let _e2936 = phi_4297_;
                                         if (_e2936 > _e2927) {
-                                            phi_4301_ = _e2936;
+                                            phi_4302_ = _e2936;
                                         } else {
-                                            phi_4301_ = _e2927;
+                                            phi_4302_ = _e2927;
                                         }
-                                        let _e2939 = phi_4301_;
-                                        phi_4212_ = _e2939;
-                                        phi_4214_ = _e2933;
+                                        let _e2939 = phi_4302_;
+                                        phi_4213_ = _e2939;
+                                        phi_4215_ = _e2933;
                                     } else {
-                                        phi_4212_ = f32();
-                                        phi_4214_ = f32();
+                                        phi_4213_ = f32();
+                                        phi_4215_ = f32();
                                     }
-                                    let _e2941 = phi_4212_;
-                                    let _e2943 = phi_4214_;
+                                    let _e2941 = phi_4213_;
+                                    let _e2943 = phi_4215_;
                                     continue;
                                     continuing {
-                                        phi_4208_ = _e2899;
-                                        phi_4211_ = _e2941;
-                                        phi_4213_ = _e2943;
+                                        phi_4209_ = _e2899;
+                                        phi_4212_ = _e2941;
+                                        phi_4214_ = _e2943;
                                         break if !(_e2905);
                                     }
                                 }
                                 if (_e2863 < 0f) {
-                                    phi_4307_ = -(_e2863);
+                                    phi_4308_ = -(_e2863);
                                 } else {
-                                    phi_4307_ = _e2863;
+                                    phi_4308_ = _e2863;
                                 }
-                                let _e2948 = phi_4307_;
+                                let _e2948 = phi_4308_;
                                 if (_e2866 < 0f) {
-                                    phi_4313_ = -(_e2866);
+                                    phi_4314_ = -(_e2866);
                                 } else {
-                                    phi_4313_ = _e2866;
+                                    phi_4314_ = _e2866;
                                 }
-                                let _e2952 = phi_4313_;
+                                let _e2952 = phi_4314_;
                                 if (_e2869 < 0f) {
-                                    phi_4320_ = -(_e2869);
+                                    phi_4321_ = -(_e2869);
                                 } else {
-                                    phi_4320_ = _e2869;
+                                    phi_4321_ = _e2869;
                                 }
-                                let _e2957 = phi_4320_;
+                                let _e2957 = phi_4321_;
                                 let _e2958 = ((_e2948 + _e2952) + _e2957);
                                 let _e2963 = local_52;
                                 let _e2964 = -(_e2963);
                                 let _e2966 = local_53;
                                 if (_e2966 > _e2964) {
                                     let _e5824 = local_73;
-                                    phi_4330_ = _e5824;
+                                    phi_4331_ = _e5824;
                                 } else {
-                                    phi_4330_ = _e2964;
+                                    phi_4331_ = _e2964;
                                 }
-                                let _e2969 = phi_4330_;
+                                let _e2969 = phi_4331_;
                                 let _e2974 = (((_e2969 - ((_e2958 * _e2853) * (0.000000059604645f * 17f))) - (_e2958 * _e2860)) - (0.000000000000000000000000000000000000011754944f * 64f));
                                 let _e2977 = ((_e2632 * _e2626) - (_e2635 * _e2625));
                                 let _e2980 = ((_e2635 * _e2624) - (_e2629 * _e2626));
                                 let _e2983 = ((_e2629 * _e2625) - (_e2632 * _e2624));
                                 let _e2985 = local_5[0u];
                                 let _e2993 = (((_e2977 * _e2985[0]) + (_e2980 * _e2985[1])) + (_e2983 * _e2985[2]));
-                                phi_4361_ = type_35(0u, 4u);
-                                phi_4364_ = _e2993;
-                                phi_4366_ = _e2993;
+                                phi_4362_ = type_36(0u, 4u);
+                                phi_4365_ = _e2993;
+                                phi_4367_ = _e2993;
                                 loop {
-                                    let _e2995 = phi_4361_;
-                                    let _e2997 = phi_4364_;
-                                    let _e2999 = phi_4366_;
+                                    let _e2995 = phi_4362_;
+                                    let _e2997 = phi_4365_;
+                                    let _e2999 = phi_4367_;
                                     local_54 = _e2997;
                                     local_55 = _e2999;
                                     local_74 = _e2999;
                                     if (_e2995.member < _e2995.member_1) {
-                                        phi_4362_ = type_35((_e2995.member + 1u), _e2995.member_1);
-                                        phi_4389_ = type_35(1u, _e2995.member);
+                                        phi_4363_ = type_36((_e2995.member + 1u), _e2995.member_1);
+                                        phi_4390_ = type_36(1u, _e2995.member);
                                     } else {
-                                        phi_4362_ = _e2995;
-                                        phi_4389_ = type_35(0u, type_35().member_1);
+                                        phi_4363_ = _e2995;
+                                        phi_4390_ = type_36(0u, type_36().member_1);
                                     }
-                                    let _e3013 = phi_4362_;
-                                    let _e3015 = phi_4389_;
+                                    let _e3013 = phi_4363_;
+                                    let _e3015 = phi_4390_;
                                     let _e3019 = (bitcast<i32>(_e3015.member) != 0i);
                                     if _e3019 {
                                         if (_e3015.member_1 < 4u) {
@@ -2910,81 +2912,81 @@ fn function_() {
                                         let _e3033 = local_6[_e3015.member_1];
                                         let _e3041 = (((_e2977 * _e3033[0]) + (_e2980 * _e3033[1])) + (_e2983 * _e3033[2]));
                                         if (_e2999 < _e3030) {
-                                            phi_4439_ = _e2999;
+                                            phi_4440_ = _e2999;
                                         } else {
-                                            phi_4439_ = _e3030;
+                                            phi_4440_ = _e3030;
                                         }
-                                        let _e3044 = phi_4439_;
+                                        let _e3044 = phi_4440_;
                                         if (_e3044 < _e3041) {
-                                            phi_4444_ = _e3044;
+                                            phi_4445_ = _e3044;
                                         } else {
-                                            phi_4444_ = _e3041;
+                                            phi_4445_ = _e3041;
                                         }
-                                        let _e3047 = phi_4444_;
+                                        let _e3047 = phi_4445_;
                                         if (_e2997 > _e3030) {
-                                            phi_4449_ = _e2997;
+                                            phi_4450_ = _e2997;
                                         } else {
-                                            phi_4449_ = _e3030;
+                                            phi_4450_ = _e3030;
                                         }
-                                        let _e3050 = phi_4449_;
+                                        let _e3050 = phi_4450_;
                                         if (_e3050 > _e3041) {
-                                            phi_4454_ = _e3050;
+                                            phi_4455_ = _e3050;
                                         } else {
-                                            phi_4454_ = _e3041;
+                                            phi_4455_ = _e3041;
                                         }
-                                        let _e3053 = phi_4454_;
-                                        phi_4365_ = _e3053;
-                                        phi_4367_ = _e3047;
+                                        let _e3053 = phi_4455_;
+                                        phi_4366_ = _e3053;
+                                        phi_4368_ = _e3047;
                                     } else {
-                                        phi_4365_ = f32();
-                                        phi_4367_ = f32();
+                                        phi_4366_ = f32();
+                                        phi_4368_ = f32();
                                     }
-                                    let _e3055 = phi_4365_;
-                                    let _e3057 = phi_4367_;
+                                    let _e3055 = phi_4366_;
+                                    let _e3057 = phi_4368_;
                                     continue;
                                     continuing {
-                                        phi_4361_ = _e3013;
-                                        phi_4364_ = _e3055;
-                                        phi_4366_ = _e3057;
+                                        phi_4362_ = _e3013;
+                                        phi_4365_ = _e3055;
+                                        phi_4367_ = _e3057;
                                         break if !(_e3019);
                                     }
                                 }
                                 if (_e2977 < 0f) {
-                                    phi_4460_ = -(_e2977);
+                                    phi_4461_ = -(_e2977);
                                 } else {
-                                    phi_4460_ = _e2977;
+                                    phi_4461_ = _e2977;
                                 }
-                                let _e3062 = phi_4460_;
+                                let _e3062 = phi_4461_;
                                 if (_e2980 < 0f) {
-                                    phi_4466_ = -(_e2980);
+                                    phi_4467_ = -(_e2980);
                                 } else {
-                                    phi_4466_ = _e2980;
+                                    phi_4467_ = _e2980;
                                 }
-                                let _e3066 = phi_4466_;
+                                let _e3066 = phi_4467_;
                                 if (_e2983 < 0f) {
-                                    phi_4473_ = -(_e2983);
+                                    phi_4474_ = -(_e2983);
                                 } else {
-                                    phi_4473_ = _e2983;
+                                    phi_4474_ = _e2983;
                                 }
-                                let _e3071 = phi_4473_;
+                                let _e3071 = phi_4474_;
                                 let _e3072 = ((_e3062 + _e3066) + _e3071);
                                 let _e3077 = local_54;
                                 let _e3078 = -(_e3077);
                                 let _e3080 = local_55;
                                 if (_e3080 > _e3078) {
                                     let _e5843 = local_74;
-                                    phi_4483_ = _e5843;
+                                    phi_4484_ = _e5843;
                                 } else {
-                                    phi_4483_ = _e3078;
+                                    phi_4484_ = _e3078;
                                 }
-                                let _e3083 = phi_4483_;
+                                let _e3083 = phi_4484_;
                                 let _e3088 = (((_e3083 - ((_e3072 * _e2853) * (0.000000059604645f * 17f))) - (_e3072 * _e2860)) - (0.000000000000000000000000000000000000011754944f * 64f));
                                 if (_e2974 > _e3088) {
-                                    phi_4493_ = _e2974;
+                                    phi_4494_ = _e2974;
                                 } else {
-                                    phi_4493_ = _e3088;
+                                    phi_4494_ = _e3088;
                                 }
-                                let _e3091 = phi_4493_;
+                                let _e3091 = phi_4494_;
                                 let _e3092 = (_e2624 - _e2609);
                                 let _e3093 = (_e2625 - _e2610);
                                 let _e3094 = (_e2626 - _e2611);
@@ -2993,25 +2995,25 @@ fn function_() {
                                 let _e3103 = ((_e2629 * _e3093) - (_e2632 * _e3092));
                                 let _e3105 = local_5[0u];
                                 let _e3113 = (((_e3097 * _e3105[0]) + (_e3100 * _e3105[1])) + (_e3103 * _e3105[2]));
-                                phi_4526_ = type_35(0u, 4u);
-                                phi_4529_ = _e3113;
-                                phi_4531_ = _e3113;
+                                phi_4527_ = type_36(0u, 4u);
+                                phi_4530_ = _e3113;
+                                phi_4532_ = _e3113;
                                 loop {
-                                    let _e3115 = phi_4526_;
-                                    let _e3117 = phi_4529_;
-                                    let _e3119 = phi_4531_;
+                                    let _e3115 = phi_4527_;
+                                    let _e3117 = phi_4530_;
+                                    let _e3119 = phi_4532_;
                                     local_56 = _e3117;
                                     local_57 = _e3119;
                                     local_75 = _e3119;
                                     if (_e3115.member < _e3115.member_1) {
-                                        phi_4527_ = type_35((_e3115.member + 1u), _e3115.member_1);
-                                        phi_4554_ = type_35(1u, _e3115.member);
+                                        phi_4528_ = type_36((_e3115.member + 1u), _e3115.member_1);
+                                        phi_4555_ = type_36(1u, _e3115.member);
                                     } else {
-                                        phi_4527_ = _e3115;
-                                        phi_4554_ = type_35(0u, type_35().member_1);
+                                        phi_4528_ = _e3115;
+                                        phi_4555_ = type_36(0u, type_36().member_1);
                                     }
-                                    let _e3133 = phi_4527_;
-                                    let _e3135 = phi_4554_;
+                                    let _e3133 = phi_4528_;
+                                    let _e3135 = phi_4555_;
                                     let _e3139 = (bitcast<i32>(_e3135.member) != 0i);
                                     if _e3139 {
                                         if (_e3135.member_1 < 4u) {
@@ -3027,86 +3029,86 @@ fn function_() {
                                         let _e3153 = local_6[_e3135.member_1];
                                         let _e3161 = (((_e3097 * _e3153[0]) + (_e3100 * _e3153[1])) + (_e3103 * _e3153[2]));
                                         if (_e3119 < _e3150) {
-                                            phi_4604_ = _e3119;
+                                            phi_4605_ = _e3119;
                                         } else {
-                                            phi_4604_ = _e3150;
+                                            phi_4605_ = _e3150;
                                         }
-                                        let _e3164 = phi_4604_;
+                                        let _e3164 = phi_4605_;
                                         if (_e3164 < _e3161) {
-                                            phi_4609_ = _e3164;
+                                            phi_4610_ = _e3164;
                                         } else {
-                                            phi_4609_ = _e3161;
+                                            phi_4610_ = _e3161;
                                         }
-                                        let _e3167 = phi_4609_;
+                                        let _e3167 = phi_4610_;
                                         if (_e3117 > _e3150) {
-                                            phi_4614_ = _e3117;
+                                            phi_4615_ = _e3117;
                                         } else {
-                                            phi_4614_ = _e3150;
+                                            phi_4615_ = _e3150;
                                         }
-                                        let _e3170 = phi_4614_;
+                                        let _e3170 = phi_4615_;
                                         if (_e3170 > _e3161) {
-                                            phi_4619_ = _e3170;
+                                            phi_4620_ = _e3170;
                                         } else {
-                                            phi_4619_ = _e3161;
+                                            phi_4620_ = _e3161;
                                         }
-                                        let _e3173 = phi_4619_;
-                                        phi_4530_ = _e3173;
-                                        phi_4532_ = _e3167;
+                                        let _e3173 = phi_4620_;
+                                        phi_4531_ = _e3173;
+                                        phi_4533_ = _e3167;
                                     } else {
-                                        phi_4530_ = f32();
-                                        phi_4532_ = f32();
+                                        phi_4531_ = f32();
+                                        phi_4533_ = f32();
                                     }
-                                    let _e3175 = phi_4530_;
-                                    let _e3177 = phi_4532_;
+                                    let _e3175 = phi_4531_;
+                                    let _e3177 = phi_4533_;
                                     continue;
                                     continuing {
-                                        phi_4526_ = _e3133;
-                                        phi_4529_ = _e3175;
-                                        phi_4531_ = _e3177;
+                                        phi_4527_ = _e3133;
+                                        phi_4530_ = _e3175;
+                                        phi_4532_ = _e3177;
                                         break if !(_e3139);
                                     }
                                 }
                                 if (_e3097 < 0f) {
-                                    phi_4625_ = -(_e3097);
+                                    phi_4626_ = -(_e3097);
                                 } else {
-                                    phi_4625_ = _e3097;
+                                    phi_4626_ = _e3097;
                                 }
-                                let _e3182 = phi_4625_;
+                                let _e3182 = phi_4626_;
                                 if (_e3100 < 0f) {
-                                    phi_4631_ = -(_e3100);
+                                    phi_4632_ = -(_e3100);
                                 } else {
-                                    phi_4631_ = _e3100;
+                                    phi_4632_ = _e3100;
                                 }
-                                let _e3186 = phi_4631_;
+                                let _e3186 = phi_4632_;
                                 if (_e3103 < 0f) {
-                                    phi_4638_ = -(_e3103);
+                                    phi_4639_ = -(_e3103);
                                 } else {
-                                    phi_4638_ = _e3103;
+                                    phi_4639_ = _e3103;
                                 }
-                                let _e3191 = phi_4638_;
+                                let _e3191 = phi_4639_;
                                 let _e3192 = ((_e3182 + _e3186) + _e3191);
                                 let _e3197 = local_56;
                                 let _e3198 = -(_e3197);
                                 let _e3200 = local_57;
                                 if (_e3200 > _e3198) {
                                     let _e5863 = local_75;
-                                    phi_4648_ = _e5863;
+                                    phi_4649_ = _e5863;
                                 } else {
-                                    phi_4648_ = _e3198;
+                                    phi_4649_ = _e3198;
                                 }
-                                let _e3203 = phi_4648_;
+                                let _e3203 = phi_4649_;
                                 let _e3208 = (((_e3203 - ((_e3192 * _e2853) * (0.000000059604645f * 17f))) - (_e3192 * _e2860)) - (0.000000000000000000000000000000000000011754944f * 64f));
                                 if (_e3091 > _e3208) {
-                                    phi_4658_ = _e3091;
+                                    phi_4659_ = _e3091;
                                 } else {
-                                    phi_4658_ = _e3208;
+                                    phi_4659_ = _e3208;
                                 }
-                                let _e3211 = phi_4658_;
-                                phi_4661_ = (_e3211 > 0f);
+                                let _e3211 = phi_4659_;
+                                phi_4662_ = (_e3211 > 0f);
                             }
-                            let _e3214 = phi_4661_;
+                            let _e3214 = phi_4662_;
                             if _e3214 {
-                                phi_8097_ = false;
+                                phi_8098_ = false;
                             } else {
                                 let _e3217 = local_7.member[0u];
                                 let _e3223 = local_7.member[1u];
@@ -3131,7 +3133,7 @@ fn function_() {
                                 let _e3285 = local_7.member_1[1u];
                                 let _e3288 = local_7.member_2[1u];
                                 let _e3290 = local_7.member_3;
-                                local_4 = array<type_70, 2>(type_70(array<array<f32, 3>, 2>(_e3271, array<f32, 3>(_e3230, _e3231, _e3232)), array<array<f32, 3>, 2>(_e3274, array<f32, 3>(_e3248, _e3249, _e3250)), array<array<f32, 3>, 2>(_e3277, array<f32, 3>(_e3266, _e3267, _e3268)), _e3279), type_70(array<array<f32, 3>, 2>(array<f32, 3>(_e3230, _e3231, _e3232), _e3282), array<array<f32, 3>, 2>(array<f32, 3>(_e3248, _e3249, _e3250), _e3285), array<array<f32, 3>, 2>(array<f32, 3>(_e3266, _e3267, _e3268), _e3288), _e3290));
+                                local_4 = array<type_71, 2>(type_71(array<array<f32, 3>, 2>(_e3271, array<f32, 3>(_e3230, _e3231, _e3232)), array<array<f32, 3>, 2>(_e3274, array<f32, 3>(_e3248, _e3249, _e3250)), array<array<f32, 3>, 2>(_e3277, array<f32, 3>(_e3266, _e3267, _e3268)), _e3279), type_71(array<array<f32, 3>, 2>(array<f32, 3>(_e3230, _e3231, _e3232), _e3282), array<array<f32, 3>, 2>(array<f32, 3>(_e3248, _e3249, _e3250), _e3285), array<array<f32, 3>, 2>(array<f32, 3>(_e3266, _e3267, _e3268), _e3288), _e3290));
                                 let _e3309 = local_4[0u].member_1[0u];
                                 let _e3315 = local_4[0u].member_2[0u];
                                 let _e3321 = ((_e3309[1] * _e3315[2]) - (_e3309[2] * _e3315[1]));
@@ -3159,333 +3161,333 @@ fn function_() {
                                 let _e3453 = local_4[0u].member[1u];
                                 let _e3464 = local_4[0u].member[0u];
                                 if (_e3464[0] < 0f) {
-                                    phi_5118_ = -(_e3464[0]);
+                                    phi_5119_ = -(_e3464[0]);
                                 } else {
-                                    phi_5118_ = _e3464[0];
+                                    phi_5119_ = _e3464[0];
                                 }
-                                let _e3471 = phi_5118_;
+                                let _e3471 = phi_5119_;
                                 if (_e3464[1] < 0f) {
-                                    phi_5125_ = -(_e3464[1]);
+                                    phi_5126_ = -(_e3464[1]);
                                 } else {
-                                    phi_5125_ = _e3464[1];
+                                    phi_5126_ = _e3464[1];
                                 }
-                                let _e3475 = phi_5125_;
+                                let _e3475 = phi_5126_;
                                 if (_e3471 > _e3475) {
-                                    phi_5130_ = _e3471;
+                                    phi_5131_ = _e3471;
                                 } else {
-                                    phi_5130_ = _e3475;
+                                    phi_5131_ = _e3475;
                                 }
-                                let _e3478 = phi_5130_;
+                                let _e3478 = phi_5131_;
                                 if (_e3464[2] < 0f) {
-                                    phi_5137_ = -(_e3464[2]);
+                                    phi_5138_ = -(_e3464[2]);
                                 } else {
-                                    phi_5137_ = _e3464[2];
+                                    phi_5138_ = _e3464[2];
                                 }
-                                let _e3482 = phi_5137_;
+                                let _e3482 = phi_5138_;
                                 if (_e3478 > _e3482) {
-                                    phi_5142_ = _e3478;
+                                    phi_5143_ = _e3478;
                                 } else {
-                                    phi_5142_ = _e3482;
+                                    phi_5143_ = _e3482;
                                 }
-                                let _e3485 = phi_5142_;
+                                let _e3485 = phi_5143_;
                                 let _e3488 = local_4[0u].member[1u];
                                 if (_e3488[0] < 0f) {
-                                    phi_5155_ = -(_e3488[0]);
+                                    phi_5156_ = -(_e3488[0]);
                                 } else {
-                                    phi_5155_ = _e3488[0];
+                                    phi_5156_ = _e3488[0];
                                 }
-                                let _e3495 = phi_5155_;
+                                let _e3495 = phi_5156_;
                                 if (_e3488[1] < 0f) {
-                                    phi_5162_ = -(_e3488[1]);
+                                    phi_5163_ = -(_e3488[1]);
                                 } else {
-                                    phi_5162_ = _e3488[1];
+                                    phi_5163_ = _e3488[1];
                                 }
-                                let _e3499 = phi_5162_;
+                                let _e3499 = phi_5163_;
                                 if (_e3495 > _e3499) {
-                                    phi_5167_ = _e3495;
+                                    phi_5168_ = _e3495;
                                 } else {
-                                    phi_5167_ = _e3499;
+                                    phi_5168_ = _e3499;
                                 }
-                                let _e3502 = phi_5167_;
+                                let _e3502 = phi_5168_;
                                 if (_e3488[2] < 0f) {
-                                    phi_5174_ = -(_e3488[2]);
+                                    phi_5175_ = -(_e3488[2]);
                                 } else {
-                                    phi_5174_ = _e3488[2];
+                                    phi_5175_ = _e3488[2];
                                 }
-                                let _e3506 = phi_5174_;
+                                let _e3506 = phi_5175_;
                                 if (_e3502 > _e3506) {
-                                    phi_5179_ = _e3502;
+                                    phi_5180_ = _e3502;
                                 } else {
-                                    phi_5179_ = _e3506;
+                                    phi_5180_ = _e3506;
                                 }
-                                let _e3509 = phi_5179_;
+                                let _e3509 = phi_5180_;
                                 if (_e3485 > _e3509) {
-                                    phi_5184_ = _e3485;
+                                    phi_5185_ = _e3485;
                                 } else {
-                                    phi_5184_ = _e3509;
+                                    phi_5185_ = _e3509;
                                 }
-                                let _e3512 = phi_5184_;
+                                let _e3512 = phi_5185_;
                                 let _e3514 = local_4[0u].member_3;
                                 let _e3515 = (_e3512 + _e3514);
                                 let _e3518 = local_4[0u].member_1[0u];
                                 if (_e3518[0] < 0f) {
-                                    phi_5201_ = -(_e3518[0]);
+                                    phi_5202_ = -(_e3518[0]);
                                 } else {
-                                    phi_5201_ = _e3518[0];
+                                    phi_5202_ = _e3518[0];
                                 }
-                                let _e3525 = phi_5201_;
+                                let _e3525 = phi_5202_;
                                 if (_e3518[1] < 0f) {
-                                    phi_5208_ = -(_e3518[1]);
+                                    phi_5209_ = -(_e3518[1]);
                                 } else {
-                                    phi_5208_ = _e3518[1];
+                                    phi_5209_ = _e3518[1];
                                 }
-                                let _e3529 = phi_5208_;
+                                let _e3529 = phi_5209_;
                                 if (_e3525 > _e3529) {
-                                    phi_5213_ = _e3525;
+                                    phi_5214_ = _e3525;
                                 } else {
-                                    phi_5213_ = _e3529;
+                                    phi_5214_ = _e3529;
                                 }
-                                let _e3532 = phi_5213_;
+                                let _e3532 = phi_5214_;
                                 if (_e3518[2] < 0f) {
-                                    phi_5220_ = -(_e3518[2]);
+                                    phi_5221_ = -(_e3518[2]);
                                 } else {
-                                    phi_5220_ = _e3518[2];
+                                    phi_5221_ = _e3518[2];
                                 }
-                                let _e3536 = phi_5220_;
+                                let _e3536 = phi_5221_;
                                 if (_e3532 > _e3536) {
-                                    phi_5225_ = _e3532;
+                                    phi_5226_ = _e3532;
                                 } else {
-                                    phi_5225_ = _e3536;
+                                    phi_5226_ = _e3536;
                                 }
-                                let _e3539 = phi_5225_;
+                                let _e3539 = phi_5226_;
                                 let _e3542 = local_4[0u].member_1[1u];
                                 if (_e3542[0] < 0f) {
-                                    phi_5239_ = -(_e3542[0]);
+                                    phi_5240_ = -(_e3542[0]);
                                 } else {
-                                    phi_5239_ = _e3542[0];
+                                    phi_5240_ = _e3542[0];
                                 }
-                                let _e3549 = phi_5239_;
+                                let _e3549 = phi_5240_;
                                 if (_e3542[1] < 0f) {
-                                    phi_5246_ = -(_e3542[1]);
+                                    phi_5247_ = -(_e3542[1]);
                                 } else {
-                                    phi_5246_ = _e3542[1];
+                                    phi_5247_ = _e3542[1];
                                 }
-                                let _e3553 = phi_5246_;
+                                let _e3553 = phi_5247_;
                                 if (_e3549 > _e3553) {
-                                    phi_5251_ = _e3549;
+                                    phi_5252_ = _e3549;
                                 } else {
-                                    phi_5251_ = _e3553;
+                                    phi_5252_ = _e3553;
                                 }
-                                let _e3556 = phi_5251_;
+                                let _e3556 = phi_5252_;
                                 if (_e3542[2] < 0f) {
-                                    phi_5258_ = -(_e3542[2]);
+                                    phi_5259_ = -(_e3542[2]);
                                 } else {
-                                    phi_5258_ = _e3542[2];
+                                    phi_5259_ = _e3542[2];
                                 }
-                                let _e3560 = phi_5258_;
+                                let _e3560 = phi_5259_;
                                 if (_e3556 > _e3560) {
-                                    phi_5263_ = _e3556;
+                                    phi_5264_ = _e3556;
                                 } else {
-                                    phi_5263_ = _e3560;
+                                    phi_5264_ = _e3560;
                                 }
-                                let _e3563 = phi_5263_;
+                                let _e3563 = phi_5264_;
                                 if (_e3539 > _e3563) {
-                                    phi_5268_ = _e3539;
+                                    phi_5269_ = _e3539;
                                 } else {
-                                    phi_5268_ = _e3563;
+                                    phi_5269_ = _e3563;
                                 }
-                                let _e3566 = phi_5268_;
+                                let _e3566 = phi_5269_;
                                 let _e3568 = local_4[0u].member_3;
                                 let _e3569 = (_e3566 + _e3568);
                                 let _e3572 = local_4[0u].member_2[0u];
                                 if (_e3572[0] < 0f) {
-                                    phi_5285_ = -(_e3572[0]);
+                                    phi_5286_ = -(_e3572[0]);
                                 } else {
-                                    phi_5285_ = _e3572[0];
+                                    phi_5286_ = _e3572[0];
                                 }
-                                let _e3579 = phi_5285_;
+                                let _e3579 = phi_5286_;
                                 if (_e3572[1] < 0f) {
-                                    phi_5292_ = -(_e3572[1]);
+                                    phi_5293_ = -(_e3572[1]);
                                 } else {
-                                    phi_5292_ = _e3572[1];
+                                    phi_5293_ = _e3572[1];
                                 }
-                                let _e3583 = phi_5292_;
+                                let _e3583 = phi_5293_;
                                 if (_e3579 > _e3583) {
-                                    phi_5297_ = _e3579;
+                                    phi_5298_ = _e3579;
                                 } else {
-                                    phi_5297_ = _e3583;
+                                    phi_5298_ = _e3583;
                                 }
-                                let _e3586 = phi_5297_;
+                                let _e3586 = phi_5298_;
                                 if (_e3572[2] < 0f) {
-                                    phi_5304_ = -(_e3572[2]);
+                                    phi_5305_ = -(_e3572[2]);
                                 } else {
-                                    phi_5304_ = _e3572[2];
+                                    phi_5305_ = _e3572[2];
                                 }
-                                let _e3590 = phi_5304_;
+                                let _e3590 = phi_5305_;
                                 if (_e3586 > _e3590) {
-                                    phi_5309_ = _e3586;
+                                    phi_5310_ = _e3586;
                                 } else {
-                                    phi_5309_ = _e3590;
+                                    phi_5310_ = _e3590;
                                 }
-                                let _e3593 = phi_5309_;
+                                let _e3593 = phi_5310_;
                                 let _e3596 = local_4[0u].member_2[1u];
                                 if (_e3596[0] < 0f) {
-                                    phi_5323_ = -(_e3596[0]);
+                                    phi_5324_ = -(_e3596[0]);
                                 } else {
-                                    phi_5323_ = _e3596[0];
+                                    phi_5324_ = _e3596[0];
                                 }
-                                let _e3603 = phi_5323_;
+                                let _e3603 = phi_5324_;
                                 if (_e3596[1] < 0f) {
-                                    phi_5330_ = -(_e3596[1]);
+                                    phi_5331_ = -(_e3596[1]);
                                 } else {
-                                    phi_5330_ = _e3596[1];
+                                    phi_5331_ = _e3596[1];
                                 }
-                                let _e3607 = phi_5330_;
+                                let _e3607 = phi_5331_;
                                 if (_e3603 > _e3607) {
-                                    phi_5335_ = _e3603;
+                                    phi_5336_ = _e3603;
                                 } else {
-                                    phi_5335_ = _e3607;
+                                    phi_5336_ = _e3607;
                                 }
-                                let _e3610 = phi_5335_;
+                                let _e3610 = phi_5336_;
                                 if (_e3596[2] < 0f) {
-                                    phi_5342_ = -(_e3596[2]);
+                                    phi_5343_ = -(_e3596[2]);
                                 } else {
-                                    phi_5342_ = _e3596[2];
+                                    phi_5343_ = _e3596[2];
                                 }
-                                let _e3614 = phi_5342_;
+                                let _e3614 = phi_5343_;
                                 if (_e3610 > _e3614) {
-                                    phi_5347_ = _e3610;
+                                    phi_5348_ = _e3610;
                                 } else {
-                                    phi_5347_ = _e3614;
+                                    phi_5348_ = _e3614;
                                 }
-                                let _e3617 = phi_5347_;
+                                let _e3617 = phi_5348_;
                                 if (_e3593 > _e3617) {
-                                    phi_5352_ = _e3593;
+                                    phi_5353_ = _e3593;
                                 } else {
-                                    phi_5352_ = _e3617;
+                                    phi_5353_ = _e3617;
                                 }
-                                let _e3620 = phi_5352_;
+                                let _e3620 = phi_5353_;
                                 let _e3622 = local_4[0u].member_3;
                                 let _e3623 = (_e3620 + _e3622);
                                 let _e3625 = ((_e3569 * 8f) * _e3623);
                                 let _e3632 = local_4[0u].member_3;
                                 if (_e3321 < 0f) {
-                                    phi_5383_ = -(_e3321);
+                                    phi_5384_ = -(_e3321);
                                 } else {
-                                    phi_5383_ = _e3321;
+                                    phi_5384_ = _e3321;
                                 }
-                                let _e3649 = phi_5383_;
+                                let _e3649 = phi_5384_;
                                 if (_e3324 < 0f) {
-                                    phi_5389_ = -(_e3324);
+                                    phi_5390_ = -(_e3324);
                                 } else {
-                                    phi_5389_ = _e3324;
+                                    phi_5390_ = _e3324;
                                 }
-                                let _e3653 = phi_5389_;
+                                let _e3653 = phi_5390_;
                                 if (_e3327 < 0f) {
-                                    phi_5396_ = -(_e3327);
+                                    phi_5397_ = -(_e3327);
                                 } else {
-                                    phi_5396_ = _e3327;
+                                    phi_5397_ = _e3327;
                                 }
-                                let _e3658 = phi_5396_;
+                                let _e3658 = phi_5397_;
                                 let _e3659 = ((_e3649 + _e3653) + _e3658);
                                 if (_e3342 < 0f) {
-                                    phi_5403_ = -(_e3342);
+                                    phi_5404_ = -(_e3342);
                                 } else {
-                                    phi_5403_ = _e3342;
+                                    phi_5404_ = _e3342;
                                 }
-                                let _e3663 = phi_5403_;
+                                let _e3663 = phi_5404_;
                                 if (_e3345 < 0f) {
-                                    phi_5409_ = -(_e3345);
+                                    phi_5410_ = -(_e3345);
                                 } else {
-                                    phi_5409_ = _e3345;
+                                    phi_5410_ = _e3345;
                                 }
-                                let _e3667 = phi_5409_;
+                                let _e3667 = phi_5410_;
                                 if (_e3348 < 0f) {
-                                    phi_5416_ = -(_e3348);
+                                    phi_5417_ = -(_e3348);
                                 } else {
-                                    phi_5416_ = _e3348;
+                                    phi_5417_ = _e3348;
                                 }
-                                let _e3672 = phi_5416_;
+                                let _e3672 = phi_5417_;
                                 let _e3673 = ((_e3663 + _e3667) + _e3672);
                                 if (_e3659 > _e3673) {
-                                    phi_5422_ = _e3659;
+                                    phi_5423_ = _e3659;
                                 } else {
-                                    phi_5422_ = _e3673;
+                                    phi_5423_ = _e3673;
                                 }
-                                let _e3676 = phi_5422_;
+                                let _e3676 = phi_5423_;
                                 if (_e3391 < 0f) {
-                                    phi_5428_ = -(_e3391);
+                                    phi_5429_ = -(_e3391);
                                 } else {
-                                    phi_5428_ = _e3391;
+                                    phi_5429_ = _e3391;
                                 }
-                                let _e3680 = phi_5428_;
+                                let _e3680 = phi_5429_;
                                 if (_e3392 < 0f) {
-                                    phi_5434_ = -(_e3392);
+                                    phi_5435_ = -(_e3392);
                                 } else {
-                                    phi_5434_ = _e3392;
+                                    phi_5435_ = _e3392;
                                 }
-                                let _e3684 = phi_5434_;
+                                let _e3684 = phi_5435_;
                                 if (_e3393 < 0f) {
-                                    phi_5441_ = -(_e3393);
+                                    phi_5442_ = -(_e3393);
                                 } else {
-                                    phi_5441_ = _e3393;
+                                    phi_5442_ = _e3393;
                                 }
-                                let _e3689 = phi_5441_;
+                                let _e3689 = phi_5442_;
                                 let _e3691 = (((_e3680 + _e3684) + _e3689) * 0.5f);
                                 if (_e3676 > _e3691) {
-                                    phi_5448_ = _e3676;
+                                    phi_5449_ = _e3676;
                                 } else {
-                                    phi_5448_ = _e3691;
+                                    phi_5449_ = _e3691;
                                 }
-                                let _e3694 = phi_5448_;
+                                let _e3694 = phi_5449_;
                                 let _e3699 = local_4[0u].member_3;
                                 let _e3712 = ((((_e3396[0] * _e3321) + (_e3396[1] * _e3324)) + (_e3396[2] * _e3327)) * 3f);
                                 let _e3713 = ((((_e3453[0] * _e3342) + (_e3453[1] * _e3345)) + (_e3453[2] * _e3348)) * 3f);
                                 if (_e3712 < _e3713) {
-                                    phi_5472_ = _e3712;
+                                    phi_5473_ = _e3712;
                                 } else {
-                                    phi_5472_ = _e3713;
+                                    phi_5473_ = _e3713;
                                 }
-                                let _e3716 = phi_5472_;
+                                let _e3716 = phi_5473_;
                                 if (_e3427 < _e3450) {
-                                    phi_5477_ = _e3427;
+                                    phi_5478_ = _e3427;
                                 } else {
-                                    phi_5477_ = _e3450;
+                                    phi_5478_ = _e3450;
                                 }
-                                let _e3719 = phi_5477_;
+                                let _e3719 = phi_5478_;
                                 if (_e3716 < _e3719) {
-                                    phi_5482_ = _e3716;
+                                    phi_5483_ = _e3716;
                                 } else {
-                                    phi_5482_ = _e3719;
+                                    phi_5483_ = _e3719;
                                 }
-                                let _e3722 = phi_5482_;
+                                let _e3722 = phi_5483_;
                                 if (_e3712 > _e3713) {
-                                    phi_5487_ = _e3712;
+                                    phi_5488_ = _e3712;
                                 } else {
-                                    phi_5487_ = _e3713;
+                                    phi_5488_ = _e3713;
                                 }
-                                let _e3725 = phi_5487_;
+                                let _e3725 = phi_5488_;
                                 if (_e3427 > _e3450) {
-                                    phi_5492_ = _e3427;
+                                    phi_5493_ = _e3427;
                                 } else {
-                                    phi_5492_ = _e3450;
+                                    phi_5493_ = _e3450;
                                 }
-                                let _e3728 = phi_5492_;
+                                let _e3728 = phi_5493_;
                                 if (_e3725 > _e3728) {
-                                    phi_5497_ = _e3725;
+                                    phi_5498_ = _e3725;
                                 } else {
-                                    phi_5497_ = _e3728;
+                                    phi_5498_ = _e3728;
                                 }
-                                let _e3731 = phi_5497_;
+                                let _e3731 = phi_5498_;
                                 let _e3736 = -(_e3731);
                                 if (_e3722 > _e3736) {
-                                    phi_5507_ = _e3722;
+                                    phi_5508_ = _e3722;
                                 } else {
-                                    phi_5507_ = _e3736;
+                                    phi_5508_ = _e3736;
                                 }
-                                let _e3739 = phi_5507_;
+                                let _e3739 = phi_5508_;
                                 if ((_e3739 - ((((((_e3515 * 8f) * _e3625) * (0.000000059604645f * (490f / 64f))) + ((_e3632 * 19f) * ((_e3515 * (_e3569 + _e3623)) + (_e3569 * _e3623)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3515) * ((1f + _e3569) * (1f + _e3623))))) + ((_e2080 * (((_e3694 + (_e3625 * (0.000000059604645f * 4f))) + ((_e3699 * 6f) * (_e3569 + _e3623))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3569) * (1f + _e3623))))) * (3f * 1.0001f)))) > 0f) {
-                                    phi_6483_ = true;
+                                    phi_6484_ = true;
                                 } else {
                                     let _e3744 = local_4[0u].member_1[0u];
                                     let _e3750 = local_4[0u].member_1[1u];
@@ -3510,210 +3512,210 @@ fn function_() {
                                     local_3 = array<array<f32, 3>, 4>(_e3807, array<f32, 3>((_e3807[0] - _e3813[0]), (_e3807[1] - _e3813[1]), (_e3807[2] - _e3813[2])), array<f32, 3>((_e3807[0] - _e3819[0]), (_e3807[1] - _e3819[1]), (_e3807[2] - _e3819[2])), _e3807);
                                     let _e3837 = local_4[0u].member[0u];
                                     if (_e3837[0] < 0f) {
-                                        phi_5758_ = -(_e3837[0]);
+                                        phi_5759_ = -(_e3837[0]);
                                     } else {
-                                        phi_5758_ = _e3837[0];
+                                        phi_5759_ = _e3837[0];
                                     }
-                                    let _e3844 = phi_5758_;
+                                    let _e3844 = phi_5759_;
                                     if (_e3837[1] < 0f) {
-                                        phi_5765_ = -(_e3837[1]);
+                                        phi_5766_ = -(_e3837[1]);
                                     } else {
-                                        phi_5765_ = _e3837[1];
+                                        phi_5766_ = _e3837[1];
                                     }
-                                    let _e3848 = phi_5765_;
+                                    let _e3848 = phi_5766_;
                                     if (_e3844 > _e3848) {
-                                        phi_5770_ = _e3844;
+                                        phi_5771_ = _e3844;
                                     } else {
-                                        phi_5770_ = _e3848;
+                                        phi_5771_ = _e3848;
                                     }
-                                    let _e3851 = phi_5770_;
+                                    let _e3851 = phi_5771_;
                                     if (_e3837[2] < 0f) {
-                                        phi_5777_ = -(_e3837[2]);
+                                        phi_5778_ = -(_e3837[2]);
                                     } else {
-                                        phi_5777_ = _e3837[2];
+                                        phi_5778_ = _e3837[2];
                                     }
-                                    let _e3855 = phi_5777_;
+                                    let _e3855 = phi_5778_;
                                     if (_e3851 > _e3855) {
-                                        phi_5782_ = _e3851;
+                                        phi_5783_ = _e3851;
                                     } else {
-                                        phi_5782_ = _e3855;
+                                        phi_5783_ = _e3855;
                                     }
-                                    let _e3858 = phi_5782_;
+                                    let _e3858 = phi_5783_;
                                     let _e3861 = local_4[0u].member[1u];
                                     if (_e3861[0] < 0f) {
-                                        phi_5795_ = -(_e3861[0]);
+                                        phi_5796_ = -(_e3861[0]);
                                     } else {
-                                        phi_5795_ = _e3861[0];
+                                        phi_5796_ = _e3861[0];
                                     }
-                                    let _e3868 = phi_5795_;
+                                    let _e3868 = phi_5796_;
                                     if (_e3861[1] < 0f) {
-                                        phi_5802_ = -(_e3861[1]);
+                                        phi_5803_ = -(_e3861[1]);
                                     } else {
-                                        phi_5802_ = _e3861[1];
+                                        phi_5803_ = _e3861[1];
                                     }
-                                    let _e3872 = phi_5802_;
+                                    let _e3872 = phi_5803_;
                                     if (_e3868 > _e3872) {
-                                        phi_5807_ = _e3868;
+                                        phi_5808_ = _e3868;
                                     } else {
-                                        phi_5807_ = _e3872;
+                                        phi_5808_ = _e3872;
                                     }
-                                    let _e3875 = phi_5807_;
+                                    let _e3875 = phi_5808_;
                                     if (_e3861[2] < 0f) {
-                                        phi_5814_ = -(_e3861[2]);
+                                        phi_5815_ = -(_e3861[2]);
                                     } else {
-                                        phi_5814_ = _e3861[2];
+                                        phi_5815_ = _e3861[2];
                                     }
-                                    let _e3879 = phi_5814_;
+                                    let _e3879 = phi_5815_;
                                     if (_e3875 > _e3879) {
-                                        phi_5819_ = _e3875;
+                                        phi_5820_ = _e3875;
                                     } else {
-                                        phi_5819_ = _e3879;
+                                        phi_5820_ = _e3879;
                                     }
-                                    let _e3882 = phi_5819_;
+                                    let _e3882 = phi_5820_;
                                     if (_e3858 > _e3882) {
-                                        phi_5824_ = _e3858;
+                                        phi_5825_ = _e3858;
                                     } else {
-                                        phi_5824_ = _e3882;
+                                        phi_5825_ = _e3882;
                                     }
-                                    let _e3885 = phi_5824_;
+                                    let _e3885 = phi_5825_;
                                     let _e3887 = local_4[0u].member_3;
                                     let _e3891 = local_4[0u].member_1[0u];
                                     if (_e3891[0] < 0f) {
-                                        phi_5841_ = -(_e3891[0]);
+                                        phi_5842_ = -(_e3891[0]);
                                     } else {
-                                        phi_5841_ = _e3891[0];
+                                        phi_5842_ = _e3891[0];
                                     }
-                                    let _e3898 = phi_5841_;
+                                    let _e3898 = phi_5842_;
                                     if (_e3891[1] < 0f) {
-                                        phi_5848_ = -(_e3891[1]);
+                                        phi_5849_ = -(_e3891[1]);
                                     } else {
-                                        phi_5848_ = _e3891[1];
+                                        phi_5849_ = _e3891[1];
                                     }
-                                    let _e3902 = phi_5848_;
+                                    let _e3902 = phi_5849_;
                                     if (_e3898 > _e3902) {
-                                        phi_5853_ = _e3898;
+                                        phi_5854_ = _e3898;
                                     } else {
-                                        phi_5853_ = _e3902;
+                                        phi_5854_ = _e3902;
                                     }
-                                    let _e3905 = phi_5853_;
+                                    let _e3905 = phi_5854_;
                                     if (_e3891[2] < 0f) {
-                                        phi_5860_ = -(_e3891[2]);
+                                        phi_5861_ = -(_e3891[2]);
                                     } else {
-                                        phi_5860_ = _e3891[2];
+                                        phi_5861_ = _e3891[2];
                                     }
-                                    let _e3909 = phi_5860_;
+                                    let _e3909 = phi_5861_;
                                     if (_e3905 > _e3909) {
-                                        phi_5865_ = _e3905;
+                                        phi_5866_ = _e3905;
                                     } else {
-                                        phi_5865_ = _e3909;
+                                        phi_5866_ = _e3909;
                                     }
-                                    let _e3912 = phi_5865_;
+                                    let _e3912 = phi_5866_;
                                     let _e3915 = local_4[0u].member_1[1u];
                                     if (_e3915[0] < 0f) {
-                                        phi_5879_ = -(_e3915[0]);
+                                        phi_5880_ = -(_e3915[0]);
                                     } else {
-                                        phi_5879_ = _e3915[0];
+                                        phi_5880_ = _e3915[0];
                                     }
-                                    let _e3922 = phi_5879_;
+                                    let _e3922 = phi_5880_;
                                     if (_e3915[1] < 0f) {
-                                        phi_5886_ = -(_e3915[1]);
+                                        phi_5887_ = -(_e3915[1]);
                                     } else {
-                                        phi_5886_ = _e3915[1];
+                                        phi_5887_ = _e3915[1];
                                     }
-                                    let _e3926 = phi_5886_;
+                                    let _e3926 = phi_5887_;
                                     if (_e3922 > _e3926) {
-                                        phi_5891_ = _e3922;
+                                        phi_5892_ = _e3922;
                                     } else {
-                                        phi_5891_ = _e3926;
+                                        phi_5892_ = _e3926;
                                     }
-                                    let _e3929 = phi_5891_;
+                                    let _e3929 = phi_5892_;
                                     if (_e3915[2] < 0f) {
-                                        phi_5898_ = -(_e3915[2]);
+                                        phi_5899_ = -(_e3915[2]);
                                     } else {
-                                        phi_5898_ = _e3915[2];
+                                        phi_5899_ = _e3915[2];
                                     }
-                                    let _e3933 = phi_5898_;
+                                    let _e3933 = phi_5899_;
                                     if (_e3929 > _e3933) {
-                                        phi_5903_ = _e3929;
+                                        phi_5904_ = _e3929;
                                     } else {
-                                        phi_5903_ = _e3933;
+                                        phi_5904_ = _e3933;
                                     }
-                                    let _e3936 = phi_5903_;
+                                    let _e3936 = phi_5904_;
                                     if (_e3912 > _e3936) {
-                                        phi_5908_ = _e3912;
+                                        phi_5909_ = _e3912;
                                     } else {
-                                        phi_5908_ = _e3936;
+                                        phi_5909_ = _e3936;
                                     }
-                                    let _e3939 = phi_5908_;
+                                    let _e3939 = phi_5909_;
                                     let _e3941 = local_4[0u].member_3;
                                     let _e3945 = local_4[0u].member_2[0u];
                                     if (_e3945[0] < 0f) {
-                                        phi_5925_ = -(_e3945[0]);
+                                        phi_5926_ = -(_e3945[0]);
                                     } else {
-                                        phi_5925_ = _e3945[0];
+                                        phi_5926_ = _e3945[0];
                                     }
-                                    let _e3952 = phi_5925_;
+                                    let _e3952 = phi_5926_;
                                     if (_e3945[1] < 0f) {
-                                        phi_5932_ = -(_e3945[1]);
+                                        phi_5933_ = -(_e3945[1]);
                                     } else {
-                                        phi_5932_ = _e3945[1];
+                                        phi_5933_ = _e3945[1];
                                     }
-                                    let _e3956 = phi_5932_;
+                                    let _e3956 = phi_5933_;
                                     if (_e3952 > _e3956) {
-                                        phi_5937_ = _e3952;
+                                        phi_5938_ = _e3952;
                                     } else {
-                                        phi_5937_ = _e3956;
+                                        phi_5938_ = _e3956;
                                     }
-                                    let _e3959 = phi_5937_;
+                                    let _e3959 = phi_5938_;
                                     if (_e3945[2] < 0f) {
-                                        phi_5944_ = -(_e3945[2]);
+                                        phi_5945_ = -(_e3945[2]);
                                     } else {
-                                        phi_5944_ = _e3945[2];
+                                        phi_5945_ = _e3945[2];
                                     }
-                                    let _e3963 = phi_5944_;
+                                    let _e3963 = phi_5945_;
                                     if (_e3959 > _e3963) {
-                                        phi_5949_ = _e3959;
+                                        phi_5950_ = _e3959;
                                     } else {
-                                        phi_5949_ = _e3963;
+                                        phi_5950_ = _e3963;
                                     }
-                                    let _e3966 = phi_5949_;
+                                    let _e3966 = phi_5950_;
                                     let _e3969 = local_4[0u].member_2[1u];
                                     if (_e3969[0] < 0f) {
-                                        phi_5963_ = -(_e3969[0]);
+                                        phi_5964_ = -(_e3969[0]);
                                     } else {
-                                        phi_5963_ = _e3969[0];
+                                        phi_5964_ = _e3969[0];
                                     }
-                                    let _e3976 = phi_5963_;
+                                    let _e3976 = phi_5964_;
                                     if (_e3969[1] < 0f) {
-                                        phi_5970_ = -(_e3969[1]);
+                                        phi_5971_ = -(_e3969[1]);
                                     } else {
-                                        phi_5970_ = _e3969[1];
+                                        phi_5971_ = _e3969[1];
                                     }
-                                    let _e3980 = phi_5970_;
+                                    let _e3980 = phi_5971_;
                                     if (_e3976 > _e3980) {
-                                        phi_5975_ = _e3976;
+                                        phi_5976_ = _e3976;
                                     } else {
-                                        phi_5975_ = _e3980;
+                                        phi_5976_ = _e3980;
                                     }
-                                    let _e3983 = phi_5975_;
+                                    let _e3983 = phi_5976_;
                                     if (_e3969[2] < 0f) {
-                                        phi_5982_ = -(_e3969[2]);
+                                        phi_5983_ = -(_e3969[2]);
                                     } else {
-                                        phi_5982_ = _e3969[2];
+                                        phi_5983_ = _e3969[2];
                                     }
-                                    let _e3987 = phi_5982_;
+                                    let _e3987 = phi_5983_;
                                     if (_e3983 > _e3987) {
-                                        phi_5987_ = _e3983;
+                                        phi_5988_ = _e3983;
                                     } else {
-                                        phi_5987_ = _e3987;
+                                        phi_5988_ = _e3987;
                                     }
-                                    let _e3990 = phi_5987_;
+                                    let _e3990 = phi_5988_;
                                     if (_e3966 > _e3990) {
-                                        phi_5992_ = _e3966;
+                                        phi_5993_ = _e3966;
                                     } else {
-                                        phi_5992_ = _e3990;
+                                        phi_5993_ = _e3990;
                                     }
-                                    let _e3993 = phi_5992_;
+                                    let _e3993 = phi_5993_;
                                     let _e3995 = local_4[0u].member_3;
                                     let _e3998 = (((_e3885 + _e3887) + (_e3939 + _e3941)) + (_e3993 + _e3995));
                                     let _e4001 = local_4[0u].member_3;
@@ -3723,25 +3725,25 @@ fn function_() {
                                     let _e4014 = ((_e3774 * _e3755) - (_e3777 * _e3754));
                                     let _e4016 = local_2[0u];
                                     let _e4024 = (((_e4008 * _e4016[0]) + (_e4011 * _e4016[1])) + (_e4014 * _e4016[2]));
-                                    phi_6030_ = type_35(0u, 4u);
-                                    phi_6033_ = _e4024;
-                                    phi_6035_ = _e4024;
+                                    phi_6031_ = type_36(0u, 4u);
+                                    phi_6034_ = _e4024;
+                                    phi_6036_ = _e4024;
                                     loop {
-                                        let _e4026 = phi_6030_;
-                                        let _e4028 = phi_6033_;
-                                        let _e4030 = phi_6035_;
+                                        let _e4026 = phi_6031_;
+                                        let _e4028 = phi_6034_;
+                                        let _e4030 = phi_6036_;
                                         local_58 = _e4028;
                                         local_59 = _e4030;
                                         local_76 = _e4030;
                                         if (_e4026.member < _e4026.member_1) {
-                                            phi_6031_ = type_35((_e4026.member + 1u), _e4026.member_1);
-                                            phi_6058_ = type_35(1u, _e4026.member);
+                                            phi_6032_ = type_36((_e4026.member + 1u), _e4026.member_1);
+                                            phi_6059_ = type_36(1u, _e4026.member);
                                         } else {
-                                            phi_6031_ = _e4026;
-                                            phi_6058_ = type_35(0u, type_35().member_1);
+                                            phi_6032_ = _e4026;
+                                            phi_6059_ = type_36(0u, type_36().member_1);
                                         }
-                                        let _e4044 = phi_6031_;
-                                        let _e4046 = phi_6058_;
+                                        let _e4044 = phi_6032_;
+                                        let _e4046 = phi_6059_;
                                         let _e4050 = (bitcast<i32>(_e4046.member) != 0i);
                                         if _e4050 {
                                             if (_e4046.member_1 < 4u) {
@@ -3757,99 +3759,99 @@ fn function_() {
                                             let _e4064 = local_3[_e4046.member_1];
                                             let _e4072 = (((_e4008 * _e4064[0]) + (_e4011 * _e4064[1])) + (_e4014 * _e4064[2]));
                                             if (_e4030 < _e4061) {
-                                                phi_6108_ = _e4030;
+                                                phi_6109_ = _e4030;
                                             } else {
-                                                phi_6108_ = _e4061;
+                                                phi_6109_ = _e4061;
                                             }
-                                            let _e4075 = phi_6108_;
+                                            let _e4075 = phi_6109_;
                                             if (_e4075 < _e4072) {
-                                                phi_6113_ = _e4075;
+                                                phi_6114_ = _e4075;
                                             } else {
-                                                phi_6113_ = _e4072;
+                                                phi_6114_ = _e4072;
                                             }
-                                            let _e4078 = phi_6113_;
+                                            let _e4078 = phi_6114_;
                                             if (_e4028 > _e4061) {
-                                                phi_6118_ = _e4028;
+                                                phi_6119_ = _e4028;
                                             } else {
-                                                phi_6118_ = _e4061;
+                                                phi_6119_ = _e4061;
                                             }
-                                            let _e4081 = phi_6118_;
+                                            let _e4081 = phi_6119_;
                                             if (_e4081 > _e4072) {
-                                                phi_6123_ = _e4081;
+                                                phi_6124_ = _e4081;
                                             } else {
-                                                phi_6123_ = _e4072;
+                                                phi_6124_ = _e4072;
                                             }
-                                            let _e4084 = phi_6123_;
-                                            phi_6034_ = _e4084;
-                                            phi_6036_ = _e4078;
+                                            let _e4084 = phi_6124_;
+                                            phi_6035_ = _e4084;
+                                            phi_6037_ = _e4078;
                                         } else {
-                                            phi_6034_ = f32();
-                                            phi_6036_ = f32();
+                                            phi_6035_ = f32();
+                                            phi_6037_ = f32();
                                         }
-                                        let _e4086 = phi_6034_;
-                                        let _e4088 = phi_6036_;
+                                        let _e4086 = phi_6035_;
+                                        let _e4088 = phi_6037_;
                                         continue;
                                         continuing {
-                                            phi_6030_ = _e4044;
-                                            phi_6033_ = _e4086;
-                                            phi_6035_ = _e4088;
+                                            phi_6031_ = _e4044;
+                                            phi_6034_ = _e4086;
+                                            phi_6036_ = _e4088;
                                             break if !(_e4050);
                                         }
                                     }
                                     if (_e4008 < 0f) {
-                                        phi_6129_ = -(_e4008);
+                                        phi_6130_ = -(_e4008);
                                     } else {
-                                        phi_6129_ = _e4008;
+                                        phi_6130_ = _e4008;
                                     }
-                                    let _e4093 = phi_6129_;
+                                    let _e4093 = phi_6130_;
                                     if (_e4011 < 0f) {
-                                        phi_6135_ = -(_e4011);
+                                        phi_6136_ = -(_e4011);
                                     } else {
-                                        phi_6135_ = _e4011;
+                                        phi_6136_ = _e4011;
                                     }
-                                    let _e4097 = phi_6135_;
+                                    let _e4097 = phi_6136_;
                                     if (_e4014 < 0f) {
-                                        phi_6142_ = -(_e4014);
+                                        phi_6143_ = -(_e4014);
                                     } else {
-                                        phi_6142_ = _e4014;
+                                        phi_6143_ = _e4014;
                                     }
-                                    let _e4102 = phi_6142_;
+                                    let _e4102 = phi_6143_;
                                     let _e4103 = ((_e4093 + _e4097) + _e4102);
                                     let _e4108 = local_58;
                                     let _e4109 = -(_e4108);
                                     let _e4111 = local_59;
                                     if (_e4111 > _e4109) {
                                         let _e5968 = local_76;
-                                        phi_6152_ = _e5968;
+                                        phi_6153_ = _e5968;
                                     } else {
-                                        phi_6152_ = _e4109;
+                                        phi_6153_ = _e4109;
                                     }
-                                    let _e4114 = phi_6152_;
+                                    let _e4114 = phi_6153_;
                                     let _e4119 = (((_e4114 - ((_e4103 * _e3998) * (0.000000059604645f * 17f))) - (_e4103 * _e4005)) - (0.000000000000000000000000000000000000011754944f * 64f));
                                     let _e4122 = ((_e3777 * _e3771) - (_e3780 * _e3770));
                                     let _e4125 = ((_e3780 * _e3769) - (_e3774 * _e3771));
                                     let _e4128 = ((_e3774 * _e3770) - (_e3777 * _e3769));
                                     let _e4130 = local_2[0u];
                                     let _e4138 = (((_e4122 * _e4130[0]) + (_e4125 * _e4130[1])) + (_e4128 * _e4130[2]));
-                                    phi_6183_ = type_35(0u, 4u);
-                                    phi_6186_ = _e4138;
-                                    phi_6188_ = _e4138;
+                                    phi_6184_ = type_36(0u, 4u);
+                                    phi_6187_ = _e4138;
+                                    phi_6189_ = _e4138;
                                     loop {
-                                        let _e4140 = phi_6183_;
-                                        let _e4142 = phi_6186_;
-                                        let _e4144 = phi_6188_;
+                                        let _e4140 = phi_6184_;
+                                        let _e4142 = phi_6187_;
+                                        let _e4144 = phi_6189_;
                                         local_60 = _e4142;
                                         local_61 = _e4144;
                                         local_77 = _e4144;
                                         if (_e4140.member < _e4140.member_1) {
-                                            phi_6184_ = type_35((_e4140.member + 1u), _e4140.member_1);
-                                            phi_6211_ = type_35(1u, _e4140.member);
+                                            phi_6185_ = type_36((_e4140.member + 1u), _e4140.member_1);
+                                            phi_6212_ = type_36(1u, _e4140.member);
                                         } else {
-                                            phi_6184_ = _e4140;
-                                            phi_6211_ = type_35(0u, type_35().member_1);
+                                            phi_6185_ = _e4140;
+                                            phi_6212_ = type_36(0u, type_36().member_1);
                                         }
-                                        let _e4158 = phi_6184_;
-                                        let _e4160 = phi_6211_;
+                                        let _e4158 = phi_6185_;
+                                        let _e4160 = phi_6212_;
                                         let _e4164 = (bitcast<i32>(_e4160.member) != 0i);
                                         if _e4164 {
                                             if (_e4160.member_1 < 4u) {
@@ -3865,81 +3867,81 @@ fn function_() {
                                             let _e4178 = local_3[_e4160.member_1];
                                             let _e4186 = (((_e4122 * _e4178[0]) + (_e4125 * _e4178[1])) + (_e4128 * _e4178[2]));
                                             if (_e4144 < _e4175) {
-                                                phi_6261_ = _e4144;
+                                                phi_6262_ = _e4144;
                                             } else {
-                                                phi_6261_ = _e4175;
+                                                phi_6262_ = _e4175;
                                             }
-                                            let _e4189 = phi_6261_;
+                                            let _e4189 = phi_6262_;
                                             if (_e4189 < _e4186) {
-                                                phi_6266_ = _e4189;
+                                                phi_6267_ = _e4189;
                                             } else {
-                                                phi_6266_ = _e4186;
+                                                phi_6267_ = _e4186;
                                             }
-                                            let _e4192 = phi_6266_;
+                                            let _e4192 = phi_6267_;
                                             if (_e4142 > _e4175) {
-                                                phi_6271_ = _e4142;
+                                                phi_6272_ = _e4142;
                                             } else {
-                                                phi_6271_ = _e4175;
+                                                phi_6272_ = _e4175;
                                             }
-                                            let _e4195 = phi_6271_;
+                                            let _e4195 = phi_6272_;
                                             if (_e4195 > _e4186) {
-                                                phi_6276_ = _e4195;
+                                                phi_6277_ = _e4195;
                                             } else {
-                                                phi_6276_ = _e4186;
+                                                phi_6277_ = _e4186;
                                             }
-                                            let _e4198 = phi_6276_;
-                                            phi_6187_ = _e4198;
-                                            phi_6189_ = _e4192;
+                                            let _e4198 = phi_6277_;
+                                            phi_6188_ = _e4198;
+                                            phi_6190_ = _e4192;
                                         } else {
-                                            phi_6187_ = f32();
-                                            phi_6189_ = f32();
+                                            phi_6188_ = f32();
+                                            phi_6190_ = f32();
                                         }
-                                        let _e4200 = phi_6187_;
-                                        let _e4202 = phi_6189_;
+                                        let _e4200 = phi_6188_;
+                                        let _e4202 = phi_6190_;
                                         continue;
                                         continuing {
-                                            phi_6183_ = _e4158;
-                                            phi_6186_ = _e4200;
-                                            phi_6188_ = _e4202;
+                                            phi_6184_ = _e4158;
+                                            phi_6187_ = _e4200;
+                                            phi_6189_ = _e4202;
                                             break if !(_e4164);
                                         }
                                     }
                                     if (_e4122 < 0f) {
-                                        phi_6282_ = -(_e4122);
+                                        phi_6283_ = -(_e4122);
                                     } else {
-                                        phi_6282_ = _e4122;
+                                        phi_6283_ = _e4122;
                                     }
-                                    let _e4207 = phi_6282_;
+                                    let _e4207 = phi_6283_;
                                     if (_e4125 < 0f) {
-                                        phi_6288_ = -(_e4125);
+                                        phi_6289_ = -(_e4125);
                                     } else {
-                                        phi_6288_ = _e4125;
+                                        phi_6289_ = _e4125;
                                     }
-                                    let _e4211 = phi_6288_;
+                                    let _e4211 = phi_6289_;
                                     if (_e4128 < 0f) {
-                                        phi_6295_ = -(_e4128);
+                                        phi_6296_ = -(_e4128);
                                     } else {
-                                        phi_6295_ = _e4128;
+                                        phi_6296_ = _e4128;
                                     }
-                                    let _e4216 = phi_6295_;
+                                    let _e4216 = phi_6296_;
                                     let _e4217 = ((_e4207 + _e4211) + _e4216);
                                     let _e4222 = local_60;
                                     let _e4223 = -(_e4222);
                                     let _e4225 = local_61;
                                     if (_e4225 > _e4223) {
                                         let _e5987 = local_77;
-                                        phi_6305_ = _e5987;
+                                        phi_6306_ = _e5987;
                                     } else {
-                                        phi_6305_ = _e4223;
+                                        phi_6306_ = _e4223;
                                     }
-                                    let _e4228 = phi_6305_;
+                                    let _e4228 = phi_6306_;
                                     let _e4233 = (((_e4228 - ((_e4217 * _e3998) * (0.000000059604645f * 17f))) - (_e4217 * _e4005)) - (0.000000000000000000000000000000000000011754944f * 64f));
                                     if (_e4119 > _e4233) {
-                                        phi_6315_ = _e4119;
+                                        phi_6316_ = _e4119;
                                     } else {
-                                        phi_6315_ = _e4233;
+                                        phi_6316_ = _e4233;
                                     }
-                                    let _e4236 = phi_6315_;
+                                    let _e4236 = phi_6316_;
                                     let _e4237 = (_e3769 - _e3754);
                                     let _e4238 = (_e3770 - _e3755);
                                     let _e4239 = (_e3771 - _e3756);
@@ -3948,25 +3950,25 @@ fn function_() {
                                     let _e4248 = ((_e3774 * _e4238) - (_e3777 * _e4237));
                                     let _e4250 = local_2[0u];
                                     let _e4258 = (((_e4242 * _e4250[0]) + (_e4245 * _e4250[1])) + (_e4248 * _e4250[2]));
-                                    phi_6348_ = type_35(0u, 4u);
-                                    phi_6351_ = _e4258;
-                                    phi_6353_ = _e4258;
+                                    phi_6349_ = type_36(0u, 4u);
+                                    phi_6352_ = _e4258;
+                                    phi_6354_ = _e4258;
                                     loop {
-                                        let _e4260 = phi_6348_;
-                                        let _e4262 = phi_6351_;
-                                        let _e4264 = phi_6353_;
+                                        let _e4260 = phi_6349_;
+                                        let _e4262 = phi_6352_;
+                                        let _e4264 = phi_6354_;
                                         local_62 = _e4262;
                                         local_63 = _e4264;
                                         local_78 = _e4264;
                                         if (_e4260.member < _e4260.member_1) {
-                                            phi_6349_ = type_35((_e4260.member + 1u), _e4260.member_1);
-                                            phi_6376_ = type_35(1u, _e4260.member);
+                                            phi_6350_ = type_36((_e4260.member + 1u), _e4260.member_1);
+                                            phi_6377_ = type_36(1u, _e4260.member);
                                         } else {
-                                            phi_6349_ = _e4260;
-                                            phi_6376_ = type_35(0u, type_35().member_1);
+                                            phi_6350_ = _e4260;
+                                            phi_6377_ = type_36(0u, type_36().member_1);
                                         }
-                                        let _e4278 = phi_6349_;
-                                        let _e4280 = phi_6376_;
+                                        let _e4278 = phi_6350_;
+                                        let _e4280 = phi_6377_;
                                         let _e4284 = (bitcast<i32>(_e4280.member) != 0i);
                                         if _e4284 {
                                             if (_e4280.member_1 < 4u) {
@@ -3982,84 +3984,84 @@ fn function_() {
                                             let _e4298 = local_3[_e4280.member_1];
                                             let _e4306 = (((_e4242 * _e4298[0]) + (_e4245 * _e4298[1])) + (_e4248 * _e4298[2]));
                                             if (_e4264 < _e4295) {
-                                                phi_6426_ = _e4264;
+                                                phi_6427_ = _e4264;
                                             } else {
-                                                phi_6426_ = _e4295;
+                                                phi_6427_ = _e4295;
                                             }
-                                            let _e4309 = phi_6426_;
+                                            let _e4309 = phi_6427_;
                                             if (_e4309 < _e4306) {
-                                                phi_6431_ = _e4309;
+                                                phi_6432_ = _e4309;
                                             } else {
-                                                phi_6431_ = _e4306;
+                                                phi_6432_ = _e4306;
                                             }
-                                            let _e4312 = phi_6431_;
+                                            let _e4312 = phi_6432_;
                                             if (_e4262 > _e4295) {
-                                                phi_6436_ = _e4262;
+                                                phi_6437_ = _e4262;
                                             } else {
-                                                phi_6436_ = _e4295;
+                                                phi_6437_ = _e4295;
                                             }
-                                            let _e4315 = phi_6436_;
+                                            let _e4315 = phi_6437_;
                                             if (_e4315 > _e4306) {
-                                                phi_6441_ = _e4315;
+                                                phi_6442_ = _e4315;
                                             } else {
-                                                phi_6441_ = _e4306;
+                                                phi_6442_ = _e4306;
                                             }
-                                            let _e4318 = phi_6441_;
-                                            phi_6352_ = _e4318;
-                                            phi_6354_ = _e4312;
+                                            let _e4318 = phi_6442_;
+                                            phi_6353_ = _e4318;
+                                            phi_6355_ = _e4312;
                                         } else {
-                                            phi_6352_ = f32();
-                                            phi_6354_ = f32();
+                                            phi_6353_ = f32();
+                                            phi_6355_ = f32();
                                         }
-                                        let _e4320 = phi_6352_;
-                                        let _e4322 = phi_6354_;
+                                        let _e4320 = phi_6353_;
+                                        let _e4322 = phi_6355_;
                                         continue;
                                         continuing {
-                                            phi_6348_ = _e4278;
-                                            phi_6351_ = _e4320;
-                                            phi_6353_ = _e4322;
+                                            phi_6349_ = _e4278;
+                                            phi_6352_ = _e4320;
+                                            phi_6354_ = _e4322;
                                             break if !(_e4284);
                                         }
                                     }
                                     if (_e4242 < 0f) {
-                                        phi_6447_ = -(_e4242);
+                                        phi_6448_ = -(_e4242);
                                     } else {
-                                        phi_6447_ = _e4242;
+                                        phi_6448_ = _e4242;
                                     }
-                                    let _e4327 = phi_6447_;
+                                    let _e4327 = phi_6448_;
                                     if (_e4245 < 0f) {
-                                        phi_6453_ = -(_e4245);
+                                        phi_6454_ = -(_e4245);
                                     } else {
-                                        phi_6453_ = _e4245;
+                                        phi_6454_ = _e4245;
                                     }
-                                    let _e4331 = phi_6453_;
+                                    let _e4331 = phi_6454_;
                                     if (_e4248 < 0f) {
-                                        phi_6460_ = -(_e4248);
+                                        phi_6461_ = -(_e4248);
                                     } else {
-                                        phi_6460_ = _e4248;
+                                        phi_6461_ = _e4248;
                                     }
-                                    let _e4336 = phi_6460_;
+                                    let _e4336 = phi_6461_;
                                     let _e4337 = ((_e4327 + _e4331) + _e4336);
                                     let _e4342 = local_62;
                                     let _e4343 = -(_e4342);
                                     let _e4345 = local_63;
                                     if (_e4345 > _e4343) {
                                         let _e6007 = local_78;
-                                        phi_6470_ = _e6007;
+                                        phi_6471_ = _e6007;
                                     } else {
-                                        phi_6470_ = _e4343;
+                                        phi_6471_ = _e4343;
                                     }
-                                    let _e4348 = phi_6470_;
+                                    let _e4348 = phi_6471_;
                                     let _e4353 = (((_e4348 - ((_e4337 * _e3998) * (0.000000059604645f * 17f))) - (_e4337 * _e4005)) - (0.000000000000000000000000000000000000011754944f * 64f));
                                     if (_e4236 > _e4353) {
-                                        phi_6480_ = _e4236;
+                                        phi_6481_ = _e4236;
                                     } else {
-                                        phi_6480_ = _e4353;
+                                        phi_6481_ = _e4353;
                                     }
-                                    let _e4356 = phi_6480_;
-                                    phi_6483_ = (_e4356 > 0f);
+                                    let _e4356 = phi_6481_;
+                                    phi_6484_ = (_e4356 > 0f);
                                 }
-                                let _e4359 = phi_6483_;
+                                let _e4359 = phi_6484_;
                                 if _e4359 {
                                     let _e4363 = local_4[1u].member_1[0u];
                                     let _e4369 = local_4[1u].member_2[0u];
@@ -4088,333 +4090,333 @@ fn function_() {
                                     let _e4507 = local_4[1u].member[1u];
                                     let _e4518 = local_4[1u].member[0u];
                                     if (_e4518[0] < 0f) {
-                                        phi_6729_ = -(_e4518[0]);
+                                        phi_6730_ = -(_e4518[0]);
                                     } else {
-                                        phi_6729_ = _e4518[0];
+                                        phi_6730_ = _e4518[0];
                                     }
-                                    let _e4525 = phi_6729_;
+                                    let _e4525 = phi_6730_;
                                     if (_e4518[1] < 0f) {
-                                        phi_6736_ = -(_e4518[1]);
+                                        phi_6737_ = -(_e4518[1]);
                                     } else {
-                                        phi_6736_ = _e4518[1];
+                                        phi_6737_ = _e4518[1];
                                     }
-                                    let _e4529 = phi_6736_;
+                                    let _e4529 = phi_6737_;
                                     if (_e4525 > _e4529) {
-                                        phi_6741_ = _e4525;
+                                        phi_6742_ = _e4525;
                                     } else {
-                                        phi_6741_ = _e4529;
+                                        phi_6742_ = _e4529;
                                     }
-                                    let _e4532 = phi_6741_;
+                                    let _e4532 = phi_6742_;
                                     if (_e4518[2] < 0f) {
-                                        phi_6748_ = -(_e4518[2]);
+                                        phi_6749_ = -(_e4518[2]);
                                     } else {
-                                        phi_6748_ = _e4518[2];
+                                        phi_6749_ = _e4518[2];
                                     }
-                                    let _e4536 = phi_6748_;
+                                    let _e4536 = phi_6749_;
                                     if (_e4532 > _e4536) {
-                                        phi_6753_ = _e4532;
+                                        phi_6754_ = _e4532;
                                     } else {
-                                        phi_6753_ = _e4536;
+                                        phi_6754_ = _e4536;
                                     }
-                                    let _e4539 = phi_6753_;
+                                    let _e4539 = phi_6754_;
                                     let _e4542 = local_4[1u].member[1u];
                                     if (_e4542[0] < 0f) {
-                                        phi_6766_ = -(_e4542[0]);
+                                        phi_6767_ = -(_e4542[0]);
                                     } else {
-                                        phi_6766_ = _e4542[0];
+                                        phi_6767_ = _e4542[0];
                                     }
-                                    let _e4549 = phi_6766_;
+                                    let _e4549 = phi_6767_;
                                     if (_e4542[1] < 0f) {
-                                        phi_6773_ = -(_e4542[1]);
+                                        phi_6774_ = -(_e4542[1]);
                                     } else {
-                                        phi_6773_ = _e4542[1];
+                                        phi_6774_ = _e4542[1];
                                     }
-                                    let _e4553 = phi_6773_;
+                                    let _e4553 = phi_6774_;
                                     if (_e4549 > _e4553) {
-                                        phi_6778_ = _e4549;
+                                        phi_6779_ = _e4549;
                                     } else {
-                                        phi_6778_ = _e4553;
+                                        phi_6779_ = _e4553;
                                     }
-                                    let _e4556 = phi_6778_;
+                                    let _e4556 = phi_6779_;
                                     if (_e4542[2] < 0f) {
-                                        phi_6785_ = -(_e4542[2]);
+                                        phi_6786_ = -(_e4542[2]);
                                     } else {
-                                        phi_6785_ = _e4542[2];
+                                        phi_6786_ = _e4542[2];
                                     }
-                                    let _e4560 = phi_6785_;
+                                    let _e4560 = phi_6786_;
                                     if (_e4556 > _e4560) {
-                                        phi_6790_ = _e4556;
+                                        phi_6791_ = _e4556;
                                     } else {
-                                        phi_6790_ = _e4560;
+                                        phi_6791_ = _e4560;
                                     }
-                                    let _e4563 = phi_6790_;
+                                    let _e4563 = phi_6791_;
                                     if (_e4539 > _e4563) {
-                                        phi_6795_ = _e4539;
+                                        phi_6796_ = _e4539;
                                     } else {
-                                        phi_6795_ = _e4563;
+                                        phi_6796_ = _e4563;
                                     }
-                                    let _e4566 = phi_6795_;
+                                    let _e4566 = phi_6796_;
                                     let _e4568 = local_4[1u].member_3;
                                     let _e4569 = (_e4566 + _e4568);
                                     let _e4572 = local_4[1u].member_1[0u];
                                     if (_e4572[0] < 0f) {
-                                        phi_6812_ = -(_e4572[0]);
+                                        phi_6813_ = -(_e4572[0]);
                                     } else {
-                                        phi_6812_ = _e4572[0];
+                                        phi_6813_ = _e4572[0];
                                     }
-                                    let _e4579 = phi_6812_;
+                                    let _e4579 = phi_6813_;
                                     if (_e4572[1] < 0f) {
-                                        phi_6819_ = -(_e4572[1]);
+                                        phi_6820_ = -(_e4572[1]);
                                     } else {
-                                        phi_6819_ = _e4572[1];
+                                        phi_6820_ = _e4572[1];
                                     }
-                                    let _e4583 = phi_6819_;
+                                    let _e4583 = phi_6820_;
                                     if (_e4579 > _e4583) {
-                                        phi_6824_ = _e4579;
+                                        phi_6825_ = _e4579;
                                     } else {
-                                        phi_6824_ = _e4583;
+                                        phi_6825_ = _e4583;
                                     }
-                                    let _e4586 = phi_6824_;
+                                    let _e4586 = phi_6825_;
                                     if (_e4572[2] < 0f) {
-                                        phi_6831_ = -(_e4572[2]);
+                                        phi_6832_ = -(_e4572[2]);
                                     } else {
-                                        phi_6831_ = _e4572[2];
+                                        phi_6832_ = _e4572[2];
                                     }
-                                    let _e4590 = phi_6831_;
+                                    let _e4590 = phi_6832_;
                                     if (_e4586 > _e4590) {
-                                        phi_6836_ = _e4586;
+                                        phi_6837_ = _e4586;
                                     } else {
-                                        phi_6836_ = _e4590;
+                                        phi_6837_ = _e4590;
                                     }
-                                    let _e4593 = phi_6836_;
+                                    let _e4593 = phi_6837_;
                                     let _e4596 = local_4[1u].member_1[1u];
                                     if (_e4596[0] < 0f) {
-                                        phi_6850_ = -(_e4596[0]);
+                                        phi_6851_ = -(_e4596[0]);
                                     } else {
-                                        phi_6850_ = _e4596[0];
+                                        phi_6851_ = _e4596[0];
                                     }
-                                    let _e4603 = phi_6850_;
+                                    let _e4603 = phi_6851_;
                                     if (_e4596[1] < 0f) {
-                                        phi_6857_ = -(_e4596[1]);
+                                        phi_6858_ = -(_e4596[1]);
                                     } else {
-                                        phi_6857_ = _e4596[1];
+                                        phi_6858_ = _e4596[1];
                                     }
-                                    let _e4607 = phi_6857_;
+                                    let _e4607 = phi_6858_;
                                     if (_e4603 > _e4607) {
-                                        phi_6862_ = _e4603;
+                                        phi_6863_ = _e4603;
                                     } else {
-                                        phi_6862_ = _e4607;
+                                        phi_6863_ = _e4607;
                                     }
-                                    let _e4610 = phi_6862_;
+                                    let _e4610 = phi_6863_;
                                     if (_e4596[2] < 0f) {
-                                        phi_6869_ = -(_e4596[2]);
+                                        phi_6870_ = -(_e4596[2]);
                                     } else {
-                                        phi_6869_ = _e4596[2];
+                                        phi_6870_ = _e4596[2];
                                     }
-                                    let _e4614 = phi_6869_;
+                                    let _e4614 = phi_6870_;
                                     if (_e4610 > _e4614) {
-                                        phi_6874_ = _e4610;
+                                        phi_6875_ = _e4610;
                                     } else {
-                                        phi_6874_ = _e4614;
+                                        phi_6875_ = _e4614;
                                     }
-                                    let _e4617 = phi_6874_;
+                                    let _e4617 = phi_6875_;
                                     if (_e4593 > _e4617) {
-                                        phi_6879_ = _e4593;
+                                        phi_6880_ = _e4593;
                                     } else {
-                                        phi_6879_ = _e4617;
+                                        phi_6880_ = _e4617;
                                     }
-                                    let _e4620 = phi_6879_;
+                                    let _e4620 = phi_6880_;
                                     let _e4622 = local_4[1u].member_3;
                                     let _e4623 = (_e4620 + _e4622);
                                     let _e4626 = local_4[1u].member_2[0u];
                                     if (_e4626[0] < 0f) {
-                                        phi_6896_ = -(_e4626[0]);
+                                        phi_6897_ = -(_e4626[0]);
                                     } else {
-                                        phi_6896_ = _e4626[0];
+                                        phi_6897_ = _e4626[0];
                                     }
-                                    let _e4633 = phi_6896_;
+                                    let _e4633 = phi_6897_;
                                     if (_e4626[1] < 0f) {
-                                        phi_6903_ = -(_e4626[1]);
+                                        phi_6904_ = -(_e4626[1]);
                                     } else {
-                                        phi_6903_ = _e4626[1];
+                                        phi_6904_ = _e4626[1];
                                     }
-                                    let _e4637 = phi_6903_;
+                                    let _e4637 = phi_6904_;
                                     if (_e4633 > _e4637) {
-                                        phi_6908_ = _e4633;
+                                        phi_6909_ = _e4633;
                                     } else {
-                                        phi_6908_ = _e4637;
+                                        phi_6909_ = _e4637;
                                     }
-                                    let _e4640 = phi_6908_;
+                                    let _e4640 = phi_6909_;
                                     if (_e4626[2] < 0f) {
-                                        phi_6915_ = -(_e4626[2]);
+                                        phi_6916_ = -(_e4626[2]);
                                     } else {
-                                        phi_6915_ = _e4626[2];
+                                        phi_6916_ = _e4626[2];
                                     }
-                                    let _e4644 = phi_6915_;
+                                    let _e4644 = phi_6916_;
                                     if (_e4640 > _e4644) {
-                                        phi_6920_ = _e4640;
+                                        phi_6921_ = _e4640;
                                     } else {
-                                        phi_6920_ = _e4644;
+                                        phi_6921_ = _e4644;
                                     }
-                                    let _e4647 = phi_6920_;
+                                    let _e4647 = phi_6921_;
                                     let _e4650 = local_4[1u].member_2[1u];
                                     if (_e4650[0] < 0f) {
-                                        phi_6934_ = -(_e4650[0]);
+                                        phi_6935_ = -(_e4650[0]);
                                     } else {
-                                        phi_6934_ = _e4650[0];
+                                        phi_6935_ = _e4650[0];
                                     }
-                                    let _e4657 = phi_6934_;
+                                    let _e4657 = phi_6935_;
                                     if (_e4650[1] < 0f) {
-                                        phi_6941_ = -(_e4650[1]);
+                                        phi_6942_ = -(_e4650[1]);
                                     } else {
-                                        phi_6941_ = _e4650[1];
+                                        phi_6942_ = _e4650[1];
                                     }
-                                    let _e4661 = phi_6941_;
+                                    let _e4661 = phi_6942_;
                                     if (_e4657 > _e4661) {
-                                        phi_6946_ = _e4657;
+                                        phi_6947_ = _e4657;
                                     } else {
-                                        phi_6946_ = _e4661;
+                                        phi_6947_ = _e4661;
                                     }
-                                    let _e4664 = phi_6946_;
+                                    let _e4664 = phi_6947_;
                                     if (_e4650[2] < 0f) {
-                                        phi_6953_ = -(_e4650[2]);
+                                        phi_6954_ = -(_e4650[2]);
                                     } else {
-                                        phi_6953_ = _e4650[2];
+                                        phi_6954_ = _e4650[2];
                                     }
-                                    let _e4668 = phi_6953_;
+                                    let _e4668 = phi_6954_;
                                     if (_e4664 > _e4668) {
-                                        phi_6958_ = _e4664;
+                                        phi_6959_ = _e4664;
                                     } else {
-                                        phi_6958_ = _e4668;
+                                        phi_6959_ = _e4668;
                                     }
-                                    let _e4671 = phi_6958_;
+                                    let _e4671 = phi_6959_;
                                     if (_e4647 > _e4671) {
-                                        phi_6963_ = _e4647;
+                                        phi_6964_ = _e4647;
                                     } else {
-                                        phi_6963_ = _e4671;
+                                        phi_6964_ = _e4671;
                                     }
-                                    let _e4674 = phi_6963_;
+                                    let _e4674 = phi_6964_;
                                     let _e4676 = local_4[1u].member_3;
                                     let _e4677 = (_e4674 + _e4676);
                                     let _e4679 = ((_e4623 * 8f) * _e4677);
                                     let _e4686 = local_4[1u].member_3;
                                     if (_e4375 < 0f) {
-                                        phi_6994_ = -(_e4375);
+                                        phi_6995_ = -(_e4375);
                                     } else {
-                                        phi_6994_ = _e4375;
+                                        phi_6995_ = _e4375;
                                     }
-                                    let _e4703 = phi_6994_;
+                                    let _e4703 = phi_6995_;
                                     if (_e4378 < 0f) {
-                                        phi_7000_ = -(_e4378);
+                                        phi_7001_ = -(_e4378);
                                     } else {
-                                        phi_7000_ = _e4378;
+                                        phi_7001_ = _e4378;
                                     }
-                                    let _e4707 = phi_7000_;
+                                    let _e4707 = phi_7001_;
                                     if (_e4381 < 0f) {
-                                        phi_7007_ = -(_e4381);
+                                        phi_7008_ = -(_e4381);
                                     } else {
-                                        phi_7007_ = _e4381;
+                                        phi_7008_ = _e4381;
                                     }
-                                    let _e4712 = phi_7007_;
+                                    let _e4712 = phi_7008_;
                                     let _e4713 = ((_e4703 + _e4707) + _e4712);
                                     if (_e4396 < 0f) {
-                                        phi_7014_ = -(_e4396);
+                                        phi_7015_ = -(_e4396);
                                     } else {
-                                        phi_7014_ = _e4396;
+                                        phi_7015_ = _e4396;
                                     }
-                                    let _e4717 = phi_7014_;
+                                    let _e4717 = phi_7015_;
                                     if (_e4399 < 0f) {
-                                        phi_7020_ = -(_e4399);
+                                        phi_7021_ = -(_e4399);
                                     } else {
-                                        phi_7020_ = _e4399;
+                                        phi_7021_ = _e4399;
                                     }
-                                    let _e4721 = phi_7020_;
+                                    let _e4721 = phi_7021_;
                                     if (_e4402 < 0f) {
-                                        phi_7027_ = -(_e4402);
+                                        phi_7028_ = -(_e4402);
                                     } else {
-                                        phi_7027_ = _e4402;
+                                        phi_7028_ = _e4402;
                                     }
-                                    let _e4726 = phi_7027_;
+                                    let _e4726 = phi_7028_;
                                     let _e4727 = ((_e4717 + _e4721) + _e4726);
                                     if (_e4713 > _e4727) {
-                                        phi_7033_ = _e4713;
+                                        phi_7034_ = _e4713;
                                     } else {
-                                        phi_7033_ = _e4727;
+                                        phi_7034_ = _e4727;
                                     }
-                                    let _e4730 = phi_7033_;
+                                    let _e4730 = phi_7034_;
                                     if (_e4445 < 0f) {
-                                        phi_7039_ = -(_e4445);
+                                        phi_7040_ = -(_e4445);
                                     } else {
-                                        phi_7039_ = _e4445;
+                                        phi_7040_ = _e4445;
                                     }
-                                    let _e4734 = phi_7039_;
+                                    let _e4734 = phi_7040_;
                                     if (_e4446 < 0f) {
-                                        phi_7045_ = -(_e4446);
+                                        phi_7046_ = -(_e4446);
                                     } else {
-                                        phi_7045_ = _e4446;
+                                        phi_7046_ = _e4446;
                                     }
-                                    let _e4738 = phi_7045_;
+                                    let _e4738 = phi_7046_;
                                     if (_e4447 < 0f) {
-                                        phi_7052_ = -(_e4447);
+                                        phi_7053_ = -(_e4447);
                                     } else {
-                                        phi_7052_ = _e4447;
+                                        phi_7053_ = _e4447;
                                     }
-                                    let _e4743 = phi_7052_;
+                                    let _e4743 = phi_7053_;
                                     let _e4745 = (((_e4734 + _e4738) + _e4743) * 0.5f);
                                     if (_e4730 > _e4745) {
-                                        phi_7059_ = _e4730;
+                                        phi_7060_ = _e4730;
                                     } else {
-                                        phi_7059_ = _e4745;
+                                        phi_7060_ = _e4745;
                                     }
-                                    let _e4748 = phi_7059_;
+                                    let _e4748 = phi_7060_;
                                     let _e4753 = local_4[1u].member_3;
                                     let _e4766 = ((((_e4450[0] * _e4375) + (_e4450[1] * _e4378)) + (_e4450[2] * _e4381)) * 3f);
                                     let _e4767 = ((((_e4507[0] * _e4396) + (_e4507[1] * _e4399)) + (_e4507[2] * _e4402)) * 3f);
                                     if (_e4766 < _e4767) {
-                                        phi_7083_ = _e4766;
+                                        phi_7084_ = _e4766;
                                     } else {
-                                        phi_7083_ = _e4767;
+                                        phi_7084_ = _e4767;
                                     }
-                                    let _e4770 = phi_7083_;
+                                    let _e4770 = phi_7084_;
                                     if (_e4481 < _e4504) {
-                                        phi_7088_ = _e4481;
+                                        phi_7089_ = _e4481;
                                     } else {
-                                        phi_7088_ = _e4504;
+                                        phi_7089_ = _e4504;
                                     }
-                                    let _e4773 = phi_7088_;
+                                    let _e4773 = phi_7089_;
                                     if (_e4770 < _e4773) {
-                                        phi_7093_ = _e4770;
+                                        phi_7094_ = _e4770;
                                     } else {
-                                        phi_7093_ = _e4773;
+                                        phi_7094_ = _e4773;
                                     }
-                                    let _e4776 = phi_7093_;
+                                    let _e4776 = phi_7094_;
                                     if (_e4766 > _e4767) {
-                                        phi_7098_ = _e4766;
+                                        phi_7099_ = _e4766;
                                     } else {
-                                        phi_7098_ = _e4767;
+                                        phi_7099_ = _e4767;
                                     }
-                                    let _e4779 = phi_7098_;
+                                    let _e4779 = phi_7099_;
                                     if (_e4481 > _e4504) {
-                                        phi_7103_ = _e4481;
+                                        phi_7104_ = _e4481;
                                     } else {
-                                        phi_7103_ = _e4504;
+                                        phi_7104_ = _e4504;
                                     }
-                                    let _e4782 = phi_7103_;
+                                    let _e4782 = phi_7104_;
                                     if (_e4779 > _e4782) {
-                                        phi_7108_ = _e4779;
+                                        phi_7109_ = _e4779;
                                     } else {
-                                        phi_7108_ = _e4782;
+                                        phi_7109_ = _e4782;
                                     }
-                                    let _e4785 = phi_7108_;
+                                    let _e4785 = phi_7109_;
                                     let _e4790 = -(_e4785);
                                     if (_e4776 > _e4790) {
-                                        phi_7118_ = _e4776;
+                                        phi_7119_ = _e4776;
                                     } else {
-                                        phi_7118_ = _e4790;
+                                        phi_7119_ = _e4790;
                                     }
-                                    let _e4793 = phi_7118_;
+                                    let _e4793 = phi_7119_;
                                     if ((_e4793 - ((((((_e4569 * 8f) * _e4679) * (0.000000059604645f * (490f / 64f))) + ((_e4686 * 19f) * ((_e4569 * (_e4623 + _e4677)) + (_e4623 * _e4677)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4569) * ((1f + _e4623) * (1f + _e4677))))) + ((_e2080 * (((_e4748 + (_e4679 * (0.000000059604645f * 4f))) + ((_e4753 * 6f) * (_e4623 + _e4677))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4623) * (1f + _e4677))))) * (3f * 1.0001f)))) > 0f) {
-                                        phi_8094_ = true;
+                                        phi_8095_ = true;
                                     } else {
                                         let _e4798 = local_4[1u].member_1[0u];
                                         let _e4804 = local_4[1u].member_1[1u];
@@ -4439,210 +4441,210 @@ fn function_() {
                                         local_1 = array<array<f32, 3>, 4>(_e4861, array<f32, 3>((_e4861[0] - _e4867[0]), (_e4861[1] - _e4867[1]), (_e4861[2] - _e4867[2])), array<f32, 3>((_e4861[0] - _e4873[0]), (_e4861[1] - _e4873[1]), (_e4861[2] - _e4873[2])), _e4861);
                                         let _e4891 = local_4[1u].member[0u];
                                         if (_e4891[0] < 0f) {
-                                            phi_7369_ = -(_e4891[0]);
+                                            phi_7370_ = -(_e4891[0]);
                                         } else {
-                                            phi_7369_ = _e4891[0];
+                                            phi_7370_ = _e4891[0];
                                         }
-                                        let _e4898 = phi_7369_;
+                                        let _e4898 = phi_7370_;
                                         if (_e4891[1] < 0f) {
-                                            phi_7376_ = -(_e4891[1]);
+                                            phi_7377_ = -(_e4891[1]);
                                         } else {
-                                            phi_7376_ = _e4891[1];
+                                            phi_7377_ = _e4891[1];
                                         }
-                                        let _e4902 = phi_7376_;
+                                        let _e4902 = phi_7377_;
                                         if (_e4898 > _e4902) {
-                                            phi_7381_ = _e4898;
+                                            phi_7382_ = _e4898;
                                         } else {
-                                            phi_7381_ = _e4902;
+                                            phi_7382_ = _e4902;
                                         }
-                                        let _e4905 = phi_7381_;
+                                        let _e4905 = phi_7382_;
                                         if (_e4891[2] < 0f) {
-                                            phi_7388_ = -(_e4891[2]);
+                                            phi_7389_ = -(_e4891[2]);
                                         } else {
-                                            phi_7388_ = _e4891[2];
+                                            phi_7389_ = _e4891[2];
                                         }
-                                        let _e4909 = phi_7388_;
+                                        let _e4909 = phi_7389_;
                                         if (_e4905 > _e4909) {
-                                            phi_7393_ = _e4905;
+                                            phi_7394_ = _e4905;
                                         } else {
-                                            phi_7393_ = _e4909;
+                                            phi_7394_ = _e4909;
                                         }
-                                        let _e4912 = phi_7393_;
+                                        let _e4912 = phi_7394_;
                                         let _e4915 = local_4[1u].member[1u];
                                         if (_e4915[0] < 0f) {
-                                            phi_7406_ = -(_e4915[0]);
+                                            phi_7407_ = -(_e4915[0]);
                                         } else {
-                                            phi_7406_ = _e4915[0];
+                                            phi_7407_ = _e4915[0];
                                         }
-                                        let _e4922 = phi_7406_;
+                                        let _e4922 = phi_7407_;
                                         if (_e4915[1] < 0f) {
-                                            phi_7413_ = -(_e4915[1]);
+                                            phi_7414_ = -(_e4915[1]);
                                         } else {
-                                            phi_7413_ = _e4915[1];
+                                            phi_7414_ = _e4915[1];
                                         }
-                                        let _e4926 = phi_7413_;
+                                        let _e4926 = phi_7414_;
                                         if (_e4922 > _e4926) {
-                                            phi_7418_ = _e4922;
+                                            phi_7419_ = _e4922;
                                         } else {
-                                            phi_7418_ = _e4926;
+                                            phi_7419_ = _e4926;
                                         }
-                                        let _e4929 = phi_7418_;
+                                        let _e4929 = phi_7419_;
                                         if (_e4915[2] < 0f) {
-                                            phi_7425_ = -(_e4915[2]);
+                                            phi_7426_ = -(_e4915[2]);
                                         } else {
-                                            phi_7425_ = _e4915[2];
+                                            phi_7426_ = _e4915[2];
                                         }
-                                        let _e4933 = phi_7425_;
+                                        let _e4933 = phi_7426_;
                                         if (_e4929 > _e4933) {
-                                            phi_7430_ = _e4929;
+                                            phi_7431_ = _e4929;
                                         } else {
-                                            phi_7430_ = _e4933;
+                                            phi_7431_ = _e4933;
                                         }
-                                        let _e4936 = phi_7430_;
+                                        let _e4936 = phi_7431_;
                                         if (_e4912 > _e4936) {
-                                            phi_7435_ = _e4912;
+                                            phi_7436_ = _e4912;
                                         } else {
-                                            phi_7435_ = _e4936;
+                                            phi_7436_ = _e4936;
                                         }
-                                        let _e4939 = phi_7435_;
+                                        let _e4939 = phi_7436_;
                                         let _e4941 = local_4[1u].member_3;
                                         let _e4945 = local_4[1u].member_1[0u];
                                         if (_e4945[0] < 0f) {
-                                            phi_7452_ = -(_e4945[0]);
+                                            phi_7453_ = -(_e4945[0]);
                                         } else {
-                                            phi_7452_ = _e4945[0];
+                                            phi_7453_ = _e4945[0];
                                         }
-                                        let _e4952 = phi_7452_;
+                                        let _e4952 = phi_7453_;
                                         if (_e4945[1] < 0f) {
-                                            phi_7459_ = -(_e4945[1]);
+                                            phi_7460_ = -(_e4945[1]);
                                         } else {
-                                            phi_7459_ = _e4945[1];
+                                            phi_7460_ = _e4945[1];
                                         }
-                                        let _e4956 = phi_7459_;
+                                        let _e4956 = phi_7460_;
                                         if (_e4952 > _e4956) {
-                                            phi_7464_ = _e4952;
+                                            phi_7465_ = _e4952;
                                         } else {
-                                            phi_7464_ = _e4956;
+                                            phi_7465_ = _e4956;
                                         }
-                                        let _e4959 = phi_7464_;
+                                        let _e4959 = phi_7465_;
                                         if (_e4945[2] < 0f) {
-                                            phi_7471_ = -(_e4945[2]);
+                                            phi_7472_ = -(_e4945[2]);
                                         } else {
-                                            phi_7471_ = _e4945[2];
+                                            phi_7472_ = _e4945[2];
                                         }
-                                        let _e4963 = phi_7471_;
+                                        let _e4963 = phi_7472_;
                                         if (_e4959 > _e4963) {
-                                            phi_7476_ = _e4959;
+                                            phi_7477_ = _e4959;
                                         } else {
-                                            phi_7476_ = _e4963;
+                                            phi_7477_ = _e4963;
                                         }
-                                        let _e4966 = phi_7476_;
+                                        let _e4966 = phi_7477_;
                                         let _e4969 = local_4[1u].member_1[1u];
                                         if (_e4969[0] < 0f) {
-                                            phi_7490_ = -(_e4969[0]);
+                                            phi_7491_ = -(_e4969[0]);
                                         } else {
-                                            phi_7490_ = _e4969[0];
+                                            phi_7491_ = _e4969[0];
                                         }
-                                        let _e4976 = phi_7490_;
+                                        let _e4976 = phi_7491_;
                                         if (_e4969[1] < 0f) {
-                                            phi_7497_ = -(_e4969[1]);
+                                            phi_7498_ = -(_e4969[1]);
                                         } else {
-                                            phi_7497_ = _e4969[1];
+                                            phi_7498_ = _e4969[1];
                                         }
-                                        let _e4980 = phi_7497_;
+                                        let _e4980 = phi_7498_;
                                         if (_e4976 > _e4980) {
-                                            phi_7502_ = _e4976;
+                                            phi_7503_ = _e4976;
                                         } else {
-                                            phi_7502_ = _e4980;
+                                            phi_7503_ = _e4980;
                                         }
-                                        let _e4983 = phi_7502_;
+                                        let _e4983 = phi_7503_;
                                         if (_e4969[2] < 0f) {
-                                            phi_7509_ = -(_e4969[2]);
+                                            phi_7510_ = -(_e4969[2]);
                                         } else {
-                                            phi_7509_ = _e4969[2];
+                                            phi_7510_ = _e4969[2];
                                         }
-                                        let _e4987 = phi_7509_;
+                                        let _e4987 = phi_7510_;
                                         if (_e4983 > _e4987) {
-                                            phi_7514_ = _e4983;
+                                            phi_7515_ = _e4983;
                                         } else {
-                                            phi_7514_ = _e4987;
+                                            phi_7515_ = _e4987;
                                         }
-                                        let _e4990 = phi_7514_;
+                                        let _e4990 = phi_7515_;
                                         if (_e4966 > _e4990) {
-                                            phi_7519_ = _e4966;
+                                            phi_7520_ = _e4966;
                                         } else {
-                                            phi_7519_ = _e4990;
+                                            phi_7520_ = _e4990;
                                         }
-                                        let _e4993 = phi_7519_;
+                                        let _e4993 = phi_7520_;
                                         let _e4995 = local_4[1u].member_3;
                                         let _e4999 = local_4[1u].member_2[0u];
                                         if (_e4999[0] < 0f) {
-                                            phi_7536_ = -(_e4999[0]);
+                                            phi_7537_ = -(_e4999[0]);
                                         } else {
-                                            phi_7536_ = _e4999[0];
+                                            phi_7537_ = _e4999[0];
                                         }
-                                        let _e5006 = phi_7536_;
+                                        let _e5006 = phi_7537_;
                                         if (_e4999[1] < 0f) {
-                                            phi_7543_ = -(_e4999[1]);
+                                            phi_7544_ = -(_e4999[1]);
                                         } else {
-                                            phi_7543_ = _e4999[1];
+                                            phi_7544_ = _e4999[1];
                                         }
-                                        let _e5010 = phi_7543_;
+                                        let _e5010 = phi_7544_;
                                         if (_e5006 > _e5010) {
-                                            phi_7548_ = _e5006;
+                                            phi_7549_ = _e5006;
                                         } else {
-                                            phi_7548_ = _e5010;
+                                            phi_7549_ = _e5010;
                                         }
-                                        let _e5013 = phi_7548_;
+                                        let _e5013 = phi_7549_;
                                         if (_e4999[2] < 0f) {
-                                            phi_7555_ = -(_e4999[2]);
+                                            phi_7556_ = -(_e4999[2]);
                                         } else {
-                                            phi_7555_ = _e4999[2];
+                                            phi_7556_ = _e4999[2];
                                         }
-                                        let _e5017 = phi_7555_;
+                                        let _e5017 = phi_7556_;
                                         if (_e5013 > _e5017) {
-                                            phi_7560_ = _e5013;
+                                            phi_7561_ = _e5013;
                                         } else {
-                                            phi_7560_ = _e5017;
+                                            phi_7561_ = _e5017;
                                         }
-                                        let _e5020 = phi_7560_;
+                                        let _e5020 = phi_7561_;
                                         let _e5023 = local_4[1u].member_2[1u];
                                         if (_e5023[0] < 0f) {
-                                            phi_7574_ = -(_e5023[0]);
+                                            phi_7575_ = -(_e5023[0]);
                                         } else {
-                                            phi_7574_ = _e5023[0];
+                                            phi_7575_ = _e5023[0];
                                         }
-                                        let _e5030 = phi_7574_;
+                                        let _e5030 = phi_7575_;
                                         if (_e5023[1] < 0f) {
-                                            phi_7581_ = -(_e5023[1]);
+                                            phi_7582_ = -(_e5023[1]);
                                         } else {
-                                            phi_7581_ = _e5023[1];
+                                            phi_7582_ = _e5023[1];
                                         }
-                                        let _e5034 = phi_7581_;
+                                        let _e5034 = phi_7582_;
                                         if (_e5030 > _e5034) {
-                                            phi_7586_ = _e5030;
+                                            phi_7587_ = _e5030;
                                         } else {
-                                            phi_7586_ = _e5034;
+                                            phi_7587_ = _e5034;
                                         }
-                                        let _e5037 = phi_7586_;
+                                        let _e5037 = phi_7587_;
                                         if (_e5023[2] < 0f) {
-                                            phi_7593_ = -(_e5023[2]);
+                                            phi_7594_ = -(_e5023[2]);
                                         } else {
-                                            phi_7593_ = _e5023[2];
+                                            phi_7594_ = _e5023[2];
                                         }
-                                        let _e5041 = phi_7593_;
+                                        let _e5041 = phi_7594_;
                                         if (_e5037 > _e5041) {
-                                            phi_7598_ = _e5037;
+                                            phi_7599_ = _e5037;
                                         } else {
-                                            phi_7598_ = _e5041;
+                                            phi_7599_ = _e5041;
                                         }
-                                        let _e5044 = phi_7598_;
+                                        let _e5044 = phi_7599_;
                                         if (_e5020 > _e5044) {
-                                            phi_7603_ = _e5020;
+                                            phi_7604_ = _e5020;
                                         } else {
-                                            phi_7603_ = _e5044;
+                                            phi_7604_ = _e5044;
                                         }
-                                        let _e5047 = phi_7603_;
+                                        let _e5047 = phi_7604_;
                                         let _e5049 = local_4[1u].member_3;
                                         let _e5052 = (((_e4939 + _e4941) + (_e4993 + _e4995)) + (_e5047 + _e5049));
                                         let _e5055 = local_4[1u].member_3;
@@ -4652,25 +4654,25 @@ fn function_() {
                                         let _e5068 = ((_e4828 * _e4809) - (_e4831 * _e4808));
                                         let _e5070 = local[0u];
                                         let _e5078 = (((_e5062 * _e5070[0]) + (_e5065 * _e5070[1])) + (_e5068 * _e5070[2]));
-                                        phi_7641_ = type_35(0u, 4u);
-                                        phi_7644_ = _e5078;
-                                        phi_7646_ = _e5078;
+                                        phi_7642_ = type_36(0u, 4u);
+                                        phi_7645_ = _e5078;
+                                        phi_7647_ = _e5078;
                                         loop {
-                                            let _e5080 = phi_7641_;
-                                            let _e5082 = phi_7644_;
-                                            let _e5084 = phi_7646_;
+                                            let _e5080 = phi_7642_;
+                                            let _e5082 = phi_7645_;
+                                            let _e5084 = phi_7647_;
                                             local_64 = _e5082;
                                             local_65 = _e5084;
                                             local_79 = _e5084;
                                             if (_e5080.member < _e5080.member_1) {
-                                                phi_7642_ = type_35((_e5080.member + 1u), _e5080.member_1);
-                                                phi_7669_ = type_35(1u, _e5080.member);
+                                                phi_7643_ = type_36((_e5080.member + 1u), _e5080.member_1);
+                                                phi_7670_ = type_36(1u, _e5080.member);
                                             } else {
-                                                phi_7642_ = _e5080;
-                                                phi_7669_ = type_35(0u, type_35().member_1);
+                                                phi_7643_ = _e5080;
+                                                phi_7670_ = type_36(0u, type_36().member_1);
                                             }
-                                            let _e5098 = phi_7642_;
-                                            let _e5100 = phi_7669_;
+                                            let _e5098 = phi_7643_;
+                                            let _e5100 = phi_7670_;
                                             let _e5104 = (bitcast<i32>(_e5100.member) != 0i);
                                             if _e5104 {
                                                 if (_e5100.member_1 < 4u) {
@@ -4686,99 +4688,99 @@ fn function_() {
                                                 let _e5118 = local_1[_e5100.member_1];
                                                 let _e5126 = (((_e5062 * _e5118[0]) + (_e5065 * _e5118[1])) + (_e5068 * _e5118[2]));
                                                 if (_e5084 < _e5115) {
-                                                    phi_7719_ = _e5084;
+                                                    phi_7720_ = _e5084;
                                                 } else {
-                                                    phi_7719_ = _e5115;
+                                                    phi_7720_ = _e5115;
                                                 }
-                                                let _e5129 = phi_7719_;
+                                                let _e5129 = phi_7720_;
                                                 if (_e5129 < _e5126) {
-                                                    phi_7724_ = _e5129;
+                                                    phi_7725_ = _e5129;
                                                 } else {
-                                                    phi_7724_ = _e5126;
+                                                    phi_7725_ = _e5126;
                                                 }
-                                                let _e5132 = phi_7724_;
+                                                let _e5132 = phi_7725_;
                                                 if (_e5082 > _e5115) {
-                                                    phi_7729_ = _e5082;
+                                                    phi_7730_ = _e5082;
                                                 } else {
-                                                    phi_7729_ = _e5115;
+                                                    phi_7730_ = _e5115;
                                                 }
-                                                let _e5135 = phi_7729_;
+                                                let _e5135 = phi_7730_;
                                                 if (_e5135 > _e5126) {
-                                                    phi_7734_ = _e5135;
+                                                    phi_7735_ = _e5135;
                                                 } else {
-                                                    phi_7734_ = _e5126;
+                                                    phi_7735_ = _e5126;
                                                 }
-                                                let _e5138 = phi_7734_;
-                                                phi_7645_ = _e5138;
-                                                phi_7647_ = _e5132;
+                                                let _e5138 = phi_7735_;
+                                                phi_7646_ = _e5138;
+                                                phi_7648_ = _e5132;
                                             } else {
-                                                phi_7645_ = f32();
-                                                phi_7647_ = f32();
+                                                phi_7646_ = f32();
+                                                phi_7648_ = f32();
                                             }
-                                            let _e5140 = phi_7645_;
-                                            let _e5142 = phi_7647_;
+                                            let _e5140 = phi_7646_;
+                                            let _e5142 = phi_7648_;
                                             continue;
                                             continuing {
-                                                phi_7641_ = _e5098;
-                                                phi_7644_ = _e5140;
-                                                phi_7646_ = _e5142;
+                                                phi_7642_ = _e5098;
+                                                phi_7645_ = _e5140;
+                                                phi_7647_ = _e5142;
                                                 break if !(_e5104);
                                             }
                                         }
                                         if (_e5062 < 0f) {
-                                            phi_7740_ = -(_e5062);
+                                            phi_7741_ = -(_e5062);
                                         } else {
-                                            phi_7740_ = _e5062;
+                                            phi_7741_ = _e5062;
                                         }
-                                        let _e5147 = phi_7740_;
+                                        let _e5147 = phi_7741_;
                                         if (_e5065 < 0f) {
-                                            phi_7746_ = -(_e5065);
+                                            phi_7747_ = -(_e5065);
                                         } else {
-                                            phi_7746_ = _e5065;
+                                            phi_7747_ = _e5065;
                                         }
-                                        let _e5151 = phi_7746_;
+                                        let _e5151 = phi_7747_;
                                         if (_e5068 < 0f) {
-                                            phi_7753_ = -(_e5068);
+                                            phi_7754_ = -(_e5068);
                                         } else {
-                                            phi_7753_ = _e5068;
+                                            phi_7754_ = _e5068;
                                         }
-                                        let _e5156 = phi_7753_;
+                                        let _e5156 = phi_7754_;
                                         let _e5157 = ((_e5147 + _e5151) + _e5156);
                                         let _e5162 = local_64;
                                         let _e5163 = -(_e5162);
                                         let _e5165 = local_65;
                                         if (_e5165 > _e5163) {
                                             let _e6112 = local_79;
-                                            phi_7763_ = _e6112;
+                                            phi_7764_ = _e6112;
                                         } else {
-                                            phi_7763_ = _e5163;
+                                            phi_7764_ = _e5163;
                                         }
-                                        let _e5168 = phi_7763_;
+                                        let _e5168 = phi_7764_;
                                         let _e5173 = (((_e5168 - ((_e5157 * _e5052) * (0.000000059604645f * 17f))) - (_e5157 * _e5059)) - (0.000000000000000000000000000000000000011754944f * 64f));
                                         let _e5176 = ((_e4831 * _e4825) - (_e4834 * _e4824));
                                         let _e5179 = ((_e4834 * _e4823) - (_e4828 * _e4825));
                                         let _e5182 = ((_e4828 * _e4824) - (_e4831 * _e4823));
                                         let _e5184 = local[0u];
                                         let _e5192 = (((_e5176 * _e5184[0]) + (_e5179 * _e5184[1])) + (_e5182 * _e5184[2]));
-                                        phi_7794_ = type_35(0u, 4u);
-                                        phi_7797_ = _e5192;
-                                        phi_7799_ = _e5192;
+                                        phi_7795_ = type_36(0u, 4u);
+                                        phi_7798_ = _e5192;
+                                        phi_7800_ = _e5192;
                                         loop {
-                                            let _e5194 = phi_7794_;
-                                            let _e5196 = phi_7797_;
-                                            let _e5198 = phi_7799_;
+                                            let _e5194 = phi_7795_;
+                                            let _e5196 = phi_7798_;
+                                            let _e5198 = phi_7800_;
                                             local_66 = _e5196;
                                             local_67 = _e5198;
                                             local_80 = _e5198;
                                             if (_e5194.member < _e5194.member_1) {
-                                                phi_7795_ = type_35((_e5194.member + 1u), _e5194.member_1);
-                                                phi_7822_ = type_35(1u, _e5194.member);
+                                                phi_7796_ = type_36((_e5194.member + 1u), _e5194.member_1);
+                                                phi_7823_ = type_36(1u, _e5194.member);
                                             } else {
-                                                phi_7795_ = _e5194;
-                                                phi_7822_ = type_35(0u, type_35().member_1);
+                                                phi_7796_ = _e5194;
+                                                phi_7823_ = type_36(0u, type_36().member_1);
                                             }
-                                            let _e5212 = phi_7795_;
-                                            let _e5214 = phi_7822_;
+                                            let _e5212 = phi_7796_;
+                                            let _e5214 = phi_7823_;
                                             let _e5218 = (bitcast<i32>(_e5214.member) != 0i);
                                             if _e5218 {
                                                 if (_e5214.member_1 < 4u) {
@@ -4794,81 +4796,81 @@ fn function_() {
                                                 let _e5232 = local_1[_e5214.member_1];
                                                 let _e5240 = (((_e5176 * _e5232[0]) + (_e5179 * _e5232[1])) + (_e5182 * _e5232[2]));
                                                 if (_e5198 < _e5229) {
-                                                    phi_7872_ = _e5198;
+                                                    phi_7873_ = _e5198;
                                                 } else {
-                                                    phi_7872_ = _e5229;
+                                                    phi_7873_ = _e5229;
                                                 }
-                                                let _e5243 = phi_7872_;
+                                                let _e5243 = phi_7873_;
                                                 if (_e5243 < _e5240) {
-                                                    phi_7877_ = _e5243;
+                                                    phi_7878_ = _e5243;
                                                 } else {
-                                                    phi_7877_ = _e5240;
+                                                    phi_7878_ = _e5240;
                                                 }
-                                                let _e5246 = phi_7877_;
+                                                let _e5246 = phi_7878_;
                                                 if (_e5196 > _e5229) {
-                                                    phi_7882_ = _e5196;
+                                                    phi_7883_ = _e5196;
                                                 } else {
-                                                    phi_7882_ = _e5229;
+                                                    phi_7883_ = _e5229;
                                                 }
-                                                let _e5249 = phi_7882_;
+                                                let _e5249 = phi_7883_;
                                                 if (_e5249 > _e5240) {
-                                                    phi_7887_ = _e5249;
+                                                    phi_7888_ = _e5249;
                                                 } else {
-                                                    phi_7887_ = _e5240;
+                                                    phi_7888_ = _e5240;
                                                 }
-                                                let _e5252 = phi_7887_;
-                                                phi_7798_ = _e5252;
-                                                phi_7800_ = _e5246;
+                                                let _e5252 = phi_7888_;
+                                                phi_7799_ = _e5252;
+                                                phi_7801_ = _e5246;
                                             } else {
-                                                phi_7798_ = f32();
-                                                phi_7800_ = f32();
+                                                phi_7799_ = f32();
+                                                phi_7801_ = f32();
                                             }
-                                            let _e5254 = phi_7798_;
-                                            let _e5256 = phi_7800_;
+                                            let _e5254 = phi_7799_;
+                                            let _e5256 = phi_7801_;
                                             continue;
                                             continuing {
-                                                phi_7794_ = _e5212;
-                                                phi_7797_ = _e5254;
-                                                phi_7799_ = _e5256;
+                                                phi_7795_ = _e5212;
+                                                phi_7798_ = _e5254;
+                                                phi_7800_ = _e5256;
                                                 break if !(_e5218);
                                             }
                                         }
                                         if (_e5176 < 0f) {
-                                            phi_7893_ = -(_e5176);
+                                            phi_7894_ = -(_e5176);
                                         } else {
-                                            phi_7893_ = _e5176;
+                                            phi_7894_ = _e5176;
                                         }
-                                        let _e5261 = phi_7893_;
+                                        let _e5261 = phi_7894_;
                                         if (_e5179 < 0f) {
-                                            phi_7899_ = -(_e5179);
+                                            phi_7900_ = -(_e5179);
                                         } else {
-                                            phi_7899_ = _e5179;
+                                            phi_7900_ = _e5179;
                                         }
-                                        let _e5265 = phi_7899_;
+                                        let _e5265 = phi_7900_;
                                         if (_e5182 < 0f) {
-                                            phi_7906_ = -(_e5182);
+                                            phi_7907_ = -(_e5182);
                                         } else {
-                                            phi_7906_ = _e5182;
+                                            phi_7907_ = _e5182;
                                         }
-                                        let _e5270 = phi_7906_;
+                                        let _e5270 = phi_7907_;
                                         let _e5271 = ((_e5261 + _e5265) + _e5270);
                                         let _e5276 = local_66;
                                         let _e5277 = -(_e5276);
                                         let _e5279 = local_67;
                                         if (_e5279 > _e5277) {
                                             let _e6131 = local_80;
-                                            phi_7916_ = _e6131;
+                                            phi_7917_ = _e6131;
                                         } else {
-                                            phi_7916_ = _e5277;
+                                            phi_7917_ = _e5277;
                                         }
-                                        let _e5282 = phi_7916_;
+                                        let _e5282 = phi_7917_;
                                         let _e5287 = (((_e5282 - ((_e5271 * _e5052) * (0.000000059604645f * 17f))) - (_e5271 * _e5059)) - (0.000000000000000000000000000000000000011754944f * 64f));
                                         if (_e5173 > _e5287) {
-                                            phi_7926_ = _e5173;
+                                            phi_7927_ = _e5173;
                                         } else {
-                                            phi_7926_ = _e5287;
+                                            phi_7927_ = _e5287;
                                         }
-                                        let _e5290 = phi_7926_;
+                                        let _e5290 = phi_7927_;
                                         let _e5291 = (_e4823 - _e4808);
                                         let _e5292 = (_e4824 - _e4809);
                                         let _e5293 = (_e4825 - _e4810);
@@ -4877,25 +4879,25 @@ fn function_() {
                                         let _e5302 = ((_e4828 * _e5292) - (_e4831 * _e5291));
                                         let _e5304 = local[0u];
                                         let _e5312 = (((_e5296 * _e5304[0]) + (_e5299 * _e5304[1])) + (_e5302 * _e5304[2]));
-                                        phi_7959_ = type_35(0u, 4u);
-                                        phi_7962_ = _e5312;
-                                        phi_7964_ = _e5312;
+                                        phi_7960_ = type_36(0u, 4u);
+                                        phi_7963_ = _e5312;
+                                        phi_7965_ = _e5312;
                                         loop {
-                                            let _e5314 = phi_7959_;
-                                            let _e5316 = phi_7962_;
-                                            let _e5318 = phi_7964_;
+                                            let _e5314 = phi_7960_;
+                                            let _e5316 = phi_7963_;
+                                            let _e5318 = phi_7965_;
                                             local_68 = _e5316;
                                             local_69 = _e5318;
                                             local_81 = _e5318;
                                             if (_e5314.member < _e5314.member_1) {
-                                                phi_7960_ = type_35((_e5314.member + 1u), _e5314.member_1);
-                                                phi_7987_ = type_35(1u, _e5314.member);
+                                                phi_7961_ = type_36((_e5314.member + 1u), _e5314.member_1);
+                                                phi_7988_ = type_36(1u, _e5314.member);
                                             } else {
-                                                phi_7960_ = _e5314;
-                                                phi_7987_ = type_35(0u, type_35().member_1);
+                                                phi_7961_ = _e5314;
+                                                phi_7988_ = type_36(0u, type_36().member_1);
                                             }
-                                            let _e5332 = phi_7960_;
-                                            let _e5334 = phi_7987_;
+                                            let _e5332 = phi_7961_;
+                                            let _e5334 = phi_7988_;
                                             let _e5338 = (bitcast<i32>(_e5334.member) != 0i);
                                             if _e5338 {
                                                 if (_e5334.member_1 < 4u) {
@@ -4911,108 +4913,108 @@ fn function_() {
                                                 let _e5352 = local_1[_e5334.member_1];
                                                 let _e5360 = (((_e5296 * _e5352[0]) + (_e5299 * _e5352[1])) + (_e5302 * _e5352[2]));
                                                 if (_e5318 < _e5349) {
-                                                    phi_8037_ = _e5318;
+                                                    phi_8038_ = _e5318;
                                                 } else {
-                                                    phi_8037_ = _e5349;
+                                                    phi_8038_ = _e5349;
                                                 }
-                                                let _e5363 = phi_8037_;
+                                                let _e5363 = phi_8038_;
                                                 if (_e5363 < _e5360) {
-                                                    phi_8042_ = _e5363;
+                                                    phi_8043_ = _e5363;
                                                 } else {
-                                                    phi_8042_ = _e5360;
+                                                    phi_8043_ = _e5360;
                                                 }
-                                                let _e5366 = phi_8042_;
+                                                let _e5366 = phi_8043_;
                                                 if (_e5316 > _e5349) {
-                                                    phi_8047_ = _e5316;
+                                                    phi_8048_ = _e5316;
                                                 } else {
-                                                    phi_8047_ = _e5349;
+                                                    phi_8048_ = _e5349;
                                                 }
-                                                let _e5369 = phi_8047_;
+                                                let _e5369 = phi_8048_;
                                                 if (_e5369 > _e5360) {
-                                                    phi_8052_ = _e5369;
+                                                    phi_8053_ = _e5369;
                                                 } else {
-                                                    phi_8052_ = _e5360;
+                                                    phi_8053_ = _e5360;
                                                 }
-                                                let _e5372 = phi_8052_;
-                                                phi_7963_ = _e5372;
-                                                phi_7965_ = _e5366;
+                                                let _e5372 = phi_8053_;
+                                                phi_7964_ = _e5372;
+                                                phi_7966_ = _e5366;
                                             } else {
-                                                phi_7963_ = f32();
-                                                phi_7965_ = f32();
+                                                phi_7964_ = f32();
+                                                phi_7966_ = f32();
                                             }
-                                            let _e5374 = phi_7963_;
-                                            let _e5376 = phi_7965_;
+                                            let _e5374 = phi_7964_;
+                                            let _e5376 = phi_7966_;
                                             continue;
                                             continuing {
-                                                phi_7959_ = _e5332;
-                                                phi_7962_ = _e5374;
-                                                phi_7964_ = _e5376;
+                                                phi_7960_ = _e5332;
+                                                phi_7963_ = _e5374;
+                                                phi_7965_ = _e5376;
                                                 break if !(_e5338);
                                             }
                                         }
                                         if (_e5296 < 0f) {
-                                            phi_8058_ = -(_e5296);
+                                            phi_8059_ = -(_e5296);
                                         } else {
-                                            phi_8058_ = _e5296;
+                                            phi_8059_ = _e5296;
                                         }
-                                        let _e5381 = phi_8058_;
+                                        let _e5381 = phi_8059_;
                                         if (_e5299 < 0f) {
-                                            phi_8064_ = -(_e5299);
+                                            phi_8065_ = -(_e5299);
                                         } else {
-                                            phi_8064_ = _e5299;
+                                            phi_8065_ = _e5299;
                                         }
-                                        let _e5385 = phi_8064_;
+                                        let _e5385 = phi_8065_;
                                         if (_e5302 < 0f) {
-                                            phi_8071_ = -(_e5302);
+                                            phi_8072_ = -(_e5302);
                                         } else {
-                                            phi_8071_ = _e5302;
+                                            phi_8072_ = _e5302;
                                         }
-                                        let _e5390 = phi_8071_;
+                                        let _e5390 = phi_8072_;
                                         let _e5391 = ((_e5381 + _e5385) + _e5390);
                                         let _e5396 = local_68;
                                         let _e5397 = -(_e5396);
                                         let _e5399 = local_69;
                                         if (_e5399 > _e5397) {
                                             let _e6151 = local_81;
-                                            phi_8081_ = _e6151;
+                                            phi_8082_ = _e6151;
                                         } else {
-                                            phi_8081_ = _e5397;
+                                            phi_8082_ = _e5397;
                                         }
-                                        let _e5402 = phi_8081_;
+                                        let _e5402 = phi_8082_;
                                         let _e5407 = (((_e5402 - ((_e5391 * _e5052) * (0.000000059604645f * 17f))) - (_e5391 * _e5059)) - (0.000000000000000000000000000000000000011754944f * 64f));
                                         if (_e5290 > _e5407) {
-                                            phi_8091_ = _e5290;
+                                            phi_8092_ = _e5290;
                                         } else {
-                                            phi_8091_ = _e5407;
+                                            phi_8092_ = _e5407;
                                         }
-                                        let _e5410 = phi_8091_;
-                                        phi_8094_ = (_e5410 > 0f);
+                                        let _e5410 = phi_8092_;
+                                        phi_8095_ = (_e5410 > 0f);
                                     }
-                                    let _e5413 = phi_8094_;
-                                    phi_8095_ = _e5413;
+                                    let _e5413 = phi_8095_;
+                                    phi_8096_ = _e5413;
                                 } else {
-                                    phi_8095_ = false;
+                                    phi_8096_ = false;
                                 }
-                                let _e5415 = phi_8095_;
-                                phi_8097_ = !(_e5415);
+                                let _e5415 = phi_8096_;
+                                phi_8098_ = !(_e5415);
                             }
-                            let _e5418 = phi_8097_;
+                            let _e5418 = phi_8098_;
                             if _e5418 {
                                 let _e5420 = atomicAdd((&counters[5u]), 1u);
                                 hits[_e1324] = ((2147483648u | (_e5420 << bitcast<u32>(12i))) | _e1327);
                             }
                         }
-                        phi_8107_ = true;
+                        phi_8108_ = true;
                     }
-                    let _e5427 = phi_8107_;
-                    phi_8108_ = _e5427;
+                    let _e5427 = phi_8108_;
+                    phi_8109_ = _e5427;
                 } else {
-                    phi_8108_ = false;
+                    phi_8109_ = false;
                 }
-                let _e5429 = phi_8108_;
+                let _e5429 = phi_8109_;
                 continue;
                 continuing {
-                    phi_1881_ = _e1316;
+                    phi_1882_ = _e1316;
                     break if !(_e5429);
                 }
             }
@@ -5032,30 +5034,30 @@ fn function_() {
                     let _e5445 = atomicAdd((&output.member[1u]), _e5442);
                 }
             }
-            phi_8140_ = type_35(0u, 16u);
+            phi_8141_ = type_36(0u, 16u);
             loop {
-                let _e5447 = phi_8140_;
+                let _e5447 = phi_8141_;
                 if (_e5447.member < _e5447.member_1) {
-                    phi_8141_ = type_35((_e5447.member + 1u), _e5447.member_1);
-                    phi_8164_ = type_35(1u, _e5447.member);
+                    phi_8142_ = type_36((_e5447.member + 1u), _e5447.member_1);
+                    phi_8165_ = type_36(1u, _e5447.member);
                 } else {
-                    phi_8141_ = _e5447;
-                    phi_8164_ = type_35(0u, type_35().member_1);
+                    phi_8142_ = _e5447;
+                    phi_8165_ = type_36(0u, type_36().member_1);
                 }
-                let _e5461 = phi_8141_;
-                let _e5463 = phi_8164_;
+                let _e5461 = phi_8142_;
+                let _e5463 = phi_8165_;
                 if (bitcast<i32>(_e5463.member) != 0i) {
                     let _e5469 = (_e110 + (_e5463.member_1 * 128u));
                     if (_e5469 >= _e1300) {
-                        phi_8262_ = false;
+                        phi_8263_ = false;
                     } else {
                         let _e5472 = hits[_e5469];
                         if ((_e5472 & 2147483648u) == 0u) {
-                            phi_8187_ = 4294967295u;
+                            phi_8188_ = 4294967295u;
                         } else {
-                            phi_8187_ = ((_e5472 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_8188_ = ((_e5472 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e5479 = phi_8187_;
+                        let _e5479 = phi_8188_;
                         if (_e5479 != 4294967295u) {
                             let _e5483 = ((_e5472 >> bitcast<u32>(10i)) & 3u);
                             let _e5490 = firsts[(2u * _e5483)];
@@ -5069,17 +5071,17 @@ fn function_() {
                                 atomicStore((&output.member[((2u * _e5505) + 5u)]), _e5500.member_1);
                             }
                         }
-                        phi_8262_ = true;
+                        phi_8263_ = true;
                     }
-                    let _e5514 = phi_8262_;
-                    phi_8263_ = _e5514;
+                    let _e5514 = phi_8263_;
+                    phi_8264_ = _e5514;
                 } else {
-                    phi_8263_ = false;
+                    phi_8264_ = false;
                 }
-                let _e5516 = phi_8263_;
+                let _e5516 = phi_8264_;
                 continue;
                 continuing {
-                    phi_8140_ = _e5461;
+                    phi_8141_ = _e5461;
                     break if !(_e5516);
                 }
             }
@@ -5087,7 +5089,7 @@ fn function_() {
         }
         continue;
         continuing {
-            phi_319_ = _e193;
+            phi_320_ = _e193;
             break if !(_e199);
         }
     }

@@ -3,7 +3,7 @@ struct type_6 {
     member_1: array<f32, 3>,
 }
 
-struct type_12 {
+struct type_13 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -22,28 +22,30 @@ struct type_12 {
     member_15: u32,
     member_16: u32,
     member_17: u32,
-    member_18: array<array<u32, 4>, 8>,
+    member_18: array<array<u32, 2>, 3>,
+    member_19: array<u32, 2>,
+    member_20: array<array<u32, 4>, 8>,
 }
 
-struct type_14 {
-    member: type_12,
+struct type_15 {
+    member: type_13,
 }
 
-struct type_18 {
+struct type_19 {
     member: array<type_6>,
 }
 
-struct type_29 {
+struct type_30 {
     member: i32,
     member_1: i32,
 }
 
-struct type_30 {
+struct type_31 {
     member: u32,
     member_1: i32,
 }
 
-struct type_31 {
+struct type_32 {
     member: u32,
     member_1: u32,
 }
@@ -52,33 +54,33 @@ var<private> id_1: vec3<u32>;
 var<private> n_1: vec3<u32>;
 var<private> lane_1: u32;
 @group(0) @binding(0) 
-var<storage> params: type_14;
+var<storage> params: type_15;
 var<workgroup> shared_: array<type_6, 256>;
 @group(0) @binding(1) 
-var<storage, read_write> nodes: type_18;
+var<storage, read_write> nodes: type_19;
 
 fn function_() {
     var local: type_6;
     var local_1: type_6;
     var local_2: array<u32, 4>;
-    var phi_121_: u32;
     var phi_122_: u32;
-    var phi_139_: type_6;
-    var phi_154_: type_29;
-    var phi_157_: type_6;
-    var phi_159_: u32;
-    var phi_180_: bool;
-    var phi_186_: type_30;
-    var phi_155_: type_29;
-    var phi_200_: type_30;
-    var phi_250_: type_31;
-    var phi_251_: type_31;
-    var phi_274_: type_31;
-    var phi_300_: f32;
-    var phi_327_: f32;
-    var phi_359_: type_6;
+    var phi_123_: u32;
+    var phi_140_: type_6;
+    var phi_155_: type_30;
     var phi_158_: type_6;
     var phi_160_: u32;
+    var phi_181_: bool;
+    var phi_187_: type_31;
+    var phi_156_: type_30;
+    var phi_201_: type_31;
+    var phi_251_: type_32;
+    var phi_252_: type_32;
+    var phi_275_: type_32;
+    var phi_301_: f32;
+    var phi_328_: f32;
+    var phi_360_: type_6;
+    var phi_159_: type_6;
+    var phi_161_: u32;
     var local_3: type_6;
 
     let _e37 = id_1;
@@ -89,68 +91,68 @@ fn function_() {
     } else {
         return;
     }
-    let _e47 = params.member.member_18[_e43];
+    let _e47 = params.member.member_20[_e43];
     local_2 = array<u32, 4>(_e47[0], _e47[1], _e47[2], _e47[3]);
     let _e54 = local_2[0u];
     let _e62 = ((_e54 + (((_e37.y * _e38.x) + _e37.x) * 256u)) + _e39);
     let _e64 = local_2[2u];
     if (_e62 >= _e64) {
-        phi_122_ = 2u;
+        phi_123_ = 2u;
     } else {
         let _e67 = local_2[1u];
         if (_e62 >= _e67) {
-            phi_121_ = 1u;
+            phi_122_ = 1u;
         } else {
-            phi_121_ = 0u;
+            phi_122_ = 0u;
         }
-        let _e70 = phi_121_;
-        phi_122_ = _e70;
+        let _e70 = phi_122_;
+        phi_123_ = _e70;
     }
-    let _e72 = phi_122_;
+    let _e72 = phi_123_;
     let _e74 = local_2[3u];
     let _e75 = (_e62 < _e74);
     if _e75 {
         let _e77 = nodes.member[_e62];
-        phi_139_ = _e77;
+        phi_140_ = _e77;
     } else {
-        phi_139_ = type_6(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_140_ = type_6(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
     }
-    let _e79 = phi_139_;
+    let _e79 = phi_140_;
     shared_[_e39] = type_6(array<f32, 3>(_e79.member[0], _e79.member[1], _e79.member[2]), array<f32, 3>(_e79.member_1[0], _e79.member_1[1], _e79.member_1[2]));
-    phi_154_ = type_29(0i, 5i);
-    phi_157_ = _e79;
-    phi_159_ = 16u;
+    phi_155_ = type_30(0i, 5i);
+    phi_158_ = _e79;
+    phi_160_ = 16u;
     loop {
-        let _e93 = phi_154_;
-        let _e95 = phi_157_;
-        let _e97 = phi_159_;
+        let _e93 = phi_155_;
+        let _e95 = phi_158_;
+        let _e97 = phi_160_;
         local_3 = _e95;
         if (_e93.member < _e93.member_1) {
             let _e105 = (_e93.member + 1i);
             if ((false == (_e105 > _e93.member)) != false) {
-                phi_180_ = true;
+                phi_181_ = true;
             } else {
-                phi_180_ = false;
+                phi_181_ = false;
             }
-            let _e110 = phi_180_;
+            let _e110 = phi_181_;
             if _e110 {
-                phi_186_ = type_30(0u, type_30().member_1);
+                phi_187_ = type_31(0u, type_31().member_1);
             } else {
-                phi_186_ = type_30(1u, _e105);
+                phi_187_ = type_31(1u, _e105);
             }
-            let _e116 = phi_186_;
+            let _e116 = phi_187_;
             if (bitcast<i32>(_e116.member) != 0i) {
             } else {
                 return;
             }
-            phi_155_ = type_29(_e116.member_1, _e93.member_1);
-            phi_200_ = type_30(1u, _e93.member);
+            phi_156_ = type_30(_e116.member_1, _e93.member_1);
+            phi_201_ = type_31(1u, _e93.member);
         } else {
-            phi_155_ = _e93;
-            phi_200_ = type_30(0u, type_30().member_1);
+            phi_156_ = _e93;
+            phi_201_ = type_31(0u, type_31().member_1);
         }
-        let _e126 = phi_155_;
-        let _e128 = phi_200_;
+        let _e126 = phi_156_;
+        let _e128 = phi_201_;
         let _e131 = (bitcast<i32>(_e128.member) != 0i);
         if _e131 {
             workgroupBarrier();
@@ -158,18 +160,18 @@ fn function_() {
                 let _e136 = shared_[(_e39 + _e97)];
                 local_1 = _e136;
                 local = type_6(array<f32, 3>(_e95.member[0], _e95.member[1], _e95.member[2]), array<f32, 3>(_e95.member_1[0], _e95.member_1[1], _e95.member_1[2]));
-                phi_250_ = type_31(0u, 3u);
+                phi_251_ = type_32(0u, 3u);
                 loop {
-                    let _e149 = phi_250_;
+                    let _e149 = phi_251_;
                     if (_e149.member < _e149.member_1) {
-                        phi_251_ = type_31((_e149.member + 1u), _e149.member_1);
-                        phi_274_ = type_31(1u, _e149.member);
+                        phi_252_ = type_32((_e149.member + 1u), _e149.member_1);
+                        phi_275_ = type_32(1u, _e149.member);
                     } else {
-                        phi_251_ = _e149;
-                        phi_274_ = type_31(0u, type_31().member_1);
+                        phi_252_ = _e149;
+                        phi_275_ = type_32(0u, type_32().member_1);
                     }
-                    let _e163 = phi_251_;
-                    let _e165 = phi_274_;
+                    let _e163 = phi_252_;
+                    let _e165 = phi_275_;
                     let _e169 = (bitcast<i32>(_e165.member) != 0i);
                     if _e169 {
                         if (_e165.member_1 < 3u) {
@@ -183,11 +185,11 @@ fn function_() {
                         }
                         let _e177 = local_1.member[_e165.member_1];
                         if (_e173 < _e177) {
-                            phi_300_ = _e173;
+                            phi_301_ = _e173;
                         } else {
-                            phi_300_ = _e177;
+                            phi_301_ = _e177;
                         }
-                        let _e180 = phi_300_;
+                        let _e180 = phi_301_;
                         if (_e165.member_1 < 3u) {
                         } else {
                             return;
@@ -204,11 +206,11 @@ fn function_() {
                         }
                         let _e191 = local_1.member_1[_e165.member_1];
                         if (_e187 > _e191) {
-                            phi_327_ = _e187;
+                            phi_328_ = _e187;
                         } else {
-                            phi_327_ = _e191;
+                            phi_328_ = _e191;
                         }
-                        let _e194 = phi_327_;
+                        let _e194 = phi_328_;
                         if (_e165.member_1 < 3u) {
                         } else {
                             return;
@@ -217,30 +219,30 @@ fn function_() {
                     }
                     continue;
                     continuing {
-                        phi_250_ = _e163;
+                        phi_251_ = _e163;
                         break if !(_e169);
                     }
                 }
                 let _e199 = local;
                 shared_[_e39] = _e199;
-                phi_359_ = type_6(array<f32, 3>(_e199.member[0], _e199.member[1], _e199.member[2]), array<f32, 3>(_e199.member_1[0], _e199.member_1[1], _e199.member_1[2]));
+                phi_360_ = type_6(array<f32, 3>(_e199.member[0], _e199.member[1], _e199.member[2]), array<f32, 3>(_e199.member_1[0], _e199.member_1[1], _e199.member_1[2]));
             } else {
-                phi_359_ = _e95;
+                phi_360_ = _e95;
             }
-            let _e213 = phi_359_;
-            phi_158_ = _e213;
-            phi_160_ = (_e97 / 2u);
+            let _e213 = phi_360_;
+            phi_159_ = _e213;
+            phi_161_ = (_e97 / 2u);
         } else {
-            phi_158_ = type_6();
-            phi_160_ = u32();
+            phi_159_ = type_6();
+            phi_161_ = u32();
         }
-        let _e216 = phi_158_;
-        let _e218 = phi_160_;
+        let _e216 = phi_159_;
+        let _e218 = phi_161_;
         continue;
         continuing {
-            phi_154_ = _e126;
-            phi_157_ = _e216;
-            phi_159_ = _e218;
+            phi_155_ = _e126;
+            phi_158_ = _e216;
+            phi_160_ = _e218;
             break if !(_e131);
         }
     }
@@ -261,7 +263,7 @@ fn function_() {
             } else {
                 return;
             }
-            let _e235 = params.member.member_18[_e224][_e72];
+            let _e235 = params.member.member_20[_e224][_e72];
             let _e239 = local_3;
             nodes.member[(_e235 + ((_e62 - _e227) / 32u))] = _e239;
         }

@@ -3,7 +3,7 @@ struct type_6 {
     member_1: array<f32, 3>,
 }
 
-struct type_11 {
+struct type_12 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -22,40 +22,42 @@ struct type_11 {
     member_15: u32,
     member_16: u32,
     member_17: u32,
-    member_18: array<array<u32, 4>, 8>,
+    member_18: array<array<u32, 2>, 3>,
+    member_19: array<u32, 2>,
+    member_20: array<array<u32, 4>, 8>,
 }
 
-struct type_13 {
-    member: type_11,
+struct type_14 {
+    member: type_12,
 }
 
-struct type_17 {
+struct type_18 {
     member: array<type_6>,
 }
 
-struct type_21 {
+struct type_22 {
     member: array<u32>,
 }
 
-struct type_23 {
+struct type_24 {
     member: array<u32, 3>,
     member_1: u32,
 }
 
-struct type_26 {
-    member: array<type_23>,
+struct type_27 {
+    member: array<type_24>,
 }
 
-struct type_35 {
+struct type_36 {
     member: u32,
     member_1: u32,
 }
 
-struct type_54 {
+struct type_45 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-struct type_61 {
+struct type_62 {
     member: array<atomic<u32>>,
 }
 
@@ -63,24 +65,24 @@ var<private> id_1: vec3<u32>;
 var<private> n_1: vec3<u32>;
 var<private> lane_1: u32;
 @group(0) @binding(0) 
-var<storage> params: type_13;
+var<storage> params: type_14;
 @group(0) @binding(1) 
-var<storage> nodes: type_17;
+var<storage> nodes: type_18;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
 var<workgroup> columns: array<type_6, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
 @group(0) @binding(2) 
-var<storage> leaves: type_26;
+var<storage> leaves: type_27;
 @group(0) @binding(3) 
-var<storage> bodies: type_21;
+var<storage> bodies: type_22;
 @group(0) @binding(4) 
-var<storage> keys: type_54;
+var<storage> keys: type_45;
 @group(0) @binding(5) 
-var<storage> input: type_21;
+var<storage> input: type_22;
 @group(0) @binding(6) 
-var<storage, read_write> output: type_61;
+var<storage, read_write> output: type_62;
 
 fn function_() {
     var local: array<array<u32, 2>, 6>;
@@ -99,226 +101,226 @@ fn function_() {
     var local_13: array<array<u32, 2>, 6>;
     var local_14: array<array<u32, 2>, 6>;
     var local_15: array<array<u32, 2>, 6>;
-    var local_16: type_23;
-    var local_17: type_23;
-    var local_18: type_23;
-    var local_19: type_23;
-    var phi_183_: u32;
-    var phi_194_: array<u32, 2>;
-    var phi_223_: u32;
+    var local_16: type_24;
+    var local_17: type_24;
+    var local_18: type_24;
+    var local_19: type_24;
+    var phi_184_: u32;
+    var phi_195_: array<u32, 2>;
     var phi_224_: u32;
-    var phi_231_: u32;
-    var phi_247_: u32;
-    var phi_268_: u32;
+    var phi_225_: u32;
+    var phi_232_: u32;
+    var phi_248_: u32;
     var phi_269_: u32;
-    var phi_272_: type_35;
-    var phi_273_: type_35;
-    var phi_296_: type_35;
-    var phi_334_: u32;
+    var phi_270_: u32;
+    var phi_273_: type_36;
+    var phi_274_: type_36;
+    var phi_297_: type_36;
     var phi_335_: u32;
-    var phi_342_: u32;
-    var phi_352_: u32;
-    var phi_431_: array<u32, 2>;
-    var phi_625_: bool;
+    var phi_336_: u32;
+    var phi_343_: u32;
+    var phi_353_: u32;
+    var phi_432_: array<u32, 2>;
     var phi_626_: bool;
-    var phi_630_: type_6;
-    var phi_636_: bool;
-    var phi_643_: type_35;
-    var phi_646_: u32;
-    var phi_644_: type_35;
-    var phi_669_: type_35;
-    var phi_735_: bool;
+    var phi_627_: bool;
+    var phi_631_: type_6;
+    var phi_637_: bool;
+    var phi_644_: type_36;
+    var phi_647_: u32;
+    var phi_645_: type_36;
+    var phi_670_: type_36;
     var phi_736_: bool;
     var phi_737_: bool;
-    var phi_741_: bool;
-    var phi_759_: u32;
+    var phi_738_: bool;
+    var phi_742_: bool;
     var phi_760_: u32;
     var phi_761_: u32;
-    var phi_647_: u32;
-    var phi_764_: type_35;
-    var phi_767_: u32;
-    var phi_765_: type_35;
-    var phi_790_: type_35;
-    var phi_936_: bool;
+    var phi_762_: u32;
+    var phi_648_: u32;
+    var phi_765_: type_36;
+    var phi_768_: u32;
+    var phi_766_: type_36;
+    var phi_791_: type_36;
     var phi_937_: bool;
     var phi_938_: bool;
     var phi_939_: bool;
     var phi_940_: bool;
-    var phi_944_: bool;
-    var phi_900_: bool;
+    var phi_941_: bool;
+    var phi_945_: bool;
     var phi_901_: bool;
     var phi_902_: bool;
-    var phi_906_: bool;
-    var phi_945_: bool;
-    var phi_949_: bool;
+    var phi_903_: bool;
+    var phi_907_: bool;
+    var phi_946_: bool;
     var phi_950_: bool;
-    var phi_996_: bool;
-    var phi_1006_: bool;
+    var phi_951_: bool;
+    var phi_997_: bool;
     var phi_1007_: bool;
-    var phi_1011_: bool;
+    var phi_1008_: bool;
     var phi_1012_: bool;
-    var phi_1061_: type_35;
-    var phi_1064_: bool;
-    var phi_1062_: type_35;
-    var phi_1087_: type_35;
-    var phi_1144_: type_35;
-    var phi_1147_: array<u32, 2>;
-    var phi_1145_: type_35;
-    var phi_1170_: type_35;
-    var phi_1245_: bool;
-    var phi_1246_: bool;
-    var phi_1250_: array<u32, 2>;
+    var phi_1013_: bool;
+    var phi_1062_: type_36;
+    var phi_1065_: bool;
+    var phi_1063_: type_36;
+    var phi_1088_: type_36;
+    var phi_1145_: type_36;
     var phi_1148_: array<u32, 2>;
-    var phi_1301_: type_35;
-    var phi_1304_: array<u32, 2>;
-    var phi_1302_: type_35;
-    var phi_1327_: type_35;
-    var phi_1403_: bool;
-    var phi_1404_: bool;
-    var phi_1408_: array<u32, 2>;
+    var phi_1146_: type_36;
+    var phi_1171_: type_36;
+    var phi_1246_: bool;
+    var phi_1247_: bool;
+    var phi_1251_: array<u32, 2>;
+    var phi_1149_: array<u32, 2>;
+    var phi_1302_: type_36;
     var phi_1305_: array<u32, 2>;
+    var phi_1303_: type_36;
+    var phi_1328_: type_36;
+    var phi_1404_: bool;
+    var phi_1405_: bool;
+    var phi_1409_: array<u32, 2>;
+    var phi_1306_: array<u32, 2>;
     var local_20: array<u32, 2>;
     var local_21: array<u32, 2>;
     var local_22: array<u32, 2>;
     var local_23: array<u32, 2>;
     var local_24: array<u32, 2>;
     var local_25: array<u32, 2>;
-    var phi_1424_: bool;
     var phi_1425_: bool;
-    var phi_1476_: type_35;
-    var phi_1479_: array<u32, 2>;
-    var phi_1477_: type_35;
-    var phi_1502_: type_35;
-    var phi_1577_: bool;
-    var phi_1578_: bool;
-    var phi_1582_: array<u32, 2>;
+    var phi_1426_: bool;
+    var phi_1477_: type_36;
     var phi_1480_: array<u32, 2>;
-    var phi_1633_: type_35;
-    var phi_1636_: array<u32, 2>;
-    var phi_1634_: type_35;
-    var phi_1659_: type_35;
-    var phi_1735_: bool;
-    var phi_1736_: bool;
-    var phi_1740_: array<u32, 2>;
+    var phi_1478_: type_36;
+    var phi_1503_: type_36;
+    var phi_1578_: bool;
+    var phi_1579_: bool;
+    var phi_1583_: array<u32, 2>;
+    var phi_1481_: array<u32, 2>;
+    var phi_1634_: type_36;
     var phi_1637_: array<u32, 2>;
+    var phi_1635_: type_36;
+    var phi_1660_: type_36;
+    var phi_1736_: bool;
+    var phi_1737_: bool;
+    var phi_1741_: array<u32, 2>;
+    var phi_1638_: array<u32, 2>;
     var local_26: array<u32, 2>;
     var local_27: array<u32, 2>;
     var local_28: array<u32, 2>;
     var local_29: array<u32, 2>;
     var local_30: array<u32, 2>;
     var local_31: array<u32, 2>;
-    var phi_1756_: bool;
     var phi_1757_: bool;
-    var phi_1065_: bool;
-    var phi_1761_: bool;
+    var phi_1758_: bool;
+    var phi_1066_: bool;
     var phi_1762_: bool;
     var phi_1763_: bool;
-    var phi_1767_: bool;
+    var phi_1764_: bool;
     var phi_1768_: bool;
     var phi_1769_: bool;
     var phi_1770_: bool;
     var phi_1771_: bool;
-    var phi_1775_: bool;
-    var phi_1795_: type_35;
-    var phi_1800_: type_35;
-    var phi_1822_: u32;
-    var phi_1823_: bool;
-    var phi_768_: u32;
+    var phi_1772_: bool;
+    var phi_1776_: bool;
+    var phi_1796_: type_36;
+    var phi_1801_: type_36;
+    var phi_1823_: u32;
     var phi_1824_: bool;
-    var phi_1831_: u32;
-    var phi_1834_: type_35;
-    var phi_1835_: type_35;
-    var phi_1858_: type_35;
-    var phi_2012_: bool;
+    var phi_769_: u32;
+    var phi_1825_: bool;
+    var phi_1832_: u32;
+    var phi_1835_: type_36;
+    var phi_1836_: type_36;
+    var phi_1859_: type_36;
     var phi_2013_: bool;
     var phi_2014_: bool;
     var phi_2015_: bool;
     var phi_2016_: bool;
-    var phi_2020_: bool;
-    var phi_1976_: bool;
+    var phi_2017_: bool;
+    var phi_2021_: bool;
     var phi_1977_: bool;
     var phi_1978_: bool;
-    var phi_1982_: bool;
-    var phi_2021_: bool;
-    var phi_2025_: bool;
+    var phi_1979_: bool;
+    var phi_1983_: bool;
+    var phi_2022_: bool;
     var phi_2026_: bool;
-    var phi_2072_: bool;
-    var phi_2082_: bool;
+    var phi_2027_: bool;
+    var phi_2073_: bool;
     var phi_2083_: bool;
-    var phi_2087_: bool;
+    var phi_2084_: bool;
     var phi_2088_: bool;
-    var phi_2137_: type_35;
-    var phi_2140_: bool;
-    var phi_2138_: type_35;
-    var phi_2163_: type_35;
-    var phi_2220_: type_35;
-    var phi_2223_: array<u32, 2>;
-    var phi_2221_: type_35;
-    var phi_2246_: type_35;
-    var phi_2321_: bool;
-    var phi_2322_: bool;
-    var phi_2326_: array<u32, 2>;
+    var phi_2089_: bool;
+    var phi_2138_: type_36;
+    var phi_2141_: bool;
+    var phi_2139_: type_36;
+    var phi_2164_: type_36;
+    var phi_2221_: type_36;
     var phi_2224_: array<u32, 2>;
-    var phi_2377_: type_35;
-    var phi_2380_: array<u32, 2>;
-    var phi_2378_: type_35;
-    var phi_2403_: type_35;
-    var phi_2479_: bool;
-    var phi_2480_: bool;
-    var phi_2484_: array<u32, 2>;
+    var phi_2222_: type_36;
+    var phi_2247_: type_36;
+    var phi_2322_: bool;
+    var phi_2323_: bool;
+    var phi_2327_: array<u32, 2>;
+    var phi_2225_: array<u32, 2>;
+    var phi_2378_: type_36;
     var phi_2381_: array<u32, 2>;
+    var phi_2379_: type_36;
+    var phi_2404_: type_36;
+    var phi_2480_: bool;
+    var phi_2481_: bool;
+    var phi_2485_: array<u32, 2>;
+    var phi_2382_: array<u32, 2>;
     var local_32: array<u32, 2>;
     var local_33: array<u32, 2>;
     var local_34: array<u32, 2>;
     var local_35: array<u32, 2>;
     var local_36: array<u32, 2>;
     var local_37: array<u32, 2>;
-    var phi_2500_: bool;
     var phi_2501_: bool;
-    var phi_2552_: type_35;
-    var phi_2555_: array<u32, 2>;
-    var phi_2553_: type_35;
-    var phi_2578_: type_35;
-    var phi_2653_: bool;
-    var phi_2654_: bool;
-    var phi_2658_: array<u32, 2>;
+    var phi_2502_: bool;
+    var phi_2553_: type_36;
     var phi_2556_: array<u32, 2>;
-    var phi_2709_: type_35;
-    var phi_2712_: array<u32, 2>;
-    var phi_2710_: type_35;
-    var phi_2735_: type_35;
-    var phi_2811_: bool;
-    var phi_2812_: bool;
-    var phi_2816_: array<u32, 2>;
+    var phi_2554_: type_36;
+    var phi_2579_: type_36;
+    var phi_2654_: bool;
+    var phi_2655_: bool;
+    var phi_2659_: array<u32, 2>;
+    var phi_2557_: array<u32, 2>;
+    var phi_2710_: type_36;
     var phi_2713_: array<u32, 2>;
+    var phi_2711_: type_36;
+    var phi_2736_: type_36;
+    var phi_2812_: bool;
+    var phi_2813_: bool;
+    var phi_2817_: array<u32, 2>;
+    var phi_2714_: array<u32, 2>;
     var local_38: array<u32, 2>;
     var local_39: array<u32, 2>;
     var local_40: array<u32, 2>;
     var local_41: array<u32, 2>;
     var local_42: array<u32, 2>;
     var local_43: array<u32, 2>;
-    var phi_2832_: bool;
     var phi_2833_: bool;
-    var phi_2141_: bool;
-    var phi_2837_: bool;
+    var phi_2834_: bool;
+    var phi_2142_: bool;
     var phi_2838_: bool;
     var phi_2839_: bool;
-    var phi_2843_: bool;
+    var phi_2840_: bool;
     var phi_2844_: bool;
     var phi_2845_: bool;
     var phi_2846_: bool;
     var phi_2847_: bool;
-    var phi_2851_: bool;
-    var phi_2866_: bool;
+    var phi_2848_: bool;
+    var phi_2852_: bool;
     var phi_2867_: bool;
-    var phi_2899_: type_35;
-    var phi_2900_: type_35;
-    var phi_2923_: type_35;
-    var phi_2946_: u32;
-    var phi_3000_: type_35;
-    var phi_3005_: type_35;
-    var phi_3021_: bool;
+    var phi_2868_: bool;
+    var phi_2900_: type_36;
+    var phi_2901_: type_36;
+    var phi_2924_: type_36;
+    var phi_2947_: u32;
+    var phi_3001_: type_36;
+    var phi_3006_: type_36;
     var phi_3022_: bool;
+    var phi_3023_: bool;
     var local_44: u32;
     var local_45: bool;
     var local_46: bool;
@@ -331,20 +333,20 @@ fn function_() {
     let _e100 = params.member.member_15;
     let _e102 = input.member[0u];
     if (_e100 < _e102) {
-        phi_183_ = _e100;
+        phi_184_ = _e100;
     } else {
-        phi_183_ = _e102;
+        phi_184_ = _e102;
     }
-    let _e105 = phi_183_;
+    let _e105 = phi_184_;
     let _e106 = (_e83 / 32u);
     let _e107 = (_e83 % 32u);
     let _e109 = params.member.member_8;
     if (_e109 == 0u) {
-        phi_194_ = array<u32, 2>(0u, 2u);
+        phi_195_ = array<u32, 2>(0u, 2u);
     } else {
-        phi_194_ = array<u32, 2>(1u, 1u);
+        phi_195_ = array<u32, 2>(1u, 1u);
     }
-    let _e112 = phi_194_;
+    let _e112 = phi_195_;
     let _e116 = params.member.member_12;
     if (_e105 > _e116) {
         let _e119 = params.member.member_12;
@@ -358,30 +360,30 @@ fn function_() {
             return;
         }
         if ((_e120 % _e122) > 0u) {
-            phi_223_ = (_e124 + 1u);
+            phi_224_ = (_e124 + 1u);
         } else {
-            phi_223_ = _e124;
+            phi_224_ = _e124;
         }
-        let _e130 = phi_223_;
-        phi_224_ = _e130;
+        let _e130 = phi_224_;
+        phi_225_ = _e130;
     } else {
-        phi_224_ = 0u;
+        phi_225_ = 0u;
     }
-    let _e132 = phi_224_;
+    let _e132 = phi_225_;
     let _e134 = params.member.member_14;
     if (_e134 < _e132) {
-        phi_231_ = _e134;
+        phi_232_ = _e134;
     } else {
-        phi_231_ = _e132;
+        phi_232_ = _e132;
     }
-    let _e137 = phi_231_;
+    let _e137 = phi_232_;
     let _e138 = (_e137 / 4u);
     if ((_e137 % 4u) > 0u) {
-        phi_247_ = (_e138 + 1u);
+        phi_248_ = (_e138 + 1u);
     } else {
-        phi_247_ = _e138;
+        phi_248_ = _e138;
     }
-    let _e143 = phi_247_;
+    let _e143 = phi_248_;
     if (_e143 > _e95) {
         let _e145 = (_e143 - _e95);
         if (_e98 == 0u) {
@@ -392,28 +394,28 @@ fn function_() {
             return;
         }
         if ((_e145 % _e98) > 0u) {
-            phi_268_ = (_e147 + 1u);
+            phi_269_ = (_e147 + 1u);
         } else {
-            phi_268_ = _e147;
+            phi_269_ = _e147;
         }
-        let _e153 = phi_268_;
-        phi_269_ = _e153;
+        let _e153 = phi_269_;
+        phi_270_ = _e153;
     } else {
-        phi_269_ = 0u;
+        phi_270_ = 0u;
     }
-    let _e155 = phi_269_;
-    phi_272_ = type_35(0u, _e155);
+    let _e155 = phi_270_;
+    phi_273_ = type_36(0u, _e155);
     loop {
-        let _e158 = phi_272_;
+        let _e158 = phi_273_;
         if (_e158.member < _e158.member_1) {
-            phi_273_ = type_35((_e158.member + 1u), _e158.member_1);
-            phi_296_ = type_35(1u, _e158.member);
+            phi_274_ = type_36((_e158.member + 1u), _e158.member_1);
+            phi_297_ = type_36(1u, _e158.member);
         } else {
-            phi_273_ = _e158;
-            phi_296_ = type_35(0u, type_35().member_1);
+            phi_274_ = _e158;
+            phi_297_ = type_36(0u, type_36().member_1);
         }
-        let _e172 = phi_273_;
-        let _e174 = phi_296_;
+        let _e172 = phi_274_;
+        let _e174 = phi_297_;
         let _e178 = (bitcast<i32>(_e174.member) != 0i);
         if _e178 {
             let _e182 = (((_e95 + (_e174.member_1 * _e98)) * 4u) + _e106);
@@ -430,32 +432,32 @@ fn function_() {
                     return;
                 }
                 if ((_e188 % _e190) > 0u) {
-                    phi_334_ = (_e192 + 1u);
+                    phi_335_ = (_e192 + 1u);
                 } else {
-                    phi_334_ = _e192;
+                    phi_335_ = _e192;
                 }
-                let _e198 = phi_334_;
-                phi_335_ = _e198;
+                let _e198 = phi_335_;
+                phi_336_ = _e198;
             } else {
-                phi_335_ = 0u;
+                phi_336_ = 0u;
             }
-            let _e200 = phi_335_;
+            let _e200 = phi_336_;
             let _e202 = params.member.member_14;
             if (_e202 < _e200) {
-                phi_342_ = _e202;
+                phi_343_ = _e202;
             } else {
-                phi_342_ = _e200;
+                phi_343_ = _e200;
             }
-            let _e205 = phi_342_;
+            let _e205 = phi_343_;
             let _e206 = (_e182 < _e205);
             let _e208 = params.member.member_12;
             if _e206 {
                 let _e210 = params.member.member_13;
-                phi_352_ = (_e182 * _e210);
+                phi_353_ = (_e182 * _e210);
             } else {
-                phi_352_ = 0u;
+                phi_353_ = 0u;
             }
-            let _e213 = phi_352_;
+            let _e213 = phi_353_;
             let _e215 = (2u * (_e208 + _e213));
             let _e218 = input.member[(4u + _e215)];
             let _e221 = input.member[(_e215 + 5u)];
@@ -467,13 +469,13 @@ fn function_() {
             } else {
                 return;
             }
-            let _e229 = params.member.member_18[0u][_e112[0]];
+            let _e229 = params.member.member_20[0u][_e112[0]];
             let _e230 = (_e229 + (_e218 * 32u));
             if (_e112[1] < 4u) {
             } else {
                 return;
             }
-            let _e236 = params.member.member_18[0u][_e112[1]];
+            let _e236 = params.member.member_20[0u][_e112[1]];
             let _e237 = (_e236 + (_e221 * 32u));
             if (_e107 == 0u) {
                 firsts[(2u * _e106)] = _e230;
@@ -481,11 +483,11 @@ fn function_() {
             }
             let _e245 = params.member.member_8;
             if (_e245 == 0u) {
-                phi_431_ = array<u32, 2>(0u, 2u);
+                phi_432_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_431_ = array<u32, 2>(1u, 1u);
+                phi_432_ = array<u32, 2>(1u, 1u);
             }
-            let _e248 = phi_431_;
+            let _e248 = phi_432_;
             let _e251 = (_e83 / 32u);
             let _e252 = (_e83 % 32u);
             let _e254 = params.member.member_9;
@@ -497,7 +499,7 @@ fn function_() {
             } else {
                 return;
             }
-            let _e260 = params.member.member_18[_e254][_e248[0]];
+            let _e260 = params.member.member_20[_e254][_e248[0]];
             let _e263 = nodes.member[(_e260 + _e218)];
             let _e265 = params.member.member_9;
             if (_e265 < 8u) {
@@ -508,7 +510,7 @@ fn function_() {
             } else {
                 return;
             }
-            let _e271 = params.member.member_18[_e265][_e248[1]];
+            let _e271 = params.member.member_20[_e265][_e248[1]];
             let _e274 = nodes.member[(_e271 + _e221)];
             let _e276 = params.member.member_9;
             let _e277 = (_e276 - 1u);
@@ -520,7 +522,7 @@ fn function_() {
             } else {
                 return;
             }
-            let _e285 = params.member.member_18[_e277][_e248[0]];
+            let _e285 = params.member.member_20[_e277][_e248[0]];
             let _e288 = nodes.member[(_e285 + ((_e218 * 32u) + _e252))];
             let _e290 = params.member.member_9;
             let _e291 = (_e290 - 1u);
@@ -532,7 +534,7 @@ fn function_() {
             } else {
                 return;
             }
-            let _e299 = params.member.member_18[_e291][_e248[1]];
+            let _e299 = params.member.member_20[_e291][_e248[1]];
             let _e302 = nodes.member[(_e299 + ((_e221 * 32u) + _e252))];
             if _e206 {
                 if ((((((_e302.member[0] <= _e263.member_1[0]) && (_e263.member[0] <= _e302.member_1[0])) && (_e302.member[1] <= _e263.member_1[1])) && (_e263.member[1] <= _e302.member_1[1])) && (_e302.member[2] <= _e263.member_1[2])) && (_e263.member[2] <= _e302.member_1[2])) {
@@ -545,46 +547,46 @@ fn function_() {
             workgroupBarrier();
             if _e206 {
                 if ((((((_e288.member[0] <= _e274.member_1[0]) && (_e274.member[0] <= _e288.member_1[0])) && (_e288.member[1] <= _e274.member_1[1])) && (_e274.member[1] <= _e288.member_1[1])) && (_e288.member[2] <= _e274.member_1[2])) && (_e274.member[2] <= _e288.member_1[2])) {
-                    phi_625_ = false;
+                    phi_626_ = false;
                 } else {
-                    phi_625_ = true;
+                    phi_626_ = true;
                 }
-                let _e391 = phi_625_;
-                phi_626_ = _e391;
+                let _e391 = phi_626_;
+                phi_627_ = _e391;
             } else {
-                phi_626_ = true;
+                phi_627_ = true;
             }
-            let _e393 = phi_626_;
+            let _e393 = phi_627_;
             if _e393 {
-                phi_630_ = type_6(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_631_ = type_6(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_630_ = _e288;
+                phi_631_ = _e288;
             }
-            let _e395 = phi_630_;
+            let _e395 = phi_631_;
             if (_e112[0] == _e112[1]) {
-                phi_636_ = (_e218 == _e221);
+                phi_637_ = (_e218 == _e221);
             } else {
-                phi_636_ = false;
+                phi_637_ = false;
             }
-            let _e399 = phi_636_;
+            let _e399 = phi_637_;
             let _e400 = (_e83 / 32u);
             let _e401 = (_e83 % 32u);
             let _e403 = atomicLoad((&counters[_e400]));
-            phi_643_ = type_35(0u, _e403);
-            phi_646_ = 0u;
+            phi_644_ = type_36(0u, _e403);
+            phi_647_ = 0u;
             loop {
-                let _e406 = phi_643_;
-                let _e408 = phi_646_;
+                let _e406 = phi_644_;
+                let _e408 = phi_647_;
                 local_44 = _e408;
                 if (_e406.member < _e406.member_1) {
-                    phi_644_ = type_35((_e406.member + 1u), _e406.member_1);
-                    phi_669_ = type_35(1u, _e406.member);
+                    phi_645_ = type_36((_e406.member + 1u), _e406.member_1);
+                    phi_670_ = type_36(1u, _e406.member);
                 } else {
-                    phi_644_ = _e406;
-                    phi_669_ = type_35(0u, type_35().member_1);
+                    phi_645_ = _e406;
+                    phi_670_ = type_36(0u, type_36().member_1);
                 }
-                let _e422 = phi_644_;
-                let _e424 = phi_669_;
+                let _e422 = phi_645_;
+                let _e424 = phi_670_;
                 let _e428 = (bitcast<i32>(_e424.member) != 0i);
                 if _e428 {
                     let _e432 = names[((_e400 * 32u) + _e424.member_1)];
@@ -593,83 +595,83 @@ fn function_() {
                         if _e399 {
                             let _e468 = (_e401 < _e432);
                             if _e468 {
-                                phi_735_ = bool();
+                                phi_736_ = bool();
                             } else {
-                                phi_735_ = false;
+                                phi_736_ = false;
                             }
-                            let _e470 = phi_735_;
-                            phi_736_ = _e470;
-                            phi_737_ = _e468;
+                            let _e470 = phi_736_;
+                            phi_737_ = _e470;
+                            phi_738_ = _e468;
                         } else {
-                            phi_736_ = bool();
-                            phi_737_ = true;
+                            phi_737_ = bool();
+                            phi_738_ = true;
                         }
-                        let _e472 = phi_736_;
-                        let _e474 = phi_737_;
+                        let _e472 = phi_737_;
+                        let _e474 = phi_738_;
                         if _e474 {
-                            phi_741_ = true;
+                            phi_742_ = true;
                         } else {
-                            phi_741_ = _e472;
+                            phi_742_ = _e472;
                         }
-                        let _e476 = phi_741_;
+                        let _e476 = phi_742_;
                         if _e476 {
                             let _e478 = atomicAdd((&counters[4u]), 1u);
                             if (_e478 < 2048u) {
                                 hits[_e478] = (((_e400 << bitcast<u32>(10i)) | (_e401 << bitcast<u32>(5i))) | _e432);
-                                phi_759_ = _e408;
+                                phi_760_ = _e408;
                             } else {
-                                phi_759_ = (_e408 | (1u << bitcast<u32>((_e424.member_1 & 31u))));
+                                phi_760_ = (_e408 | (1u << bitcast<u32>((_e424.member_1 & 31u))));
                             }
-                            let _e492 = phi_759_;
-                            phi_760_ = _e492;
+                            let _e492 = phi_760_;
+                            phi_761_ = _e492;
                         } else {
-                            phi_760_ = _e408;
+                            phi_761_ = _e408;
                         }
-                        let _e494 = phi_760_;
-                        phi_761_ = _e494;
+                        let _e494 = phi_761_;
+                        phi_762_ = _e494;
                     } else {
-                        phi_761_ = _e408;
+                        phi_762_ = _e408;
                     }
-                    let _e496 = phi_761_;
-                    phi_647_ = _e496;
+                    let _e496 = phi_762_;
+                    phi_648_ = _e496;
                 } else {
-                    phi_647_ = u32();
+                    phi_648_ = u32();
                 }
-                let _e498 = phi_647_;
+                let _e498 = phi_648_;
                 continue;
                 continuing {
-                    phi_643_ = _e422;
-                    phi_646_ = _e498;
+                    phi_644_ = _e422;
+                    phi_647_ = _e498;
                     break if !(_e428);
                 }
             }
-            phi_764_ = type_35(0u, 32u);
+            phi_765_ = type_36(0u, 32u);
             let _e2230 = local_44;
-            phi_767_ = _e2230;
+            phi_768_ = _e2230;
             loop {
-                let _e501 = phi_764_;
-                let _e503 = phi_767_;
+                let _e501 = phi_765_;
+                let _e503 = phi_768_;
                 if (_e501.member < _e501.member_1) {
-                    phi_765_ = type_35((_e501.member + 1u), _e501.member_1);
-                    phi_790_ = type_35(1u, _e501.member);
+                    phi_766_ = type_36((_e501.member + 1u), _e501.member_1);
+                    phi_791_ = type_36(1u, _e501.member);
                 } else {
-                    phi_765_ = _e501;
-                    phi_790_ = type_35(0u, type_35().member_1);
+                    phi_766_ = _e501;
+                    phi_791_ = type_36(0u, type_36().member_1);
                 }
-                let _e517 = phi_765_;
-                let _e519 = phi_790_;
+                let _e517 = phi_766_;
+                let _e519 = phi_791_;
                 if (bitcast<i32>(_e519.member) != 0i) {
                     if (_e503 == 0u) {
-                        phi_1822_ = u32();
-                        phi_1823_ = false;
+                        phi_1823_ = u32();
+                        phi_1824_ = false;
                     } else {
                         let _e530 = names[((_e106 * 32u) + select(firstTrailingBit(_e503), 32u, (_e503 == 0u)))];
                         let _e533 = (_e230 + _e107);
                         let _e534 = (_e237 + _e530);
                         let _e536 = leaves.member[_e533];
                         let _e538 = leaves.member[_e534];
-                        local_16 = type_23(array<u32, 3>(_e536.member[0], _e536.member[1], _e536.member[2]), _e536.member_1);
-                        local_17 = type_23(array<u32, 3>(_e538.member[0], _e538.member[1], _e538.member[2]), _e538.member_1);
+                        local_16 = type_24(array<u32, 3>(_e536.member[0], _e536.member[1], _e536.member[2]), _e536.member_1);
+                        local_17 = type_24(array<u32, 3>(_e538.member[0], _e538.member[1], _e538.member[2]), _e538.member_1);
                         let _e554 = nodes.member[_e533];
                         let _e556 = nodes.member[_e534];
                         let _e558 = params.member.member_1;
@@ -679,86 +681,86 @@ fn function_() {
                                 let _e606 = local_16.member[0u];
                                 let _e609 = local_17.member[0u];
                                 if (_e606 == _e609) {
-                                    phi_901_ = bool();
-                                    phi_902_ = true;
+                                    phi_902_ = bool();
+                                    phi_903_ = true;
                                 } else {
                                     let _e613 = local_16.member[0u];
                                     let _e616 = local_17.member[1u];
                                     let _e617 = (_e613 == _e616);
                                     if _e617 {
-                                        phi_900_ = bool();
+                                        phi_901_ = bool();
                                     } else {
                                         let _e620 = local_16.member[0u];
                                         let _e623 = local_17.member[2u];
-                                        phi_900_ = (_e620 == _e623);
+                                        phi_901_ = (_e620 == _e623);
                                     }
-                                    let _e626 = phi_900_;
-                                    phi_901_ = _e626;
-                                    phi_902_ = _e617;
+                                    let _e626 = phi_901_;
+                                    phi_902_ = _e626;
+                                    phi_903_ = _e617;
                                 }
-                                let _e628 = phi_901_;
-                                let _e630 = phi_902_;
+                                let _e628 = phi_902_;
+                                let _e630 = phi_903_;
                                 if _e630 {
-                                    phi_906_ = true;
+                                    phi_907_ = true;
                                 } else {
-                                    phi_906_ = _e628;
+                                    phi_907_ = _e628;
                                 }
-                                let _e632 = phi_906_;
-                                phi_945_ = _e632;
+                                let _e632 = phi_907_;
+                                phi_946_ = _e632;
                             } else {
                                 let _e566 = local_16.member[0u];
                                 let _e569 = local_17.member[0u];
                                 if (_e566 == _e569) {
-                                    phi_939_ = bool();
-                                    phi_940_ = true;
+                                    phi_940_ = bool();
+                                    phi_941_ = true;
                                 } else {
                                     let _e573 = local_16.member[0u];
                                     let _e576 = local_17.member[1u];
                                     if (_e573 == _e576) {
-                                        phi_937_ = bool();
-                                        phi_938_ = true;
+                                        phi_938_ = bool();
+                                        phi_939_ = true;
                                     } else {
                                         let _e580 = local_16.member[1u];
                                         let _e583 = local_17.member[0u];
                                         let _e584 = (_e580 == _e583);
                                         if _e584 {
-                                            phi_936_ = bool();
+                                            phi_937_ = bool();
                                         } else {
                                             let _e587 = local_16.member[1u];
                                             let _e590 = local_17.member[1u];
-                                            phi_936_ = (_e587 == _e590);
+                                            phi_937_ = (_e587 == _e590);
                                         }
-                                        let _e593 = phi_936_;
-                                        phi_937_ = _e593;
-                                        phi_938_ = _e584;
+                                        let _e593 = phi_937_;
+                                        phi_938_ = _e593;
+                                        phi_939_ = _e584;
                                     }
-                                    let _e595 = phi_937_;
-                                    let _e597 = phi_938_;
-                                    phi_939_ = _e595;
-                                    phi_940_ = _e597;
+                                    let _e595 = phi_938_;
+                                    let _e597 = phi_939_;
+                                    phi_940_ = _e595;
+                                    phi_941_ = _e597;
                                 }
-                                let _e599 = phi_939_;
-                                let _e601 = phi_940_;
+                                let _e599 = phi_940_;
+                                let _e601 = phi_941_;
                                 if _e601 {
-                                    phi_944_ = true;
+                                    phi_945_ = true;
                                 } else {
-                                    phi_944_ = _e599;
+                                    phi_945_ = _e599;
                                 }
-                                let _e603 = phi_944_;
-                                phi_945_ = _e603;
+                                let _e603 = phi_945_;
+                                phi_946_ = _e603;
                             }
-                            let _e634 = phi_945_;
+                            let _e634 = phi_946_;
                             if _e634 {
-                                phi_949_ = false;
+                                phi_950_ = false;
                             } else {
-                                phi_949_ = true;
+                                phi_950_ = true;
                             }
-                            let _e636 = phi_949_;
-                            phi_950_ = _e636;
+                            let _e636 = phi_950_;
+                            phi_951_ = _e636;
                         } else {
-                            phi_950_ = true;
+                            phi_951_ = true;
                         }
-                        let _e638 = phi_950_;
+                        let _e638 = phi_951_;
                         if _e638 {
                             let _e640 = params.member.member_1;
                             if ((_e640 & 2u) != 0u) {
@@ -768,57 +770,57 @@ fn function_() {
                                 let _e652 = bodies.member[_e650];
                                 if ((_e647 / 2u) == (_e652 / 2u)) {
                                     let _e657 = params.member.member_1;
-                                    phi_996_ = !(((_e657 & 4u) != 0u));
+                                    phi_997_ = !(((_e657 & 4u) != 0u));
                                 } else {
-                                    phi_996_ = false;
+                                    phi_997_ = false;
                                 }
-                                let _e662 = phi_996_;
+                                let _e662 = phi_997_;
                                 if _e662 {
-                                    phi_1007_ = true;
+                                    phi_1008_ = true;
                                 } else {
                                     if (((_e647 & _e652) & 1u) == 0u) {
-                                        phi_1006_ = false;
+                                        phi_1007_ = false;
                                     } else {
-                                        phi_1006_ = true;
+                                        phi_1007_ = true;
                                     }
-                                    let _e667 = phi_1006_;
-                                    phi_1007_ = _e667;
+                                    let _e667 = phi_1007_;
+                                    phi_1008_ = _e667;
                                 }
-                                let _e669 = phi_1007_;
+                                let _e669 = phi_1008_;
                                 if _e669 {
-                                    phi_1011_ = false;
+                                    phi_1012_ = false;
                                 } else {
-                                    phi_1011_ = true;
+                                    phi_1012_ = true;
                                 }
-                                let _e671 = phi_1011_;
-                                phi_1012_ = _e671;
+                                let _e671 = phi_1012_;
+                                phi_1013_ = _e671;
                             } else {
-                                phi_1012_ = true;
+                                phi_1013_ = true;
                             }
-                            let _e673 = phi_1012_;
+                            let _e673 = phi_1013_;
                             if _e673 {
                                 let _e675 = params.member.member_1;
                                 if ((_e675 & 32u) != 0u) {
                                     let _e679 = params.member.member_6;
                                     let _e720 = (((((((_e554.member_1[0] - _e556.member[0]) > _e679) && ((_e556.member_1[0] - _e554.member[0]) > _e679)) && ((_e554.member_1[1] - _e556.member[1]) > _e679)) && ((_e556.member_1[1] - _e554.member[1]) > _e679)) && ((_e554.member_1[2] - _e556.member[2]) > _e679)) && ((_e556.member_1[2] - _e554.member[2]) > _e679));
                                     if _e720 {
-                                        phi_1761_ = bool();
+                                        phi_1762_ = bool();
                                     } else {
-                                        phi_1061_ = type_35(0u, 3u);
-                                        phi_1064_ = true;
+                                        phi_1062_ = type_36(0u, 3u);
+                                        phi_1065_ = true;
                                         loop {
-                                            let _e724 = phi_1061_;
-                                            let _e726 = phi_1064_;
+                                            let _e724 = phi_1062_;
+                                            let _e726 = phi_1065_;
                                             local_45 = _e726;
                                             if (_e724.member < _e724.member_1) {
-                                                phi_1062_ = type_35((_e724.member + 1u), _e724.member_1);
-                                                phi_1087_ = type_35(1u, _e724.member);
+                                                phi_1063_ = type_36((_e724.member + 1u), _e724.member_1);
+                                                phi_1088_ = type_36(1u, _e724.member);
                                             } else {
-                                                phi_1062_ = _e724;
-                                                phi_1087_ = type_35(0u, type_35().member_1);
+                                                phi_1063_ = _e724;
+                                                phi_1088_ = type_36(0u, type_36().member_1);
                                             }
-                                            let _e740 = phi_1062_;
-                                            let _e742 = phi_1087_;
+                                            let _e740 = phi_1063_;
+                                            let _e742 = phi_1088_;
                                             let _e746 = (bitcast<i32>(_e742.member) != 0i);
                                             if _e746 {
                                                 let _e748 = local_16.member[0u];
@@ -829,23 +831,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e778 = local_14[_e742.member_1];
-                                                phi_1144_ = type_35(1u, 3u);
-                                                phi_1147_ = array<u32, 2>(_e778[0], _e778[1]);
+                                                phi_1145_ = type_36(1u, 3u);
+                                                phi_1148_ = array<u32, 2>(_e778[0], _e778[1]);
                                                 loop {
-                                                    let _e783 = phi_1144_;
-                                                    let _e785 = phi_1147_;
+                                                    let _e783 = phi_1145_;
+                                                    let _e785 = phi_1148_;
                                                     local_20 = _e785;
                                                     local_22 = _e785;
                                                     local_24 = _e785;
                                                     if (_e783.member < _e783.member_1) {
-                                                        phi_1145_ = type_35((_e783.member + 1u), _e783.member_1);
-                                                        phi_1170_ = type_35(1u, _e783.member);
+                                                        phi_1146_ = type_36((_e783.member + 1u), _e783.member_1);
+                                                        phi_1171_ = type_36(1u, _e783.member);
                                                     } else {
-                                                        phi_1145_ = _e783;
-                                                        phi_1170_ = type_35(0u, type_35().member_1);
+                                                        phi_1146_ = _e783;
+                                                        phi_1171_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e799 = phi_1145_;
-                                                    let _e801 = phi_1170_;
+                                                    let _e799 = phi_1146_;
+                                                    let _e801 = phi_1171_;
                                                     let _e805 = (bitcast<i32>(_e801.member) != 0i);
                                                     if _e805 {
                                                         if (_e801.member_1 < 3u) {
@@ -861,32 +863,32 @@ fn function_() {
                                                         }
                                                         let _e838 = local_15[_e742.member_1];
                                                         if (_e785[1] > _e838[1]) {
-                                                            phi_1246_ = true;
+                                                            phi_1247_ = true;
                                                         } else {
                                                             if (_e785[1] == _e838[1]) {
-                                                                phi_1245_ = (_e785[0] > _e838[0]);
+                                                                phi_1246_ = (_e785[0] > _e838[0]);
                                                             } else {
-                                                                phi_1245_ = false;
+                                                                phi_1246_ = false;
                                                             }
-                                                            let _e849 = phi_1245_;
-                                                            phi_1246_ = _e849;
+                                                            let _e849 = phi_1246_;
+                                                            phi_1247_ = _e849;
                                                         }
-                                                        let _e851 = phi_1246_;
+                                                        let _e851 = phi_1247_;
                                                         if _e851 {
-                                                            phi_1250_ = array<u32, 2>(_e838[0], _e838[1]);
+                                                            phi_1251_ = array<u32, 2>(_e838[0], _e838[1]);
                                                         } else {
-                                                            phi_1250_ = _e785;
+                                                            phi_1251_ = _e785;
                                                         }
-                                                        let _e853 = phi_1250_;
-                                                        phi_1148_ = _e853;
+                                                        let _e853 = phi_1251_;
+                                                        phi_1149_ = _e853;
                                                     } else {
-                                                        phi_1148_ = array<u32, 2>();
+                                                        phi_1149_ = array<u32, 2>();
                                                     }
-                                                    let _e855 = phi_1148_;
+                                                    let _e855 = phi_1149_;
                                                     continue;
                                                     continuing {
-                                                        phi_1144_ = _e799;
-                                                        phi_1147_ = _e855;
+                                                        phi_1145_ = _e799;
+                                                        phi_1148_ = _e855;
                                                         break if !(_e805);
                                                     }
                                                 }
@@ -899,23 +901,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e889 = local_12[_e886];
-                                                phi_1301_ = type_35(1u, 3u);
-                                                phi_1304_ = array<u32, 2>(_e889[0], _e889[1]);
+                                                phi_1302_ = type_36(1u, 3u);
+                                                phi_1305_ = array<u32, 2>(_e889[0], _e889[1]);
                                                 loop {
-                                                    let _e894 = phi_1301_;
-                                                    let _e896 = phi_1304_;
+                                                    let _e894 = phi_1302_;
+                                                    let _e896 = phi_1305_;
                                                     local_21 = _e896;
                                                     local_23 = _e896;
                                                     local_25 = _e896;
                                                     if (_e894.member < _e894.member_1) {
-                                                        phi_1302_ = type_35((_e894.member + 1u), _e894.member_1);
-                                                        phi_1327_ = type_35(1u, _e894.member);
+                                                        phi_1303_ = type_36((_e894.member + 1u), _e894.member_1);
+                                                        phi_1328_ = type_36(1u, _e894.member);
                                                     } else {
-                                                        phi_1302_ = _e894;
-                                                        phi_1327_ = type_35(0u, type_35().member_1);
+                                                        phi_1303_ = _e894;
+                                                        phi_1328_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e910 = phi_1302_;
-                                                    let _e912 = phi_1327_;
+                                                    let _e910 = phi_1303_;
+                                                    let _e912 = phi_1328_;
                                                     let _e916 = (bitcast<i32>(_e912.member) != 0i);
                                                     if _e916 {
                                                         if (_e912.member_1 < 3u) {
@@ -932,53 +934,53 @@ fn function_() {
                                                         }
                                                         let _e950 = local_13[_e947];
                                                         if (_e950[1] > _e896[1]) {
-                                                            phi_1404_ = true;
+                                                            phi_1405_ = true;
                                                         } else {
                                                             if (_e950[1] == _e896[1]) {
-                                                                phi_1403_ = (_e950[0] > _e896[0]);
+                                                                phi_1404_ = (_e950[0] > _e896[0]);
                                                             } else {
-                                                                phi_1403_ = false;
+                                                                phi_1404_ = false;
                                                             }
-                                                            let _e961 = phi_1403_;
-                                                            phi_1404_ = _e961;
+                                                            let _e961 = phi_1404_;
+                                                            phi_1405_ = _e961;
                                                         }
-                                                        let _e963 = phi_1404_;
+                                                        let _e963 = phi_1405_;
                                                         if _e963 {
-                                                            phi_1408_ = array<u32, 2>(_e950[0], _e950[1]);
+                                                            phi_1409_ = array<u32, 2>(_e950[0], _e950[1]);
                                                         } else {
-                                                            phi_1408_ = _e896;
+                                                            phi_1409_ = _e896;
                                                         }
-                                                        let _e965 = phi_1408_;
-                                                        phi_1305_ = _e965;
+                                                        let _e965 = phi_1409_;
+                                                        phi_1306_ = _e965;
                                                     } else {
-                                                        phi_1305_ = array<u32, 2>();
+                                                        phi_1306_ = array<u32, 2>();
                                                     }
-                                                    let _e967 = phi_1305_;
+                                                    let _e967 = phi_1306_;
                                                     continue;
                                                     continuing {
-                                                        phi_1301_ = _e910;
-                                                        phi_1304_ = _e967;
+                                                        phi_1302_ = _e910;
+                                                        phi_1305_ = _e967;
                                                         break if !(_e916);
                                                     }
                                                 }
                                                 let _e970 = local_20;
                                                 let _e973 = local_21;
                                                 if (_e970[1] > _e973[1]) {
-                                                    phi_1425_ = true;
+                                                    phi_1426_ = true;
                                                 } else {
                                                     let _e977 = local_22;
                                                     let _e980 = local_23;
                                                     if (_e977[1] == _e980[1]) {
                                                         let _e984 = local_24;
                                                         let _e987 = local_25;
-                                                        phi_1424_ = (_e984[0] > _e987[0]);
+                                                        phi_1425_ = (_e984[0] > _e987[0]);
                                                     } else {
-                                                        phi_1424_ = false;
+                                                        phi_1425_ = false;
                                                     }
-                                                    let _e991 = phi_1424_;
-                                                    phi_1425_ = _e991;
+                                                    let _e991 = phi_1425_;
+                                                    phi_1426_ = _e991;
                                                 }
-                                                let _e993 = phi_1425_;
+                                                let _e993 = phi_1426_;
                                                 let _e996 = local_17.member[0u];
                                                 let _e998 = keys.member[_e996];
                                                 local_10 = array<array<u32, 2>, 6>(array<u32, 2>(_e998[0][0], _e998[0][1]), array<u32, 2>(_e998[1][0], _e998[1][1]), array<u32, 2>(_e998[2][0], _e998[2][1]), array<u32, 2>(_e998[3][0], _e998[3][1]), array<u32, 2>(_e998[4][0], _e998[4][1]), array<u32, 2>(_e998[5][0], _e998[5][1]));
@@ -987,23 +989,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e1026 = local_10[_e742.member_1];
-                                                phi_1476_ = type_35(1u, 3u);
-                                                phi_1479_ = array<u32, 2>(_e1026[0], _e1026[1]);
+                                                phi_1477_ = type_36(1u, 3u);
+                                                phi_1480_ = array<u32, 2>(_e1026[0], _e1026[1]);
                                                 loop {
-                                                    let _e1031 = phi_1476_;
-                                                    let _e1033 = phi_1479_;
+                                                    let _e1031 = phi_1477_;
+                                                    let _e1033 = phi_1480_;
                                                     local_26 = _e1033;
                                                     local_28 = _e1033;
                                                     local_30 = _e1033;
                                                     if (_e1031.member < _e1031.member_1) {
-                                                        phi_1477_ = type_35((_e1031.member + 1u), _e1031.member_1);
-                                                        phi_1502_ = type_35(1u, _e1031.member);
+                                                        phi_1478_ = type_36((_e1031.member + 1u), _e1031.member_1);
+                                                        phi_1503_ = type_36(1u, _e1031.member);
                                                     } else {
-                                                        phi_1477_ = _e1031;
-                                                        phi_1502_ = type_35(0u, type_35().member_1);
+                                                        phi_1478_ = _e1031;
+                                                        phi_1503_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1047 = phi_1477_;
-                                                    let _e1049 = phi_1502_;
+                                                    let _e1047 = phi_1478_;
+                                                    let _e1049 = phi_1503_;
                                                     let _e1053 = (bitcast<i32>(_e1049.member) != 0i);
                                                     if _e1053 {
                                                         if (_e1049.member_1 < 3u) {
@@ -1019,32 +1021,32 @@ fn function_() {
                                                         }
                                                         let _e1086 = local_11[_e742.member_1];
                                                         if (_e1033[1] > _e1086[1]) {
-                                                            phi_1578_ = true;
+                                                            phi_1579_ = true;
                                                         } else {
                                                             if (_e1033[1] == _e1086[1]) {
-                                                                phi_1577_ = (_e1033[0] > _e1086[0]);
+                                                                phi_1578_ = (_e1033[0] > _e1086[0]);
                                                             } else {
-                                                                phi_1577_ = false;
+                                                                phi_1578_ = false;
                                                             }
-                                                            let _e1097 = phi_1577_;
-                                                            phi_1578_ = _e1097;
+                                                            let _e1097 = phi_1578_;
+                                                            phi_1579_ = _e1097;
                                                         }
-                                                        let _e1099 = phi_1578_;
+                                                        let _e1099 = phi_1579_;
                                                         if _e1099 {
-                                                            phi_1582_ = array<u32, 2>(_e1086[0], _e1086[1]);
+                                                            phi_1583_ = array<u32, 2>(_e1086[0], _e1086[1]);
                                                         } else {
-                                                            phi_1582_ = _e1033;
+                                                            phi_1583_ = _e1033;
                                                         }
-                                                        let _e1101 = phi_1582_;
-                                                        phi_1480_ = _e1101;
+                                                        let _e1101 = phi_1583_;
+                                                        phi_1481_ = _e1101;
                                                     } else {
-                                                        phi_1480_ = array<u32, 2>();
+                                                        phi_1481_ = array<u32, 2>();
                                                     }
-                                                    let _e1103 = phi_1480_;
+                                                    let _e1103 = phi_1481_;
                                                     continue;
                                                     continuing {
-                                                        phi_1476_ = _e1047;
-                                                        phi_1479_ = _e1103;
+                                                        phi_1477_ = _e1047;
+                                                        phi_1480_ = _e1103;
                                                         break if !(_e1053);
                                                     }
                                                 }
@@ -1057,23 +1059,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e1137 = local_8[_e1134];
-                                                phi_1633_ = type_35(1u, 3u);
-                                                phi_1636_ = array<u32, 2>(_e1137[0], _e1137[1]);
+                                                phi_1634_ = type_36(1u, 3u);
+                                                phi_1637_ = array<u32, 2>(_e1137[0], _e1137[1]);
                                                 loop {
-                                                    let _e1142 = phi_1633_;
-                                                    let _e1144 = phi_1636_;
+                                                    let _e1142 = phi_1634_;
+                                                    let _e1144 = phi_1637_;
                                                     local_27 = _e1144;
                                                     local_29 = _e1144;
                                                     local_31 = _e1144;
                                                     if (_e1142.member < _e1142.member_1) {
-                                                        phi_1634_ = type_35((_e1142.member + 1u), _e1142.member_1);
-                                                        phi_1659_ = type_35(1u, _e1142.member);
+                                                        phi_1635_ = type_36((_e1142.member + 1u), _e1142.member_1);
+                                                        phi_1660_ = type_36(1u, _e1142.member);
                                                     } else {
-                                                        phi_1634_ = _e1142;
-                                                        phi_1659_ = type_35(0u, type_35().member_1);
+                                                        phi_1635_ = _e1142;
+                                                        phi_1660_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1158 = phi_1634_;
-                                                    let _e1160 = phi_1659_;
+                                                    let _e1158 = phi_1635_;
+                                                    let _e1160 = phi_1660_;
                                                     let _e1164 = (bitcast<i32>(_e1160.member) != 0i);
                                                     if _e1164 {
                                                         if (_e1160.member_1 < 3u) {
@@ -1090,121 +1092,121 @@ fn function_() {
                                                         }
                                                         let _e1198 = local_9[_e1195];
                                                         if (_e1198[1] > _e1144[1]) {
-                                                            phi_1736_ = true;
+                                                            phi_1737_ = true;
                                                         } else {
                                                             if (_e1198[1] == _e1144[1]) {
-                                                                phi_1735_ = (_e1198[0] > _e1144[0]);
+                                                                phi_1736_ = (_e1198[0] > _e1144[0]);
                                                             } else {
-                                                                phi_1735_ = false;
+                                                                phi_1736_ = false;
                                                             }
-                                                            let _e1209 = phi_1735_;
-                                                            phi_1736_ = _e1209;
+                                                            let _e1209 = phi_1736_;
+                                                            phi_1737_ = _e1209;
                                                         }
-                                                        let _e1211 = phi_1736_;
+                                                        let _e1211 = phi_1737_;
                                                         if _e1211 {
-                                                            phi_1740_ = array<u32, 2>(_e1198[0], _e1198[1]);
+                                                            phi_1741_ = array<u32, 2>(_e1198[0], _e1198[1]);
                                                         } else {
-                                                            phi_1740_ = _e1144;
+                                                            phi_1741_ = _e1144;
                                                         }
-                                                        let _e1213 = phi_1740_;
-                                                        phi_1637_ = _e1213;
+                                                        let _e1213 = phi_1741_;
+                                                        phi_1638_ = _e1213;
                                                     } else {
-                                                        phi_1637_ = array<u32, 2>();
+                                                        phi_1638_ = array<u32, 2>();
                                                     }
-                                                    let _e1215 = phi_1637_;
+                                                    let _e1215 = phi_1638_;
                                                     continue;
                                                     continuing {
-                                                        phi_1633_ = _e1158;
-                                                        phi_1636_ = _e1215;
+                                                        phi_1634_ = _e1158;
+                                                        phi_1637_ = _e1215;
                                                         break if !(_e1164);
                                                     }
                                                 }
                                                 let _e1218 = local_26;
                                                 let _e1221 = local_27;
                                                 if (_e1218[1] > _e1221[1]) {
-                                                    phi_1757_ = true;
+                                                    phi_1758_ = true;
                                                 } else {
                                                     let _e1225 = local_28;
                                                     let _e1228 = local_29;
                                                     if (_e1225[1] == _e1228[1]) {
                                                         let _e1232 = local_30;
                                                         let _e1235 = local_31;
-                                                        phi_1756_ = (_e1232[0] > _e1235[0]);
+                                                        phi_1757_ = (_e1232[0] > _e1235[0]);
                                                     } else {
-                                                        phi_1756_ = false;
+                                                        phi_1757_ = false;
                                                     }
-                                                    let _e1239 = phi_1756_;
-                                                    phi_1757_ = _e1239;
+                                                    let _e1239 = phi_1757_;
+                                                    phi_1758_ = _e1239;
                                                 }
-                                                let _e1241 = phi_1757_;
-                                                phi_1065_ = (_e726 && (!(_e993) && !(_e1241)));
+                                                let _e1241 = phi_1758_;
+                                                phi_1066_ = (_e726 && (!(_e993) && !(_e1241)));
                                             } else {
-                                                phi_1065_ = bool();
+                                                phi_1066_ = bool();
                                             }
-                                            let _e1246 = phi_1065_;
+                                            let _e1246 = phi_1066_;
                                             continue;
                                             continuing {
-                                                phi_1061_ = _e740;
-                                                phi_1064_ = _e1246;
+                                                phi_1062_ = _e740;
+                                                phi_1065_ = _e1246;
                                                 break if !(_e746);
                                             }
                                         }
                                         let _e2306 = local_45;
-                                        phi_1761_ = _e2306;
+                                        phi_1762_ = _e2306;
                                     }
-                                    let _e1249 = phi_1761_;
-                                    phi_1762_ = _e1249;
-                                    phi_1763_ = _e720;
+                                    let _e1249 = phi_1762_;
+                                    phi_1763_ = _e1249;
+                                    phi_1764_ = _e720;
                                 } else {
-                                    phi_1762_ = bool();
-                                    phi_1763_ = true;
+                                    phi_1763_ = bool();
+                                    phi_1764_ = true;
                                 }
-                                let _e1251 = phi_1762_;
-                                let _e1253 = phi_1763_;
+                                let _e1251 = phi_1763_;
+                                let _e1253 = phi_1764_;
                                 if _e1253 {
-                                    phi_1767_ = false;
+                                    phi_1768_ = false;
                                 } else {
-                                    phi_1767_ = true;
+                                    phi_1768_ = true;
                                 }
-                                let _e1255 = phi_1767_;
-                                phi_1768_ = _e1251;
-                                phi_1769_ = _e1255;
+                                let _e1255 = phi_1768_;
+                                phi_1769_ = _e1251;
+                                phi_1770_ = _e1255;
                             } else {
-                                phi_1768_ = false;
-                                phi_1769_ = true;
+                                phi_1769_ = false;
+                                phi_1770_ = true;
                             }
-                            let _e1257 = phi_1768_;
-                            let _e1259 = phi_1769_;
-                            phi_1770_ = _e1257;
-                            phi_1771_ = _e1259;
+                            let _e1257 = phi_1769_;
+                            let _e1259 = phi_1770_;
+                            phi_1771_ = _e1257;
+                            phi_1772_ = _e1259;
                         } else {
-                            phi_1770_ = false;
-                            phi_1771_ = true;
+                            phi_1771_ = false;
+                            phi_1772_ = true;
                         }
-                        let _e1261 = phi_1770_;
-                        let _e1263 = phi_1771_;
+                        let _e1261 = phi_1771_;
+                        let _e1263 = phi_1772_;
                         if _e1263 {
-                            phi_1775_ = _e1261;
+                            phi_1776_ = _e1261;
                         } else {
-                            phi_1775_ = true;
+                            phi_1776_ = true;
                         }
-                        let _e1265 = phi_1775_;
+                        let _e1265 = phi_1776_;
                         if _e1265 {
                             let _e1267 = params.member.member_16;
                             let _e1270 = local_16.member_1;
                             let _e1272 = local_17.member_1;
                             if (_e112[0] == _e112[1]) {
                                 if (_e1270 < _e1272) {
-                                    phi_1795_ = type_35(_e1270, _e1272);
+                                    phi_1796_ = type_36(_e1270, _e1272);
                                 } else {
-                                    phi_1795_ = type_35(_e1272, _e1270);
+                                    phi_1796_ = type_36(_e1272, _e1270);
                                 }
-                                let _e1278 = phi_1795_;
-                                phi_1800_ = _e1278;
+                                let _e1278 = phi_1796_;
+                                phi_1801_ = _e1278;
                             } else {
-                                phi_1800_ = type_35(_e1270, _e1272);
+                                phi_1801_ = type_36(_e1270, _e1272);
                             }
-                            let _e1280 = phi_1800_;
+                            let _e1280 = phi_1801_;
                             let _e1284 = atomicAdd((&output.member[0u]), 1u);
                             if (_e1284 < _e1267) {
                                 atomicStore((&output.member[(4u + (2u * _e1284))]), _e1280.member);
@@ -1212,50 +1214,50 @@ fn function_() {
                             }
                             let _e1293 = atomicAdd((&output.member[1u]), 1u);
                         }
-                        phi_1822_ = (_e503 & (_e503 - 1u));
-                        phi_1823_ = true;
+                        phi_1823_ = (_e503 & (_e503 - 1u));
+                        phi_1824_ = true;
                     }
-                    let _e1295 = phi_1822_;
-                    let _e1297 = phi_1823_;
-                    phi_768_ = _e1295;
-                    phi_1824_ = _e1297;
+                    let _e1295 = phi_1823_;
+                    let _e1297 = phi_1824_;
+                    phi_769_ = _e1295;
+                    phi_1825_ = _e1297;
                 } else {
-                    phi_768_ = u32();
-                    phi_1824_ = false;
+                    phi_769_ = u32();
+                    phi_1825_ = false;
                 }
-                let _e1299 = phi_768_;
-                let _e1301 = phi_1824_;
+                let _e1299 = phi_769_;
+                let _e1301 = phi_1825_;
                 continue;
                 continuing {
-                    phi_764_ = _e517;
-                    phi_767_ = _e1299;
+                    phi_765_ = _e517;
+                    phi_768_ = _e1299;
                     break if !(_e1301);
                 }
             }
             workgroupBarrier();
             let _e1304 = atomicLoad((&counters[4u]));
             if (2048u < _e1304) {
-                phi_1831_ = 2048u;
+                phi_1832_ = 2048u;
             } else {
-                phi_1831_ = _e1304;
+                phi_1832_ = _e1304;
             }
-            let _e1307 = phi_1831_;
-            phi_1834_ = type_35(0u, 16u);
+            let _e1307 = phi_1832_;
+            phi_1835_ = type_36(0u, 16u);
             loop {
-                let _e1309 = phi_1834_;
+                let _e1309 = phi_1835_;
                 if (_e1309.member < _e1309.member_1) {
-                    phi_1835_ = type_35((_e1309.member + 1u), _e1309.member_1);
-                    phi_1858_ = type_35(1u, _e1309.member);
+                    phi_1836_ = type_36((_e1309.member + 1u), _e1309.member_1);
+                    phi_1859_ = type_36(1u, _e1309.member);
                 } else {
-                    phi_1835_ = _e1309;
-                    phi_1858_ = type_35(0u, type_35().member_1);
+                    phi_1836_ = _e1309;
+                    phi_1859_ = type_36(0u, type_36().member_1);
                 }
-                let _e1323 = phi_1835_;
-                let _e1325 = phi_1858_;
+                let _e1323 = phi_1836_;
+                let _e1325 = phi_1859_;
                 if (bitcast<i32>(_e1325.member) != 0i) {
                     let _e1331 = (_e83 + (_e1325.member_1 * 128u));
                     if (_e1331 >= _e1307) {
-                        phi_2866_ = false;
+                        phi_2867_ = false;
                     } else {
                         let _e1334 = hits[_e1331];
                         let _e1337 = ((_e1334 >> bitcast<u32>(10i)) & 3u);
@@ -1265,8 +1267,8 @@ fn function_() {
                         let _e1350 = (_e1349 + (_e1334 & 31u));
                         let _e1352 = leaves.member[_e1345];
                         let _e1354 = leaves.member[_e1350];
-                        local_18 = type_23(array<u32, 3>(_e1352.member[0], _e1352.member[1], _e1352.member[2]), _e1352.member_1);
-                        local_19 = type_23(array<u32, 3>(_e1354.member[0], _e1354.member[1], _e1354.member[2]), _e1354.member_1);
+                        local_18 = type_24(array<u32, 3>(_e1352.member[0], _e1352.member[1], _e1352.member[2]), _e1352.member_1);
+                        local_19 = type_24(array<u32, 3>(_e1354.member[0], _e1354.member[1], _e1354.member[2]), _e1354.member_1);
                         let _e1370 = nodes.member[_e1345];
                         let _e1372 = nodes.member[_e1350];
                         let _e1374 = params.member.member_1;
@@ -1276,86 +1278,86 @@ fn function_() {
                                 let _e1422 = local_18.member[0u];
                                 let _e1425 = local_19.member[0u];
                                 if (_e1422 == _e1425) {
-                                    phi_1977_ = bool();
-                                    phi_1978_ = true;
+                                    phi_1978_ = bool();
+                                    phi_1979_ = true;
                                 } else {
                                     let _e1429 = local_18.member[0u];
                                     let _e1432 = local_19.member[1u];
                                     let _e1433 = (_e1429 == _e1432);
                                     if _e1433 {
-                                        phi_1976_ = bool();
+                                        phi_1977_ = bool();
                                     } else {
                                         let _e1436 = local_18.member[0u];
                                         let _e1439 = local_19.member[2u];
-                                        phi_1976_ = (_e1436 == _e1439);
+                                        phi_1977_ = (_e1436 == _e1439);
                                     }
-                                    let _e1442 = phi_1976_;
-                                    phi_1977_ = _e1442;
-                                    phi_1978_ = _e1433;
+                                    let _e1442 = phi_1977_;
+                                    phi_1978_ = _e1442;
+                                    phi_1979_ = _e1433;
                                 }
-                                let _e1444 = phi_1977_;
-                                let _e1446 = phi_1978_;
+                                let _e1444 = phi_1978_;
+                                let _e1446 = phi_1979_;
                                 if _e1446 {
-                                    phi_1982_ = true;
+                                    phi_1983_ = true;
                                 } else {
-                                    phi_1982_ = _e1444;
+                                    phi_1983_ = _e1444;
                                 }
-                                let _e1448 = phi_1982_;
-                                phi_2021_ = _e1448;
+                                let _e1448 = phi_1983_;
+                                phi_2022_ = _e1448;
                             } else {
                                 let _e1382 = local_18.member[0u];
                                 let _e1385 = local_19.member[0u];
                                 if (_e1382 == _e1385) {
-                                    phi_2015_ = bool();
-                                    phi_2016_ = true;
+                                    phi_2016_ = bool();
+                                    phi_2017_ = true;
                                 } else {
                                     let _e1389 = local_18.member[0u];
                                     let _e1392 = local_19.member[1u];
                                     if (_e1389 == _e1392) {
-                                        phi_2013_ = bool();
-                                        phi_2014_ = true;
+                                        phi_2014_ = bool();
+                                        phi_2015_ = true;
                                     } else {
                                         let _e1396 = local_18.member[1u];
                                         let _e1399 = local_19.member[0u];
                                         let _e1400 = (_e1396 == _e1399);
                                         if _e1400 {
-                                            phi_2012_ = bool();
+                                            phi_2013_ = bool();
                                         } else {
                                             let _e1403 = local_18.member[1u];
                                             let _e1406 = local_19.member[1u];
-                                            phi_2012_ = (_e1403 == _e1406);
+                                            phi_2013_ = (_e1403 == _e1406);
                                         }
-                                        let _e1409 = phi_2012_;
-                                        phi_2013_ = _e1409;
-                                        phi_2014_ = _e1400;
+                                        let _e1409 = phi_2013_;
+                                        phi_2014_ = _e1409;
+                                        phi_2015_ = _e1400;
                                     }
-                                    let _e1411 = phi_2013_;
-                                    let _e1413 = phi_2014_;
-                                    phi_2015_ = _e1411;
-                                    phi_2016_ = _e1413;
+                                    let _e1411 = phi_2014_;
+                                    let _e1413 = phi_2015_;
+                                    phi_2016_ = _e1411;
+                                    phi_2017_ = _e1413;
                                 }
-                                let _e1415 = phi_2015_;
-                                let _e1417 = phi_2016_;
+                                let _e1415 = phi_2016_;
+                                let _e1417 = phi_2017_;
                                 if _e1417 {
-                                    phi_2020_ = true;
+                                    phi_2021_ = true;
                                 } else {
-                                    phi_2020_ = _e1415;
+                                    phi_2021_ = _e1415;
                                 }
-                                let _e1419 = phi_2020_;
-                                phi_2021_ = _e1419;
+                                let _e1419 = phi_2021_;
+                                phi_2022_ = _e1419;
                             }
-                            let _e1450 = phi_2021_;
+                            let _e1450 = phi_2022_;
                             if _e1450 {
-                                phi_2025_ = false;
+                                phi_2026_ = false;
                             } else {
-                                phi_2025_ = true;
+                                phi_2026_ = true;
                             }
-                            let _e1452 = phi_2025_;
-                            phi_2026_ = _e1452;
+                            let _e1452 = phi_2026_;
+                            phi_2027_ = _e1452;
                         } else {
-                            phi_2026_ = true;
+                            phi_2027_ = true;
                         }
-                        let _e1454 = phi_2026_;
+                        let _e1454 = phi_2027_;
                         if _e1454 {
                             let _e1456 = params.member.member_1;
                             if ((_e1456 & 2u) != 0u) {
@@ -1365,57 +1367,57 @@ fn function_() {
                                 let _e1468 = bodies.member[_e1466];
                                 if ((_e1463 / 2u) == (_e1468 / 2u)) {
                                     let _e1473 = params.member.member_1;
-                                    phi_2072_ = !(((_e1473 & 4u) != 0u));
+                                    phi_2073_ = !(((_e1473 & 4u) != 0u));
                                 } else {
-                                    phi_2072_ = false;
+                                    phi_2073_ = false;
                                 }
-                                let _e1478 = phi_2072_;
+                                let _e1478 = phi_2073_;
                                 if _e1478 {
-                                    phi_2083_ = true;
+                                    phi_2084_ = true;
                                 } else {
                                     if (((_e1463 & _e1468) & 1u) == 0u) {
-                                        phi_2082_ = false;
+                                        phi_2083_ = false;
                                     } else {
-                                        phi_2082_ = true;
+                                        phi_2083_ = true;
                                     }
-                                    let _e1483 = phi_2082_;
-                                    phi_2083_ = _e1483;
+                                    let _e1483 = phi_2083_;
+                                    phi_2084_ = _e1483;
                                 }
-                                let _e1485 = phi_2083_;
+                                let _e1485 = phi_2084_;
                                 if _e1485 {
-                                    phi_2087_ = false;
+                                    phi_2088_ = false;
                                 } else {
-                                    phi_2087_ = true;
+                                    phi_2088_ = true;
                                 }
-                                let _e1487 = phi_2087_;
-                                phi_2088_ = _e1487;
+                                let _e1487 = phi_2088_;
+                                phi_2089_ = _e1487;
                             } else {
-                                phi_2088_ = true;
+                                phi_2089_ = true;
                             }
-                            let _e1489 = phi_2088_;
+                            let _e1489 = phi_2089_;
                             if _e1489 {
                                 let _e1491 = params.member.member_1;
                                 if ((_e1491 & 32u) != 0u) {
                                     let _e1495 = params.member.member_6;
                                     let _e1536 = (((((((_e1370.member_1[0] - _e1372.member[0]) > _e1495) && ((_e1372.member_1[0] - _e1370.member[0]) > _e1495)) && ((_e1370.member_1[1] - _e1372.member[1]) > _e1495)) && ((_e1372.member_1[1] - _e1370.member[1]) > _e1495)) && ((_e1370.member_1[2] - _e1372.member[2]) > _e1495)) && ((_e1372.member_1[2] - _e1370.member[2]) > _e1495));
                                     if _e1536 {
-                                        phi_2837_ = bool();
+                                        phi_2838_ = bool();
                                     } else {
-                                        phi_2137_ = type_35(0u, 3u);
-                                        phi_2140_ = true;
+                                        phi_2138_ = type_36(0u, 3u);
+                                        phi_2141_ = true;
                                         loop {
-                                            let _e1540 = phi_2137_;
-                                            let _e1542 = phi_2140_;
+                                            let _e1540 = phi_2138_;
+                                            let _e1542 = phi_2141_;
                                             local_46 = _e1542;
                                             if (_e1540.member < _e1540.member_1) {
-                                                phi_2138_ = type_35((_e1540.member + 1u), _e1540.member_1);
-                                                phi_2163_ = type_35(1u, _e1540.member);
+                                                phi_2139_ = type_36((_e1540.member + 1u), _e1540.member_1);
+                                                phi_2164_ = type_36(1u, _e1540.member);
                                             } else {
-                                                phi_2138_ = _e1540;
-                                                phi_2163_ = type_35(0u, type_35().member_1);
+                                                phi_2139_ = _e1540;
+                                                phi_2164_ = type_36(0u, type_36().member_1);
                                             }
-                                            let _e1556 = phi_2138_;
-                                            let _e1558 = phi_2163_;
+                                            let _e1556 = phi_2139_;
+                                            let _e1558 = phi_2164_;
                                             let _e1562 = (bitcast<i32>(_e1558.member) != 0i);
                                             if _e1562 {
                                                 let _e1564 = local_18.member[0u];
@@ -1426,23 +1428,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e1594 = local_6[_e1558.member_1];
-                                                phi_2220_ = type_35(1u, 3u);
-                                                phi_2223_ = array<u32, 2>(_e1594[0], _e1594[1]);
+                                                phi_2221_ = type_36(1u, 3u);
+                                                phi_2224_ = array<u32, 2>(_e1594[0], _e1594[1]);
                                                 loop {
-                                                    let _e1599 = phi_2220_;
-                                                    let _e1601 = phi_2223_;
+                                                    let _e1599 = phi_2221_;
+                                                    let _e1601 = phi_2224_;
                                                     local_32 = _e1601;
                                                     local_34 = _e1601;
                                                     local_36 = _e1601;
                                                     if (_e1599.member < _e1599.member_1) {
-                                                        phi_2221_ = type_35((_e1599.member + 1u), _e1599.member_1);
-                                                        phi_2246_ = type_35(1u, _e1599.member);
+                                                        phi_2222_ = type_36((_e1599.member + 1u), _e1599.member_1);
+                                                        phi_2247_ = type_36(1u, _e1599.member);
                                                     } else {
-                                                        phi_2221_ = _e1599;
-                                                        phi_2246_ = type_35(0u, type_35().member_1);
+                                                        phi_2222_ = _e1599;
+                                                        phi_2247_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1615 = phi_2221_;
-                                                    let _e1617 = phi_2246_;
+                                                    let _e1615 = phi_2222_;
+                                                    let _e1617 = phi_2247_;
                                                     let _e1621 = (bitcast<i32>(_e1617.member) != 0i);
                                                     if _e1621 {
                                                         if (_e1617.member_1 < 3u) {
@@ -1458,32 +1460,32 @@ fn function_() {
                                                         }
                                                         let _e1654 = local_7[_e1558.member_1];
                                                         if (_e1601[1] > _e1654[1]) {
-                                                            phi_2322_ = true;
+                                                            phi_2323_ = true;
                                                         } else {
                                                             if (_e1601[1] == _e1654[1]) {
-                                                                phi_2321_ = (_e1601[0] > _e1654[0]);
+                                                                phi_2322_ = (_e1601[0] > _e1654[0]);
                                                             } else {
-                                                                phi_2321_ = false;
+                                                                phi_2322_ = false;
                                                             }
-                                                            let _e1665 = phi_2321_;
-                                                            phi_2322_ = _e1665;
+                                                            let _e1665 = phi_2322_;
+                                                            phi_2323_ = _e1665;
                                                         }
-                                                        let _e1667 = phi_2322_;
+                                                        let _e1667 = phi_2323_;
                                                         if _e1667 {
-                                                            phi_2326_ = array<u32, 2>(_e1654[0], _e1654[1]);
+                                                            phi_2327_ = array<u32, 2>(_e1654[0], _e1654[1]);
                                                         } else {
-                                                            phi_2326_ = _e1601;
+                                                            phi_2327_ = _e1601;
                                                         }
-                                                        let _e1669 = phi_2326_;
-                                                        phi_2224_ = _e1669;
+                                                        let _e1669 = phi_2327_;
+                                                        phi_2225_ = _e1669;
                                                     } else {
-                                                        phi_2224_ = array<u32, 2>();
+                                                        phi_2225_ = array<u32, 2>();
                                                     }
-                                                    let _e1671 = phi_2224_;
+                                                    let _e1671 = phi_2225_;
                                                     continue;
                                                     continuing {
-                                                        phi_2220_ = _e1615;
-                                                        phi_2223_ = _e1671;
+                                                        phi_2221_ = _e1615;
+                                                        phi_2224_ = _e1671;
                                                         break if !(_e1621);
                                                     }
                                                 }
@@ -1496,23 +1498,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e1705 = local_4[_e1702];
-                                                phi_2377_ = type_35(1u, 3u);
-                                                phi_2380_ = array<u32, 2>(_e1705[0], _e1705[1]);
+                                                phi_2378_ = type_36(1u, 3u);
+                                                phi_2381_ = array<u32, 2>(_e1705[0], _e1705[1]);
                                                 loop {
-                                                    let _e1710 = phi_2377_;
-                                                    let _e1712 = phi_2380_;
+                                                    let _e1710 = phi_2378_;
+                                                    let _e1712 = phi_2381_;
                                                     local_33 = _e1712;
                                                     local_35 = _e1712;
                                                     local_37 = _e1712;
                                                     if (_e1710.member < _e1710.member_1) {
-                                                        phi_2378_ = type_35((_e1710.member + 1u), _e1710.member_1);
-                                                        phi_2403_ = type_35(1u, _e1710.member);
+                                                        phi_2379_ = type_36((_e1710.member + 1u), _e1710.member_1);
+                                                        phi_2404_ = type_36(1u, _e1710.member);
                                                     } else {
-                                                        phi_2378_ = _e1710;
-                                                        phi_2403_ = type_35(0u, type_35().member_1);
+                                                        phi_2379_ = _e1710;
+                                                        phi_2404_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1726 = phi_2378_;
-                                                    let _e1728 = phi_2403_;
+                                                    let _e1726 = phi_2379_;
+                                                    let _e1728 = phi_2404_;
                                                     let _e1732 = (bitcast<i32>(_e1728.member) != 0i);
                                                     if _e1732 {
                                                         if (_e1728.member_1 < 3u) {
@@ -1529,53 +1531,53 @@ fn function_() {
                                                         }
                                                         let _e1766 = local_5[_e1763];
                                                         if (_e1766[1] > _e1712[1]) {
-                                                            phi_2480_ = true;
+                                                            phi_2481_ = true;
                                                         } else {
                                                             if (_e1766[1] == _e1712[1]) {
-                                                                phi_2479_ = (_e1766[0] > _e1712[0]);
+                                                                phi_2480_ = (_e1766[0] > _e1712[0]);
                                                             } else {
-                                                                phi_2479_ = false;
+                                                                phi_2480_ = false;
                                                             }
-                                                            let _e1777 = phi_2479_;
-                                                            phi_2480_ = _e1777;
+                                                            let _e1777 = phi_2480_;
+                                                            phi_2481_ = _e1777;
                                                         }
-                                                        let _e1779 = phi_2480_;
+                                                        let _e1779 = phi_2481_;
                                                         if _e1779 {
-                                                            phi_2484_ = array<u32, 2>(_e1766[0], _e1766[1]);
+                                                            phi_2485_ = array<u32, 2>(_e1766[0], _e1766[1]);
                                                         } else {
-                                                            phi_2484_ = _e1712;
+                                                            phi_2485_ = _e1712;
                                                         }
-                                                        let _e1781 = phi_2484_;
-                                                        phi_2381_ = _e1781;
+                                                        let _e1781 = phi_2485_;
+                                                        phi_2382_ = _e1781;
                                                     } else {
-                                                        phi_2381_ = array<u32, 2>();
+                                                        phi_2382_ = array<u32, 2>();
                                                     }
-                                                    let _e1783 = phi_2381_;
+                                                    let _e1783 = phi_2382_;
                                                     continue;
                                                     continuing {
-                                                        phi_2377_ = _e1726;
-                                                        phi_2380_ = _e1783;
+                                                        phi_2378_ = _e1726;
+                                                        phi_2381_ = _e1783;
                                                         break if !(_e1732);
                                                     }
                                                 }
                                                 let _e1786 = local_32;
                                                 let _e1789 = local_33;
                                                 if (_e1786[1] > _e1789[1]) {
-                                                    phi_2501_ = true;
+                                                    phi_2502_ = true;
                                                 } else {
                                                     let _e1793 = local_34;
                                                     let _e1796 = local_35;
                                                     if (_e1793[1] == _e1796[1]) {
                                                         let _e1800 = local_36;
                                                         let _e1803 = local_37;
-                                                        phi_2500_ = (_e1800[0] > _e1803[0]);
+                                                        phi_2501_ = (_e1800[0] > _e1803[0]);
                                                     } else {
-                                                        phi_2500_ = false;
+                                                        phi_2501_ = false;
                                                     }
-                                                    let _e1807 = phi_2500_;
-                                                    phi_2501_ = _e1807;
+                                                    let _e1807 = phi_2501_;
+                                                    phi_2502_ = _e1807;
                                                 }
-                                                let _e1809 = phi_2501_;
+                                                let _e1809 = phi_2502_;
                                                 let _e1812 = local_19.member[0u];
                                                 let _e1814 = keys.member[_e1812];
                                                 local_2 = array<array<u32, 2>, 6>(array<u32, 2>(_e1814[0][0], _e1814[0][1]), array<u32, 2>(_e1814[1][0], _e1814[1][1]), array<u32, 2>(_e1814[2][0], _e1814[2][1]), array<u32, 2>(_e1814[3][0], _e1814[3][1]), array<u32, 2>(_e1814[4][0], _e1814[4][1]), array<u32, 2>(_e1814[5][0], _e1814[5][1]));
@@ -1584,23 +1586,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e1842 = local_2[_e1558.member_1];
-                                                phi_2552_ = type_35(1u, 3u);
-                                                phi_2555_ = array<u32, 2>(_e1842[0], _e1842[1]);
+                                                phi_2553_ = type_36(1u, 3u);
+                                                phi_2556_ = array<u32, 2>(_e1842[0], _e1842[1]);
                                                 loop {
-                                                    let _e1847 = phi_2552_;
-                                                    let _e1849 = phi_2555_;
+                                                    let _e1847 = phi_2553_;
+                                                    let _e1849 = phi_2556_;
                                                     local_38 = _e1849;
                                                     local_40 = _e1849;
                                                     local_42 = _e1849;
                                                     if (_e1847.member < _e1847.member_1) {
-                                                        phi_2553_ = type_35((_e1847.member + 1u), _e1847.member_1);
-                                                        phi_2578_ = type_35(1u, _e1847.member);
+                                                        phi_2554_ = type_36((_e1847.member + 1u), _e1847.member_1);
+                                                        phi_2579_ = type_36(1u, _e1847.member);
                                                     } else {
-                                                        phi_2553_ = _e1847;
-                                                        phi_2578_ = type_35(0u, type_35().member_1);
+                                                        phi_2554_ = _e1847;
+                                                        phi_2579_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1863 = phi_2553_;
-                                                    let _e1865 = phi_2578_;
+                                                    let _e1863 = phi_2554_;
+                                                    let _e1865 = phi_2579_;
                                                     let _e1869 = (bitcast<i32>(_e1865.member) != 0i);
                                                     if _e1869 {
                                                         if (_e1865.member_1 < 3u) {
@@ -1616,32 +1618,32 @@ fn function_() {
                                                         }
                                                         let _e1902 = local_3[_e1558.member_1];
                                                         if (_e1849[1] > _e1902[1]) {
-                                                            phi_2654_ = true;
+                                                            phi_2655_ = true;
                                                         } else {
                                                             if (_e1849[1] == _e1902[1]) {
-                                                                phi_2653_ = (_e1849[0] > _e1902[0]);
+                                                                phi_2654_ = (_e1849[0] > _e1902[0]);
                                                             } else {
-                                                                phi_2653_ = false;
+                                                                phi_2654_ = false;
                                                             }
-                                                            let _e1913 = phi_2653_;
-                                                            phi_2654_ = _e1913;
+                                                            let _e1913 = phi_2654_;
+                                                            phi_2655_ = _e1913;
                                                         }
-                                                        let _e1915 = phi_2654_;
+                                                        let _e1915 = phi_2655_;
                                                         if _e1915 {
-                                                            phi_2658_ = array<u32, 2>(_e1902[0], _e1902[1]);
+                                                            phi_2659_ = array<u32, 2>(_e1902[0], _e1902[1]);
                                                         } else {
-                                                            phi_2658_ = _e1849;
+                                                            phi_2659_ = _e1849;
                                                         }
-                                                        let _e1917 = phi_2658_;
-                                                        phi_2556_ = _e1917;
+                                                        let _e1917 = phi_2659_;
+                                                        phi_2557_ = _e1917;
                                                     } else {
-                                                        phi_2556_ = array<u32, 2>();
+                                                        phi_2557_ = array<u32, 2>();
                                                     }
-                                                    let _e1919 = phi_2556_;
+                                                    let _e1919 = phi_2557_;
                                                     continue;
                                                     continuing {
-                                                        phi_2552_ = _e1863;
-                                                        phi_2555_ = _e1919;
+                                                        phi_2553_ = _e1863;
+                                                        phi_2556_ = _e1919;
                                                         break if !(_e1869);
                                                     }
                                                 }
@@ -1654,23 +1656,23 @@ fn function_() {
                                                     return;
                                                 }
                                                 let _e1953 = local[_e1950];
-                                                phi_2709_ = type_35(1u, 3u);
-                                                phi_2712_ = array<u32, 2>(_e1953[0], _e1953[1]);
+                                                phi_2710_ = type_36(1u, 3u);
+                                                phi_2713_ = array<u32, 2>(_e1953[0], _e1953[1]);
                                                 loop {
-                                                    let _e1958 = phi_2709_;
-                                                    let _e1960 = phi_2712_;
+                                                    let _e1958 = phi_2710_;
+                                                    let _e1960 = phi_2713_;
                                                     local_39 = _e1960;
                                                     local_41 = _e1960;
                                                     local_43 = _e1960;
                                                     if (_e1958.member < _e1958.member_1) {
-                                                        phi_2710_ = type_35((_e1958.member + 1u), _e1958.member_1);
-                                                        phi_2735_ = type_35(1u, _e1958.member);
+                                                        phi_2711_ = type_36((_e1958.member + 1u), _e1958.member_1);
+                                                        phi_2736_ = type_36(1u, _e1958.member);
                                                     } else {
-                                                        phi_2710_ = _e1958;
-                                                        phi_2735_ = type_35(0u, type_35().member_1);
+                                                        phi_2711_ = _e1958;
+                                                        phi_2736_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1974 = phi_2710_;
-                                                    let _e1976 = phi_2735_;
+                                                    let _e1974 = phi_2711_;
+                                                    let _e1976 = phi_2736_;
                                                     let _e1980 = (bitcast<i32>(_e1976.member) != 0i);
                                                     if _e1980 {
                                                         if (_e1976.member_1 < 3u) {
@@ -1687,121 +1689,121 @@ fn function_() {
                                                         }
                                                         let _e2014 = local_1[_e2011];
                                                         if (_e2014[1] > _e1960[1]) {
-                                                            phi_2812_ = true;
+                                                            phi_2813_ = true;
                                                         } else {
                                                             if (_e2014[1] == _e1960[1]) {
-                                                                phi_2811_ = (_e2014[0] > _e1960[0]);
+                                                                phi_2812_ = (_e2014[0] > _e1960[0]);
                                                             } else {
-                                                                phi_2811_ = false;
+                                                                phi_2812_ = false;
                                                             }
-                                                            let _e2025 = phi_2811_;
-                                                            phi_2812_ = _e2025;
+                                                            let _e2025 = phi_2812_;
+                                                            phi_2813_ = _e2025;
                                                         }
-                                                        let _e2027 = phi_2812_;
+                                                        let _e2027 = phi_2813_;
                                                         if _e2027 {
-                                                            phi_2816_ = array<u32, 2>(_e2014[0], _e2014[1]);
+                                                            phi_2817_ = array<u32, 2>(_e2014[0], _e2014[1]);
                                                         } else {
-                                                            phi_2816_ = _e1960;
+                                                            phi_2817_ = _e1960;
                                                         }
-                                                        let _e2029 = phi_2816_;
-                                                        phi_2713_ = _e2029;
+                                                        let _e2029 = phi_2817_;
+                                                        phi_2714_ = _e2029;
                                                     } else {
-                                                        phi_2713_ = array<u32, 2>();
+                                                        phi_2714_ = array<u32, 2>();
                                                     }
-                                                    let _e2031 = phi_2713_;
+                                                    let _e2031 = phi_2714_;
                                                     continue;
                                                     continuing {
-                                                        phi_2709_ = _e1974;
-                                                        phi_2712_ = _e2031;
+                                                        phi_2710_ = _e1974;
+                                                        phi_2713_ = _e2031;
                                                         break if !(_e1980);
                                                     }
                                                 }
                                                 let _e2034 = local_38;
                                                 let _e2037 = local_39;
                                                 if (_e2034[1] > _e2037[1]) {
-                                                    phi_2833_ = true;
+                                                    phi_2834_ = true;
                                                 } else {
                                                     let _e2041 = local_40;
                                                     let _e2044 = local_41;
                                                     if (_e2041[1] == _e2044[1]) {
                                                         let _e2048 = local_42;
                                                         let _e2051 = local_43;
-                                                        phi_2832_ = (_e2048[0] > _e2051[0]);
+                                                        phi_2833_ = (_e2048[0] > _e2051[0]);
                                                     } else {
-                                                        phi_2832_ = false;
+                                                        phi_2833_ = false;
                                                     }
-                                                    let _e2055 = phi_2832_;
-                                                    phi_2833_ = _e2055;
+                                                    let _e2055 = phi_2833_;
+                                                    phi_2834_ = _e2055;
                                                 }
-                                                let _e2057 = phi_2833_;
-                                                phi_2141_ = (_e1542 && (!(_e1809) && !(_e2057)));
+                                                let _e2057 = phi_2834_;
+                                                phi_2142_ = (_e1542 && (!(_e1809) && !(_e2057)));
                                             } else {
-                                                phi_2141_ = bool();
+                                                phi_2142_ = bool();
                                             }
-                                            let _e2062 = phi_2141_;
+                                            let _e2062 = phi_2142_;
                                             continue;
                                             continuing {
-                                                phi_2137_ = _e1556;
-                                                phi_2140_ = _e2062;
+                                                phi_2138_ = _e1556;
+                                                phi_2141_ = _e2062;
                                                 break if !(_e1562);
                                             }
                                         }
                                         let _e2398 = local_46;
-                                        phi_2837_ = _e2398;
+                                        phi_2838_ = _e2398;
                                     }
-                                    let _e2065 = phi_2837_;
-                                    phi_2838_ = _e2065;
-                                    phi_2839_ = _e1536;
+                                    let _e2065 = phi_2838_;
+                                    phi_2839_ = _e2065;
+                                    phi_2840_ = _e1536;
                                 } else {
-                                    phi_2838_ = bool();
-                                    phi_2839_ = true;
+                                    phi_2839_ = bool();
+                                    phi_2840_ = true;
                                 }
-                                let _e2067 = phi_2838_;
-                                let _e2069 = phi_2839_;
+                                let _e2067 = phi_2839_;
+                                let _e2069 = phi_2840_;
                                 if _e2069 {
-                                    phi_2843_ = false;
+                                    phi_2844_ = false;
                                 } else {
-                                    phi_2843_ = true;
+                                    phi_2844_ = true;
                                 }
-                                let _e2071 = phi_2843_;
-                                phi_2844_ = _e2067;
-                                phi_2845_ = _e2071;
+                                let _e2071 = phi_2844_;
+                                phi_2845_ = _e2067;
+                                phi_2846_ = _e2071;
                             } else {
-                                phi_2844_ = false;
-                                phi_2845_ = true;
+                                phi_2845_ = false;
+                                phi_2846_ = true;
                             }
-                            let _e2073 = phi_2844_;
-                            let _e2075 = phi_2845_;
-                            phi_2846_ = _e2073;
-                            phi_2847_ = _e2075;
+                            let _e2073 = phi_2845_;
+                            let _e2075 = phi_2846_;
+                            phi_2847_ = _e2073;
+                            phi_2848_ = _e2075;
                         } else {
-                            phi_2846_ = false;
-                            phi_2847_ = true;
+                            phi_2847_ = false;
+                            phi_2848_ = true;
                         }
-                        let _e2077 = phi_2846_;
-                        let _e2079 = phi_2847_;
+                        let _e2077 = phi_2847_;
+                        let _e2079 = phi_2848_;
                         if _e2079 {
-                            phi_2851_ = _e2077;
+                            phi_2852_ = _e2077;
                         } else {
-                            phi_2851_ = true;
+                            phi_2852_ = true;
                         }
-                        let _e2081 = phi_2851_;
+                        let _e2081 = phi_2852_;
                         if _e2081 {
                             let _e2083 = atomicAdd((&counters[7u]), 1u);
                             let _e2085 = atomicAdd((&counters[5u]), 1u);
                             hits[_e1331] = ((2147483648u | (_e2085 << bitcast<u32>(12i))) | _e1334);
                         }
-                        phi_2866_ = true;
+                        phi_2867_ = true;
                     }
-                    let _e2092 = phi_2866_;
-                    phi_2867_ = _e2092;
+                    let _e2092 = phi_2867_;
+                    phi_2868_ = _e2092;
                 } else {
-                    phi_2867_ = false;
+                    phi_2868_ = false;
                 }
-                let _e2094 = phi_2867_;
+                let _e2094 = phi_2868_;
                 continue;
                 continuing {
-                    phi_1834_ = _e1323;
+                    phi_1835_ = _e1323;
                     break if !(_e2094);
                 }
             }
@@ -1821,30 +1823,30 @@ fn function_() {
                     let _e2110 = atomicAdd((&output.member[1u]), _e2107);
                 }
             }
-            phi_2899_ = type_35(0u, 16u);
+            phi_2900_ = type_36(0u, 16u);
             loop {
-                let _e2112 = phi_2899_;
+                let _e2112 = phi_2900_;
                 if (_e2112.member < _e2112.member_1) {
-                    phi_2900_ = type_35((_e2112.member + 1u), _e2112.member_1);
-                    phi_2923_ = type_35(1u, _e2112.member);
+                    phi_2901_ = type_36((_e2112.member + 1u), _e2112.member_1);
+                    phi_2924_ = type_36(1u, _e2112.member);
                 } else {
-                    phi_2900_ = _e2112;
-                    phi_2923_ = type_35(0u, type_35().member_1);
+                    phi_2901_ = _e2112;
+                    phi_2924_ = type_36(0u, type_36().member_1);
                 }
-                let _e2126 = phi_2900_;
-                let _e2128 = phi_2923_;
+                let _e2126 = phi_2901_;
+                let _e2128 = phi_2924_;
                 if (bitcast<i32>(_e2128.member) != 0i) {
                     let _e2134 = (_e83 + (_e2128.member_1 * 128u));
                     if (_e2134 >= _e1307) {
-                        phi_3021_ = false;
+                        phi_3022_ = false;
                     } else {
                         let _e2137 = hits[_e2134];
                         if ((_e2137 & 2147483648u) == 0u) {
-                            phi_2946_ = 4294967295u;
+                            phi_2947_ = 4294967295u;
                         } else {
-                            phi_2946_ = ((_e2137 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_2947_ = ((_e2137 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e2144 = phi_2946_;
+                        let _e2144 = phi_2947_;
                         if (_e2144 != 4294967295u) {
                             let _e2148 = ((_e2137 >> bitcast<u32>(10i)) & 3u);
                             let _e2155 = firsts[(2u * _e2148)];
@@ -1855,32 +1857,32 @@ fn function_() {
                             let _e2170 = (_e2104 + _e2144);
                             if (_e112[0] == _e112[1]) {
                                 if (_e2158.member_1 < _e2165.member_1) {
-                                    phi_3000_ = type_35(_e2158.member_1, _e2165.member_1);
+                                    phi_3001_ = type_36(_e2158.member_1, _e2165.member_1);
                                 } else {
-                                    phi_3000_ = type_35(_e2165.member_1, _e2158.member_1);
+                                    phi_3001_ = type_36(_e2165.member_1, _e2158.member_1);
                                 }
-                                let _e2177 = phi_3000_;
-                                phi_3005_ = _e2177;
+                                let _e2177 = phi_3001_;
+                                phi_3006_ = _e2177;
                             } else {
-                                phi_3005_ = type_35(_e2158.member_1, _e2165.member_1);
+                                phi_3006_ = type_36(_e2158.member_1, _e2165.member_1);
                             }
-                            let _e2179 = phi_3005_;
+                            let _e2179 = phi_3006_;
                             if (_e2170 < _e2169) {
                                 atomicStore((&output.member[(4u + (2u * _e2170))]), _e2179.member);
                                 atomicStore((&output.member[((2u * _e2170) + 5u)]), _e2179.member_1);
                             }
                         }
-                        phi_3021_ = true;
+                        phi_3022_ = true;
                     }
-                    let _e2190 = phi_3021_;
-                    phi_3022_ = _e2190;
+                    let _e2190 = phi_3022_;
+                    phi_3023_ = _e2190;
                 } else {
-                    phi_3022_ = false;
+                    phi_3023_ = false;
                 }
-                let _e2192 = phi_3022_;
+                let _e2192 = phi_3023_;
                 continue;
                 continuing {
-                    phi_2899_ = _e2126;
+                    phi_2900_ = _e2126;
                     break if !(_e2192);
                 }
             }
@@ -1888,7 +1890,7 @@ fn function_() {
         }
         continue;
         continuing {
-            phi_272_ = _e172;
+            phi_273_ = _e172;
             break if !(_e178);
         }
     }

@@ -3,7 +3,7 @@ struct type_6 {
     member_1: array<f32, 3>,
 }
 
-struct type_12 {
+struct type_13 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -22,27 +22,29 @@ struct type_12 {
     member_15: u32,
     member_16: u32,
     member_17: u32,
-    member_18: array<array<u32, 4>, 8>,
+    member_18: array<array<u32, 2>, 3>,
+    member_19: array<u32, 2>,
+    member_20: array<array<u32, 4>, 8>,
 }
 
-struct type_14 {
-    member: type_12,
+struct type_15 {
+    member: type_13,
 }
 
-struct type_18 {
+struct type_19 {
     member: array<type_6>,
 }
 
-struct type_22 {
+struct type_23 {
     member: array<u32>,
 }
 
-struct type_29 {
+struct type_30 {
     member: u32,
     member_1: u32,
 }
 
-struct type_34 {
+struct type_35 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: f32,
@@ -52,43 +54,43 @@ var<private> id_1: vec3<u32>;
 var<private> n_1: vec3<u32>;
 var<private> lane_1: u32;
 @group(0) @binding(0) 
-var<storage> params: type_14;
+var<storage> params: type_15;
 @group(0) @binding(1) 
-var<storage> boxes: type_18;
+var<storage> boxes: type_19;
 @group(0) @binding(2) 
-var<storage> words: type_22;
+var<storage> words: type_23;
 @group(0) @binding(3) 
-var<storage, read_write> keys: type_22;
+var<storage, read_write> keys: type_23;
 @group(0) @binding(4) 
-var<storage, read_write> order: type_22;
+var<storage, read_write> order: type_23;
 
 fn function_() {
     var local: array<u32, 3>;
     var local_1: type_6;
     var local_2: type_6;
-    var local_3: type_34;
+    var local_3: type_35;
     var local_4: type_6;
-    var phi_133_: u32;
     var phi_134_: u32;
-    var phi_137_: type_29;
-    var phi_138_: type_29;
-    var phi_161_: type_29;
-    var phi_187_: u32;
-    var phi_213_: u32;
-    var phi_247_: type_29;
-    var phi_250_: f32;
-    var phi_248_: type_29;
-    var phi_273_: type_29;
-    var phi_303_: f32;
+    var phi_135_: u32;
+    var phi_138_: type_30;
+    var phi_139_: type_30;
+    var phi_162_: type_30;
+    var phi_188_: u32;
+    var phi_214_: u32;
+    var phi_248_: type_30;
     var phi_251_: f32;
+    var phi_249_: type_30;
+    var phi_274_: type_30;
+    var phi_304_: f32;
+    var phi_252_: f32;
     var local_5: f32;
     var local_6: f32;
-    var phi_313_: f32;
-    var phi_354_: type_29;
-    var phi_355_: type_29;
-    var phi_378_: type_29;
-    var phi_441_: u32;
+    var phi_314_: f32;
+    var phi_355_: type_30;
+    var phi_356_: type_30;
+    var phi_379_: type_30;
     var phi_442_: u32;
+    var phi_443_: u32;
 
     let _e50 = id_1;
     let _e51 = n_1;
@@ -98,41 +100,41 @@ fn function_() {
     if (_e64 < _e67) {
         let _e71 = params.member.member_2[2u];
         if (_e64 >= _e71) {
-            phi_134_ = 2u;
+            phi_135_ = 2u;
         } else {
             let _e74 = params.member.member_2[1u];
             if (_e64 >= _e74) {
-                phi_133_ = 1u;
+                phi_134_ = 1u;
             } else {
-                phi_133_ = 0u;
+                phi_134_ = 0u;
             }
-            let _e77 = phi_133_;
-            phi_134_ = _e77;
+            let _e77 = phi_134_;
+            phi_135_ = _e77;
         }
-        let _e79 = phi_134_;
+        let _e79 = phi_135_;
         local_2 = type_6(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_137_ = type_29(0u, 3u);
+        phi_138_ = type_30(0u, 3u);
         loop {
-            let _e81 = phi_137_;
+            let _e81 = phi_138_;
             if (_e81.member < _e81.member_1) {
-                phi_138_ = type_29((_e81.member + 1u), _e81.member_1);
-                phi_161_ = type_29(1u, _e81.member);
+                phi_139_ = type_30((_e81.member + 1u), _e81.member_1);
+                phi_162_ = type_30(1u, _e81.member);
             } else {
-                phi_138_ = _e81;
-                phi_161_ = type_29(0u, type_29().member_1);
+                phi_139_ = _e81;
+                phi_162_ = type_30(0u, type_30().member_1);
             }
-            let _e95 = phi_138_;
-            let _e97 = phi_161_;
+            let _e95 = phi_139_;
+            let _e97 = phi_162_;
             let _e101 = (bitcast<i32>(_e97.member) != 0i);
             if _e101 {
                 let _e103 = words.member[_e97.member_1];
                 let _e104 = ~(_e103);
                 if ((_e104 >> bitcast<u32>(31i)) == 1u) {
-                    phi_187_ = (_e104 & 2147483647u);
+                    phi_188_ = (_e104 & 2147483647u);
                 } else {
-                    phi_187_ = ~(_e104);
+                    phi_188_ = ~(_e104);
                 }
-                let _e111 = phi_187_;
+                let _e111 = phi_188_;
                 if (_e97.member_1 < 3u) {
                 } else {
                     return;
@@ -140,11 +142,11 @@ fn function_() {
                 local_2.member[_e97.member_1] = bitcast<f32>(_e111);
                 let _e118 = words.member[(3u + _e97.member_1)];
                 if ((_e118 >> bitcast<u32>(31i)) == 1u) {
-                    phi_213_ = (_e118 & 2147483647u);
+                    phi_214_ = (_e118 & 2147483647u);
                 } else {
-                    phi_213_ = ~(_e118);
+                    phi_214_ = ~(_e118);
                 }
-                let _e125 = phi_213_;
+                let _e125 = phi_214_;
                 if (_e97.member_1 < 3u) {
                 } else {
                     return;
@@ -153,28 +155,28 @@ fn function_() {
             }
             continue;
             continuing {
-                phi_137_ = _e95;
+                phi_138_ = _e95;
                 break if !(_e101);
             }
         }
         let _e131 = local_2;
         local_4 = _e131;
-        phi_247_ = type_29(0u, 3u);
-        phi_250_ = 0f;
+        phi_248_ = type_30(0u, 3u);
+        phi_251_ = 0f;
         loop {
-            let _e133 = phi_247_;
-            let _e135 = phi_250_;
+            let _e133 = phi_248_;
+            let _e135 = phi_251_;
             local_5 = _e135;
             local_6 = _e135;
             if (_e133.member < _e133.member_1) {
-                phi_248_ = type_29((_e133.member + 1u), _e133.member_1);
-                phi_273_ = type_29(1u, _e133.member);
+                phi_249_ = type_30((_e133.member + 1u), _e133.member_1);
+                phi_274_ = type_30(1u, _e133.member);
             } else {
-                phi_248_ = _e133;
-                phi_273_ = type_29(0u, type_29().member_1);
+                phi_249_ = _e133;
+                phi_274_ = type_30(0u, type_30().member_1);
             }
-            let _e149 = phi_248_;
-            let _e151 = phi_273_;
+            let _e149 = phi_249_;
+            let _e151 = phi_274_;
             let _e155 = (bitcast<i32>(_e151.member) != 0i);
             if _e155 {
                 if (_e151.member_1 < 3u) {
@@ -189,48 +191,48 @@ fn function_() {
                 let _e164 = local_4.member[_e151.member_1];
                 let _e166 = ((_e159 * 0.5f) - (_e164 * 0.5f));
                 if (_e166 > _e135) {
-                    phi_303_ = _e166;
+                    phi_304_ = _e166;
                 } else {
-                    phi_303_ = _e135;
+                    phi_304_ = _e135;
                 }
-                let _e169 = phi_303_;
-                phi_251_ = _e169;
+                let _e169 = phi_304_;
+                phi_252_ = _e169;
             } else {
-                phi_251_ = f32();
+                phi_252_ = f32();
             }
-            let _e171 = phi_251_;
+            let _e171 = phi_252_;
             continue;
             continuing {
-                phi_247_ = _e149;
-                phi_250_ = _e171;
+                phi_248_ = _e149;
+                phi_251_ = _e171;
                 break if !(_e155);
             }
         }
         let _e174 = local_5;
         if (_e174 > 0.000000000000000000000000000001f) {
             let _e178 = local_6;
-            phi_313_ = ((0.5f * 1024f) / _e178);
+            phi_314_ = ((0.5f * 1024f) / _e178);
         } else {
-            phi_313_ = 0f;
+            phi_314_ = 0f;
         }
-        let _e181 = phi_313_;
+        let _e181 = phi_314_;
         let _e183 = local_4.member;
-        local_3 = type_34(_e183, _e181, (1024f - 1f));
+        local_3 = type_35(_e183, _e181, (1024f - 1f));
         let _e189 = boxes.member[_e64];
         local_1 = type_6(array<f32, 3>(_e189.member[0], _e189.member[1], _e189.member[2]), array<f32, 3>(_e189.member_1[0], _e189.member_1[1], _e189.member_1[2]));
         local = array<u32, 3>(0u, 0u, 0u);
-        phi_354_ = type_29(0u, 3u);
+        phi_355_ = type_30(0u, 3u);
         loop {
-            let _e202 = phi_354_;
+            let _e202 = phi_355_;
             if (_e202.member < _e202.member_1) {
-                phi_355_ = type_29((_e202.member + 1u), _e202.member_1);
-                phi_378_ = type_29(1u, _e202.member);
+                phi_356_ = type_30((_e202.member + 1u), _e202.member_1);
+                phi_379_ = type_30(1u, _e202.member);
             } else {
-                phi_355_ = _e202;
-                phi_378_ = type_29(0u, type_29().member_1);
+                phi_356_ = _e202;
+                phi_379_ = type_30(0u, type_30().member_1);
             }
-            let _e216 = phi_355_;
-            let _e218 = phi_378_;
+            let _e216 = phi_356_;
+            let _e218 = phi_379_;
             let _e222 = (bitcast<i32>(_e218.member) != 0i);
             if _e222 {
                 if (_e218.member_1 < 3u) {
@@ -253,17 +255,17 @@ fn function_() {
                 let _e243 = local_3.member_2;
                 if (_e241 >= _e243) {
                     let _e254 = local_3.member_2;
-                    phi_442_ = select(select(u32(_e254), 0u, (_e254 < 0f)), 4294967295u, (_e254 > 4294967000f));
+                    phi_443_ = select(select(u32(_e254), 0u, (_e254 < 0f)), 4294967295u, (_e254 > 4294967000f));
                 } else {
                     if (_e241 > 0f) {
-                        phi_441_ = select(select(u32(_e241), 0u, (_e241 < 0f)), 4294967295u, (_e241 > 4294967000f));
+                        phi_442_ = select(select(u32(_e241), 0u, (_e241 < 0f)), 4294967295u, (_e241 > 4294967000f));
                     } else {
-                        phi_441_ = 0u;
+                        phi_442_ = 0u;
                     }
-                    let _e252 = phi_441_;
-                    phi_442_ = _e252;
+                    let _e252 = phi_442_;
+                    phi_443_ = _e252;
                 }
-                let _e261 = phi_442_;
+                let _e261 = phi_443_;
                 if (_e218.member_1 < 3u) {
                 } else {
                     return;
@@ -272,7 +274,7 @@ fn function_() {
             }
             continue;
             continuing {
-                phi_354_ = _e216;
+                phi_355_ = _e216;
                 break if !(_e222);
             }
         }

@@ -3,7 +3,7 @@ struct type_6 {
     member_1: array<f32, 3>,
 }
 
-struct type_11 {
+struct type_12 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -22,27 +22,29 @@ struct type_11 {
     member_15: u32,
     member_16: u32,
     member_17: u32,
-    member_18: array<array<u32, 4>, 8>,
+    member_18: array<array<u32, 2>, 3>,
+    member_19: array<u32, 2>,
+    member_20: array<array<u32, 4>, 8>,
 }
 
-struct type_13 {
-    member: type_11,
+struct type_14 {
+    member: type_12,
 }
 
-struct type_17 {
+struct type_18 {
     member: array<type_6>,
 }
 
-struct type_21 {
+struct type_22 {
     member: array<u32>,
 }
 
-struct type_30 {
+struct type_31 {
     member: u32,
     member_1: u32,
 }
 
-struct type_42 {
+struct type_43 {
     member: array<atomic<u32>>,
 }
 
@@ -50,13 +52,13 @@ var<private> id_1: vec3<u32>;
 var<private> n_1: vec3<u32>;
 var<private> lane_1: u32;
 @group(0) @binding(0) 
-var<storage> params: type_13;
+var<storage> params: type_14;
 @group(0) @binding(1) 
-var<storage> nodes: type_17;
+var<storage> nodes: type_18;
 @group(0) @binding(2) 
-var<storage> input: type_21;
+var<storage> input: type_22;
 @group(0) @binding(3) 
-var<storage, read_write> output: type_42;
+var<storage, read_write> output: type_43;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
 var<workgroup> columns: array<type_6, 128>;
@@ -64,52 +66,52 @@ var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
 
 fn function_() {
-    var phi_126_: u32;
-    var phi_154_: u32;
+    var phi_127_: u32;
     var phi_155_: u32;
-    var phi_162_: u32;
-    var phi_178_: u32;
-    var phi_199_: u32;
+    var phi_156_: u32;
+    var phi_163_: u32;
+    var phi_179_: u32;
     var phi_200_: u32;
-    var phi_203_: type_30;
-    var phi_204_: type_30;
-    var phi_227_: type_30;
-    var phi_265_: u32;
+    var phi_201_: u32;
+    var phi_204_: type_31;
+    var phi_205_: type_31;
+    var phi_228_: type_31;
     var phi_266_: u32;
-    var phi_273_: u32;
-    var phi_283_: u32;
-    var phi_333_: array<u32, 2>;
-    var phi_527_: bool;
+    var phi_267_: u32;
+    var phi_274_: u32;
+    var phi_284_: u32;
+    var phi_334_: array<u32, 2>;
     var phi_528_: bool;
-    var phi_532_: type_6;
-    var phi_540_: bool;
-    var phi_547_: type_30;
-    var phi_550_: u32;
-    var phi_548_: type_30;
-    var phi_573_: type_30;
-    var phi_638_: bool;
+    var phi_529_: bool;
+    var phi_533_: type_6;
+    var phi_541_: bool;
+    var phi_548_: type_31;
+    var phi_551_: u32;
+    var phi_549_: type_31;
+    var phi_574_: type_31;
     var phi_639_: bool;
     var phi_640_: bool;
     var phi_641_: bool;
-    var phi_645_: bool;
-    var phi_663_: u32;
+    var phi_642_: bool;
+    var phi_646_: bool;
     var phi_664_: u32;
     var phi_665_: u32;
-    var phi_551_: u32;
-    var phi_668_: type_30;
-    var phi_671_: u32;
-    var phi_669_: type_30;
-    var phi_694_: type_30;
-    var phi_737_: u32;
-    var phi_738_: bool;
+    var phi_666_: u32;
+    var phi_552_: u32;
+    var phi_669_: type_31;
     var phi_672_: u32;
+    var phi_670_: type_31;
+    var phi_695_: type_31;
+    var phi_738_: u32;
     var phi_739_: bool;
-    var phi_746_: u32;
-    var phi_770_: type_30;
-    var phi_771_: type_30;
-    var phi_794_: type_30;
-    var phi_840_: bool;
+    var phi_673_: u32;
+    var phi_740_: bool;
+    var phi_747_: u32;
+    var phi_771_: type_31;
+    var phi_772_: type_31;
+    var phi_795_: type_31;
     var phi_841_: bool;
+    var phi_842_: bool;
     var local: u32;
 
     let _e50 = id_1;
@@ -120,11 +122,11 @@ fn function_() {
     let _e66 = params.member.member_15;
     let _e68 = input.member[0u];
     if (_e66 < _e68) {
-        phi_126_ = _e66;
+        phi_127_ = _e66;
     } else {
-        phi_126_ = _e68;
+        phi_127_ = _e68;
     }
-    let _e71 = phi_126_;
+    let _e71 = phi_127_;
     let _e72 = (_e52 / 32u);
     let _e74 = params.member.member_12;
     if (_e71 > _e74) {
@@ -139,30 +141,30 @@ fn function_() {
             return;
         }
         if ((_e78 % _e80) > 0u) {
-            phi_154_ = (_e82 + 1u);
+            phi_155_ = (_e82 + 1u);
         } else {
-            phi_154_ = _e82;
+            phi_155_ = _e82;
         }
-        let _e88 = phi_154_;
-        phi_155_ = _e88;
+        let _e88 = phi_155_;
+        phi_156_ = _e88;
     } else {
-        phi_155_ = 0u;
+        phi_156_ = 0u;
     }
-    let _e90 = phi_155_;
+    let _e90 = phi_156_;
     let _e92 = params.member.member_14;
     if (_e92 < _e90) {
-        phi_162_ = _e92;
+        phi_163_ = _e92;
     } else {
-        phi_162_ = _e90;
+        phi_163_ = _e90;
     }
-    let _e95 = phi_162_;
+    let _e95 = phi_163_;
     let _e96 = (_e95 / 4u);
     if ((_e95 % 4u) > 0u) {
-        phi_178_ = (_e96 + 1u);
+        phi_179_ = (_e96 + 1u);
     } else {
-        phi_178_ = _e96;
+        phi_179_ = _e96;
     }
-    let _e101 = phi_178_;
+    let _e101 = phi_179_;
     if (_e101 > _e61) {
         let _e103 = (_e101 - _e61);
         if (_e64 == 0u) {
@@ -173,28 +175,28 @@ fn function_() {
             return;
         }
         if ((_e103 % _e64) > 0u) {
-            phi_199_ = (_e105 + 1u);
+            phi_200_ = (_e105 + 1u);
         } else {
-            phi_199_ = _e105;
+            phi_200_ = _e105;
         }
-        let _e111 = phi_199_;
-        phi_200_ = _e111;
+        let _e111 = phi_200_;
+        phi_201_ = _e111;
     } else {
-        phi_200_ = 0u;
+        phi_201_ = 0u;
     }
-    let _e113 = phi_200_;
-    phi_203_ = type_30(0u, _e113);
+    let _e113 = phi_201_;
+    phi_204_ = type_31(0u, _e113);
     loop {
-        let _e116 = phi_203_;
+        let _e116 = phi_204_;
         if (_e116.member < _e116.member_1) {
-            phi_204_ = type_30((_e116.member + 1u), _e116.member_1);
-            phi_227_ = type_30(1u, _e116.member);
+            phi_205_ = type_31((_e116.member + 1u), _e116.member_1);
+            phi_228_ = type_31(1u, _e116.member);
         } else {
-            phi_204_ = _e116;
-            phi_227_ = type_30(0u, type_30().member_1);
+            phi_205_ = _e116;
+            phi_228_ = type_31(0u, type_31().member_1);
         }
-        let _e130 = phi_204_;
-        let _e132 = phi_227_;
+        let _e130 = phi_205_;
+        let _e132 = phi_228_;
         let _e136 = (bitcast<i32>(_e132.member) != 0i);
         if _e136 {
             let _e140 = (((_e61 + (_e132.member_1 * _e64)) * 4u) + _e72);
@@ -211,32 +213,32 @@ fn function_() {
                     return;
                 }
                 if ((_e146 % _e148) > 0u) {
-                    phi_265_ = (_e150 + 1u);
+                    phi_266_ = (_e150 + 1u);
                 } else {
-                    phi_265_ = _e150;
+                    phi_266_ = _e150;
                 }
-                let _e156 = phi_265_;
-                phi_266_ = _e156;
+                let _e156 = phi_266_;
+                phi_267_ = _e156;
             } else {
-                phi_266_ = 0u;
+                phi_267_ = 0u;
             }
-            let _e158 = phi_266_;
+            let _e158 = phi_267_;
             let _e160 = params.member.member_14;
             if (_e160 < _e158) {
-                phi_273_ = _e160;
+                phi_274_ = _e160;
             } else {
-                phi_273_ = _e158;
+                phi_274_ = _e158;
             }
-            let _e163 = phi_273_;
+            let _e163 = phi_274_;
             let _e164 = (_e140 < _e163);
             let _e166 = params.member.member_12;
             if _e164 {
                 let _e168 = params.member.member_13;
-                phi_283_ = (_e140 * _e168);
+                phi_284_ = (_e140 * _e168);
             } else {
-                phi_283_ = 0u;
+                phi_284_ = 0u;
             }
-            let _e171 = phi_283_;
+            let _e171 = phi_284_;
             let _e173 = (2u * (_e166 + _e171));
             let _e176 = input.member[(4u + _e173)];
             let _e179 = input.member[(_e173 + 5u)];
@@ -250,11 +252,11 @@ fn function_() {
             }
             let _e192 = params.member.member_8;
             if (_e192 == 0u) {
-                phi_333_ = array<u32, 2>(0u, 2u);
+                phi_334_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_333_ = array<u32, 2>(1u, 1u);
+                phi_334_ = array<u32, 2>(1u, 1u);
             }
-            let _e195 = phi_333_;
+            let _e195 = phi_334_;
             let _e198 = (_e52 / 32u);
             let _e199 = (_e52 % 32u);
             let _e201 = params.member.member_9;
@@ -266,7 +268,7 @@ fn function_() {
             } else {
                 return;
             }
-            let _e207 = params.member.member_18[_e201][_e195[0]];
+            let _e207 = params.member.member_20[_e201][_e195[0]];
             let _e210 = nodes.member[(_e207 + _e176)];
             let _e212 = params.member.member_9;
             if (_e212 < 8u) {
@@ -277,7 +279,7 @@ fn function_() {
             } else {
                 return;
             }
-            let _e218 = params.member.member_18[_e212][_e195[1]];
+            let _e218 = params.member.member_20[_e212][_e195[1]];
             let _e221 = nodes.member[(_e218 + _e179)];
             let _e223 = params.member.member_9;
             let _e224 = (_e223 - 1u);
@@ -289,7 +291,7 @@ fn function_() {
             } else {
                 return;
             }
-            let _e232 = params.member.member_18[_e224][_e195[0]];
+            let _e232 = params.member.member_20[_e224][_e195[0]];
             let _e235 = nodes.member[(_e232 + ((_e176 * 32u) + _e199))];
             let _e237 = params.member.member_9;
             let _e238 = (_e237 - 1u);
@@ -301,7 +303,7 @@ fn function_() {
             } else {
                 return;
             }
-            let _e246 = params.member.member_18[_e238][_e195[1]];
+            let _e246 = params.member.member_20[_e238][_e195[1]];
             let _e249 = nodes.member[(_e246 + ((_e179 * 32u) + _e199))];
             if _e164 {
                 if ((((((_e249.member[0] <= _e210.member_1[0]) && (_e210.member[0] <= _e249.member_1[0])) && (_e249.member[1] <= _e210.member_1[1])) && (_e210.member[1] <= _e249.member_1[1])) && (_e249.member[2] <= _e210.member_1[2])) && (_e210.member[2] <= _e249.member_1[2])) {
@@ -314,47 +316,47 @@ fn function_() {
             workgroupBarrier();
             if _e164 {
                 if ((((((_e235.member[0] <= _e221.member_1[0]) && (_e221.member[0] <= _e235.member_1[0])) && (_e235.member[1] <= _e221.member_1[1])) && (_e221.member[1] <= _e235.member_1[1])) && (_e235.member[2] <= _e221.member_1[2])) && (_e221.member[2] <= _e235.member_1[2])) {
-                    phi_527_ = false;
+                    phi_528_ = false;
                 } else {
-                    phi_527_ = true;
+                    phi_528_ = true;
                 }
-                let _e338 = phi_527_;
-                phi_528_ = _e338;
+                let _e338 = phi_528_;
+                phi_529_ = _e338;
             } else {
-                phi_528_ = true;
+                phi_529_ = true;
             }
-            let _e340 = phi_528_;
+            let _e340 = phi_529_;
             if _e340 {
-                phi_532_ = type_6(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_533_ = type_6(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_532_ = _e235;
+                phi_533_ = _e235;
             }
-            let _e342 = phi_532_;
+            let _e342 = phi_533_;
             let _e344 = params.member.member_8;
             if (_e344 == 1u) {
-                phi_540_ = (_e176 == _e179);
+                phi_541_ = (_e176 == _e179);
             } else {
-                phi_540_ = false;
+                phi_541_ = false;
             }
-            let _e348 = phi_540_;
+            let _e348 = phi_541_;
             let _e349 = (_e52 / 32u);
             let _e350 = (_e52 % 32u);
             let _e352 = atomicLoad((&counters[_e349]));
-            phi_547_ = type_30(0u, _e352);
-            phi_550_ = 0u;
+            phi_548_ = type_31(0u, _e352);
+            phi_551_ = 0u;
             loop {
-                let _e355 = phi_547_;
-                let _e357 = phi_550_;
+                let _e355 = phi_548_;
+                let _e357 = phi_551_;
                 local = _e357;
                 if (_e355.member < _e355.member_1) {
-                    phi_548_ = type_30((_e355.member + 1u), _e355.member_1);
-                    phi_573_ = type_30(1u, _e355.member);
+                    phi_549_ = type_31((_e355.member + 1u), _e355.member_1);
+                    phi_574_ = type_31(1u, _e355.member);
                 } else {
-                    phi_548_ = _e355;
-                    phi_573_ = type_30(0u, type_30().member_1);
+                    phi_549_ = _e355;
+                    phi_574_ = type_31(0u, type_31().member_1);
                 }
-                let _e371 = phi_548_;
-                let _e373 = phi_573_;
+                let _e371 = phi_549_;
+                let _e373 = phi_574_;
                 let _e377 = (bitcast<i32>(_e373.member) != 0i);
                 if _e377 {
                     let _e381 = names[((_e349 * 32u) + _e373.member_1)];
@@ -363,81 +365,81 @@ fn function_() {
                         if _e348 {
                             let _e417 = (_e350 < _e381);
                             if _e417 {
-                                phi_639_ = bool();
+                                phi_640_ = bool();
                             } else {
                                 if (_e350 == _e381) {
-                                    phi_638_ = true;
+                                    phi_639_ = true;
                                 } else {
-                                    phi_638_ = false;
+                                    phi_639_ = false;
                                 }
-                                let _e420 = phi_638_;
-                                phi_639_ = _e420;
+                                let _e420 = phi_639_;
+                                phi_640_ = _e420;
                             }
-                            let _e422 = phi_639_;
-                            phi_640_ = _e422;
-                            phi_641_ = _e417;
+                            let _e422 = phi_640_;
+                            phi_641_ = _e422;
+                            phi_642_ = _e417;
                         } else {
-                            phi_640_ = bool();
-                            phi_641_ = true;
+                            phi_641_ = bool();
+                            phi_642_ = true;
                         }
-                        let _e424 = phi_640_;
-                        let _e426 = phi_641_;
+                        let _e424 = phi_641_;
+                        let _e426 = phi_642_;
                         if _e426 {
-                            phi_645_ = true;
+                            phi_646_ = true;
                         } else {
-                            phi_645_ = _e424;
+                            phi_646_ = _e424;
                         }
-                        let _e428 = phi_645_;
+                        let _e428 = phi_646_;
                         if _e428 {
                             let _e430 = atomicAdd((&counters[4u]), 1u);
                             if (_e430 < 2048u) {
                                 hits[_e430] = (((_e349 << bitcast<u32>(10i)) | (_e350 << bitcast<u32>(5i))) | _e381);
-                                phi_663_ = _e357;
+                                phi_664_ = _e357;
                             } else {
-                                phi_663_ = (_e357 | (1u << bitcast<u32>((_e373.member_1 & 31u))));
+                                phi_664_ = (_e357 | (1u << bitcast<u32>((_e373.member_1 & 31u))));
                             }
-                            let _e444 = phi_663_;
-                            phi_664_ = _e444;
+                            let _e444 = phi_664_;
+                            phi_665_ = _e444;
                         } else {
-                            phi_664_ = _e357;
+                            phi_665_ = _e357;
                         }
-                        let _e446 = phi_664_;
-                        phi_665_ = _e446;
+                        let _e446 = phi_665_;
+                        phi_666_ = _e446;
                     } else {
-                        phi_665_ = _e357;
+                        phi_666_ = _e357;
                     }
-                    let _e448 = phi_665_;
-                    phi_551_ = _e448;
+                    let _e448 = phi_666_;
+                    phi_552_ = _e448;
                 } else {
-                    phi_551_ = u32();
+                    phi_552_ = u32();
                 }
-                let _e450 = phi_551_;
+                let _e450 = phi_552_;
                 continue;
                 continuing {
-                    phi_547_ = _e371;
-                    phi_550_ = _e450;
+                    phi_548_ = _e371;
+                    phi_551_ = _e450;
                     break if !(_e377);
                 }
             }
-            phi_668_ = type_30(0u, 32u);
+            phi_669_ = type_31(0u, 32u);
             let _e620 = local;
-            phi_671_ = _e620;
+            phi_672_ = _e620;
             loop {
-                let _e453 = phi_668_;
-                let _e455 = phi_671_;
+                let _e453 = phi_669_;
+                let _e455 = phi_672_;
                 if (_e453.member < _e453.member_1) {
-                    phi_669_ = type_30((_e453.member + 1u), _e453.member_1);
-                    phi_694_ = type_30(1u, _e453.member);
+                    phi_670_ = type_31((_e453.member + 1u), _e453.member_1);
+                    phi_695_ = type_31(1u, _e453.member);
                 } else {
-                    phi_669_ = _e453;
-                    phi_694_ = type_30(0u, type_30().member_1);
+                    phi_670_ = _e453;
+                    phi_695_ = type_31(0u, type_31().member_1);
                 }
-                let _e469 = phi_669_;
-                let _e471 = phi_694_;
+                let _e469 = phi_670_;
+                let _e471 = phi_695_;
                 if (bitcast<i32>(_e471.member) != 0i) {
                     if (_e455 == 0u) {
-                        phi_737_ = u32();
-                        phi_738_ = false;
+                        phi_738_ = u32();
+                        phi_739_ = false;
                     } else {
                         let _e482 = names[((_e72 * 32u) + select(firstTrailingBit(_e455), 32u, (_e455 == 0u)))];
                         let _e486 = params.member.member_16;
@@ -446,34 +448,34 @@ fn function_() {
                             atomicStore((&output.member[(4u + (2u * _e493))]), ((_e176 * 32u) + (_e52 % 32u)));
                             atomicStore((&output.member[((2u * _e493) + 5u)]), ((_e179 * 32u) + _e482));
                         }
-                        phi_737_ = (_e455 & (_e455 - 1u));
-                        phi_738_ = true;
+                        phi_738_ = (_e455 & (_e455 - 1u));
+                        phi_739_ = true;
                     }
-                    let _e502 = phi_737_;
-                    let _e504 = phi_738_;
-                    phi_672_ = _e502;
-                    phi_739_ = _e504;
+                    let _e502 = phi_738_;
+                    let _e504 = phi_739_;
+                    phi_673_ = _e502;
+                    phi_740_ = _e504;
                 } else {
-                    phi_672_ = u32();
-                    phi_739_ = false;
+                    phi_673_ = u32();
+                    phi_740_ = false;
                 }
-                let _e506 = phi_672_;
-                let _e508 = phi_739_;
+                let _e506 = phi_673_;
+                let _e508 = phi_740_;
                 continue;
                 continuing {
-                    phi_668_ = _e469;
-                    phi_671_ = _e506;
+                    phi_669_ = _e469;
+                    phi_672_ = _e506;
                     break if !(_e508);
                 }
             }
             workgroupBarrier();
             let _e511 = atomicLoad((&counters[4u]));
             if (2048u < _e511) {
-                phi_746_ = 2048u;
+                phi_747_ = 2048u;
             } else {
-                phi_746_ = _e511;
+                phi_747_ = _e511;
             }
-            let _e514 = phi_746_;
+            let _e514 = phi_747_;
             if (_e52 == 0u) {
                 atomicStore((&counters[5u]), _e514);
             }
@@ -487,22 +489,22 @@ fn function_() {
             }
             workgroupBarrier();
             let _e525 = atomicLoad((&counters[6u]));
-            phi_770_ = type_30(0u, 16u);
+            phi_771_ = type_31(0u, 16u);
             loop {
-                let _e527 = phi_770_;
+                let _e527 = phi_771_;
                 if (_e527.member < _e527.member_1) {
-                    phi_771_ = type_30((_e527.member + 1u), _e527.member_1);
-                    phi_794_ = type_30(1u, _e527.member);
+                    phi_772_ = type_31((_e527.member + 1u), _e527.member_1);
+                    phi_795_ = type_31(1u, _e527.member);
                 } else {
-                    phi_771_ = _e527;
-                    phi_794_ = type_30(0u, type_30().member_1);
+                    phi_772_ = _e527;
+                    phi_795_ = type_31(0u, type_31().member_1);
                 }
-                let _e541 = phi_771_;
-                let _e543 = phi_794_;
+                let _e541 = phi_772_;
+                let _e543 = phi_795_;
                 if (bitcast<i32>(_e543.member) != 0i) {
                     let _e549 = (_e52 + (_e543.member_1 * 128u));
                     if (_e549 >= _e514) {
-                        phi_840_ = false;
+                        phi_841_ = false;
                     } else {
                         let _e552 = hits[_e549];
                         let _e555 = ((_e552 >> bitcast<u32>(10i)) & 3u);
@@ -514,17 +516,17 @@ fn function_() {
                             atomicStore((&output.member[(4u + (2u * _e562))]), (_e565 + ((_e552 >> bitcast<u32>(5i)) & 31u)));
                             atomicStore((&output.member[((2u * _e562) + 5u)]), (_e570 + (_e552 & 31u)));
                         }
-                        phi_840_ = true;
+                        phi_841_ = true;
                     }
-                    let _e580 = phi_840_;
-                    phi_841_ = _e580;
+                    let _e580 = phi_841_;
+                    phi_842_ = _e580;
                 } else {
-                    phi_841_ = false;
+                    phi_842_ = false;
                 }
-                let _e582 = phi_841_;
+                let _e582 = phi_842_;
                 continue;
                 continuing {
-                    phi_770_ = _e541;
+                    phi_771_ = _e541;
                     break if !(_e582);
                 }
             }
@@ -532,7 +534,7 @@ fn function_() {
         }
         continue;
         continuing {
-            phi_203_ = _e130;
+            phi_204_ = _e130;
             break if !(_e136);
         }
     }

@@ -1,4 +1,4 @@
-struct type_7 {
+struct type_8 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -17,41 +17,43 @@ struct type_7 {
     member_15: u32,
     member_16: u32,
     member_17: u32,
-    member_18: array<array<u32, 4>, 8>,
+    member_18: array<array<u32, 2>, 3>,
+    member_19: array<u32, 2>,
+    member_20: array<array<u32, 4>, 8>,
 }
 
-struct type_9 {
-    member: type_7,
+struct type_10 {
+    member: type_8,
 }
 
-struct type_13 {
+struct type_14 {
     member: array<u32>,
 }
 
-struct type_15 {
+struct type_16 {
     member: array<u32, 3>,
     member_1: u32,
 }
 
-struct type_18 {
-    member: array<type_15>,
+struct type_19 {
+    member: array<type_16>,
 }
 
-struct type_26 {
+struct type_27 {
     member: u32,
     member_1: u32,
 }
 
-struct type_31 {
+struct type_32 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
 }
 
-struct type_34 {
-    member: array<type_31>,
+struct type_36 {
+    member: array<type_32>,
 }
 
-struct type_40 {
+struct type_43 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -59,269 +61,309 @@ struct type_40 {
     member_4: array<u32, 2>,
 }
 
-struct type_43 {
-    member: array<type_40>,
+struct type_46 {
+    member: array<type_43>,
 }
 
-struct type_47 {
-    member: array<type_26>,
+struct type_50 {
+    member: array<type_27>,
 }
 
 var<private> lane_1: u32;
 @group(0) @binding(0) 
-var<storage> params: type_9;
+var<storage> params: type_10;
 @group(0) @binding(1) 
-var<storage> paths: type_34;
+var<storage> paths: type_36;
 @group(0) @binding(2) 
-var<storage> leaves: type_18;
+var<storage> leaves: type_19;
 @group(0) @binding(3) 
-var<storage> touches: type_43;
+var<storage> touches: type_46;
 @group(0) @binding(4) 
-var<storage> pairs: type_47;
+var<storage> pairs: type_50;
 @group(0) @binding(5) 
-var<storage, read_write> out: type_13;
+var<storage, read_write> out: type_14;
 
 fn function_() {
-    var local: type_31;
-    var local_1: type_15;
-    var phi_116_: type_26;
-    var phi_117_: type_26;
-    var phi_140_: type_26;
-    var phi_163_: type_26;
-    var phi_164_: type_26;
-    var phi_187_: type_26;
-    var phi_278_: type_26;
-    var phi_279_: type_26;
-    var phi_302_: type_26;
-    var phi_312_: type_26;
-    var phi_313_: type_26;
-    var phi_336_: type_26;
-    var phi_428_: type_26;
-    var phi_429_: type_26;
-    var phi_452_: type_26;
-    var phi_487_: type_26;
-    var phi_488_: type_26;
-    var phi_511_: type_26;
+    var local: type_32;
+    var local_1: type_16;
+    var phi_122_: type_27;
+    var phi_123_: type_27;
+    var phi_146_: type_27;
+    var phi_169_: type_27;
+    var phi_170_: type_27;
+    var phi_193_: type_27;
+    var phi_284_: type_27;
+    var phi_285_: type_27;
+    var phi_308_: type_27;
+    var phi_354_: type_27;
+    var phi_355_: type_27;
+    var phi_378_: type_27;
+    var phi_388_: type_27;
+    var phi_389_: type_27;
+    var phi_412_: type_27;
+    var phi_504_: type_27;
+    var phi_505_: type_27;
+    var phi_528_: type_27;
+    var phi_563_: type_27;
+    var phi_564_: type_27;
+    var phi_587_: type_27;
 
-    let _e51 = lane_1;
-    if (_e51 == 0u) {
-        phi_116_ = type_26(0u, 3u);
+    let _e55 = lane_1;
+    if (_e55 == 0u) {
+        phi_122_ = type_27(0u, 3u);
         loop {
-            let _e60 = phi_116_;
-            if (_e60.member < _e60.member_1) {
-                phi_117_ = type_26((_e60.member + 1u), _e60.member_1);
-                phi_140_ = type_26(1u, _e60.member);
+            let _e64 = phi_122_;
+            if (_e64.member < _e64.member_1) {
+                phi_123_ = type_27((_e64.member + 1u), _e64.member_1);
+                phi_146_ = type_27(1u, _e64.member);
             } else {
-                phi_117_ = _e60;
-                phi_140_ = type_26(0u, type_26().member_1);
+                phi_123_ = _e64;
+                phi_146_ = type_27(0u, type_27().member_1);
             }
-            let _e74 = phi_117_;
-            let _e76 = phi_140_;
-            let _e80 = (bitcast<i32>(_e76.member) != 0i);
-            if _e80 {
-                if (_e76.member_1 < 3u) {
+            let _e78 = phi_123_;
+            let _e80 = phi_146_;
+            let _e84 = (bitcast<i32>(_e80.member) != 0i);
+            if _e84 {
+                if (_e80.member_1 < 3u) {
                 } else {
                     return;
                 }
-                let _e84 = params.member.member[_e76.member_1];
-                out.member[_e76.member_1] = _e84;
+                let _e88 = params.member.member[_e80.member_1];
+                out.member[_e80.member_1] = _e88;
             }
             continue;
             continuing {
-                phi_116_ = _e74;
-                break if !(_e80);
+                phi_122_ = _e78;
+                break if !(_e84);
             }
         }
-        let _e88 = params.member.member_1;
-        out.member[3u] = _e88;
-        phi_163_ = type_26(0u, 4u);
+        let _e92 = params.member.member_1;
+        out.member[3u] = _e92;
+        phi_169_ = type_27(0u, 4u);
         loop {
-            let _e91 = phi_163_;
-            if (_e91.member < _e91.member_1) {
-                phi_164_ = type_26((_e91.member + 1u), _e91.member_1);
-                phi_187_ = type_26(1u, _e91.member);
+            let _e95 = phi_169_;
+            if (_e95.member < _e95.member_1) {
+                phi_170_ = type_27((_e95.member + 1u), _e95.member_1);
+                phi_193_ = type_27(1u, _e95.member);
             } else {
-                phi_164_ = _e91;
-                phi_187_ = type_26(0u, type_26().member_1);
+                phi_170_ = _e95;
+                phi_193_ = type_27(0u, type_27().member_1);
             }
-            let _e105 = phi_164_;
-            let _e107 = phi_187_;
-            let _e111 = (bitcast<i32>(_e107.member) != 0i);
-            if _e111 {
-                if (_e107.member_1 < 4u) {
+            let _e109 = phi_170_;
+            let _e111 = phi_193_;
+            let _e115 = (bitcast<i32>(_e111.member) != 0i);
+            if _e115 {
+                if (_e111.member_1 < 4u) {
                 } else {
                     return;
                 }
-                let _e116 = params.member.member_2[_e107.member_1];
-                out.member[(4u + _e107.member_1)] = _e116;
+                let _e120 = params.member.member_2[_e111.member_1];
+                out.member[(4u + _e111.member_1)] = _e120;
             }
             continue;
             continuing {
-                phi_163_ = _e105;
-                break if !(_e111);
+                phi_169_ = _e109;
+                break if !(_e115);
             }
         }
-        let _e120 = params.member.member_3;
-        out.member[8u] = bitcast<u32>(_e120);
-        let _e124 = params.member.member_4;
-        out.member[9u] = bitcast<u32>(_e124);
-        let _e128 = params.member.member_5;
-        out.member[10u] = bitcast<u32>(_e128);
-        let _e132 = params.member.member_6;
-        out.member[11u] = bitcast<u32>(_e132);
-        let _e137 = params.member.member_7[0u];
-        out.member[12u] = _e137;
-        let _e141 = params.member.member_7[1u];
-        out.member[13u] = _e141;
-        let _e144 = params.member.member_8;
-        out.member[14u] = _e144;
-        let _e147 = params.member.member_9;
-        out.member[15u] = _e147;
-        let _e150 = params.member.member_10;
-        out.member[16u] = _e150;
-        let _e153 = params.member.member_11;
-        out.member[17u] = _e153;
-        let _e156 = params.member.member_12;
-        out.member[18u] = _e156;
-        let _e159 = params.member.member_13;
-        out.member[19u] = _e159;
-        let _e162 = params.member.member_14;
-        out.member[20u] = _e162;
-        let _e165 = params.member.member_15;
-        out.member[21u] = _e165;
-        let _e168 = params.member.member_16;
-        out.member[22u] = _e168;
-        let _e171 = params.member.member_17;
-        out.member[23u] = _e171;
-        phi_278_ = type_26(0u, 8u);
+        let _e124 = params.member.member_3;
+        out.member[8u] = bitcast<u32>(_e124);
+        let _e128 = params.member.member_4;
+        out.member[9u] = bitcast<u32>(_e128);
+        let _e132 = params.member.member_5;
+        out.member[10u] = bitcast<u32>(_e132);
+        let _e136 = params.member.member_6;
+        out.member[11u] = bitcast<u32>(_e136);
+        let _e141 = params.member.member_7[0u];
+        out.member[12u] = _e141;
+        let _e145 = params.member.member_7[1u];
+        out.member[13u] = _e145;
+        let _e148 = params.member.member_8;
+        out.member[14u] = _e148;
+        let _e151 = params.member.member_9;
+        out.member[15u] = _e151;
+        let _e154 = params.member.member_10;
+        out.member[16u] = _e154;
+        let _e157 = params.member.member_11;
+        out.member[17u] = _e157;
+        let _e160 = params.member.member_12;
+        out.member[18u] = _e160;
+        let _e163 = params.member.member_13;
+        out.member[19u] = _e163;
+        let _e166 = params.member.member_14;
+        out.member[20u] = _e166;
+        let _e169 = params.member.member_15;
+        out.member[21u] = _e169;
+        let _e172 = params.member.member_16;
+        out.member[22u] = _e172;
+        let _e175 = params.member.member_17;
+        out.member[23u] = _e175;
+        phi_284_ = type_27(0u, 3u);
         loop {
-            let _e174 = phi_278_;
-            if (_e174.member < _e174.member_1) {
-                phi_279_ = type_26((_e174.member + 1u), _e174.member_1);
-                phi_302_ = type_26(1u, _e174.member);
+            let _e178 = phi_284_;
+            if (_e178.member < _e178.member_1) {
+                phi_285_ = type_27((_e178.member + 1u), _e178.member_1);
+                phi_308_ = type_27(1u, _e178.member);
             } else {
-                phi_279_ = _e174;
-                phi_302_ = type_26(0u, type_26().member_1);
+                phi_285_ = _e178;
+                phi_308_ = type_27(0u, type_27().member_1);
             }
-            let _e188 = phi_279_;
-            let _e190 = phi_302_;
-            let _e194 = (bitcast<i32>(_e190.member) != 0i);
-            if _e194 {
-                phi_312_ = type_26(0u, 4u);
+            let _e192 = phi_285_;
+            let _e194 = phi_308_;
+            let _e198 = (bitcast<i32>(_e194.member) != 0i);
+            if _e198 {
+                if (_e194.member_1 < 3u) {
+                } else {
+                    return;
+                }
+                let _e205 = params.member.member_18[_e194.member_1][0u];
+                out.member[(24u + (2u * _e194.member_1))] = _e205;
+                if (_e194.member_1 < 3u) {
+                } else {
+                    return;
+                }
+                let _e213 = params.member.member_18[_e194.member_1][1u];
+                out.member[(25u + (2u * _e194.member_1))] = _e213;
+            }
+            continue;
+            continuing {
+                phi_284_ = _e192;
+                break if !(_e198);
+            }
+        }
+        let _e218 = params.member.member_19[0u];
+        out.member[30u] = _e218;
+        let _e222 = params.member.member_19[1u];
+        out.member[31u] = _e222;
+        phi_354_ = type_27(0u, 8u);
+        loop {
+            let _e225 = phi_354_;
+            if (_e225.member < _e225.member_1) {
+                phi_355_ = type_27((_e225.member + 1u), _e225.member_1);
+                phi_378_ = type_27(1u, _e225.member);
+            } else {
+                phi_355_ = _e225;
+                phi_378_ = type_27(0u, type_27().member_1);
+            }
+            let _e239 = phi_355_;
+            let _e241 = phi_378_;
+            let _e245 = (bitcast<i32>(_e241.member) != 0i);
+            if _e245 {
+                phi_388_ = type_27(0u, 4u);
                 loop {
-                    let _e196 = phi_312_;
-                    if (_e196.member < _e196.member_1) {
-                        phi_313_ = type_26((_e196.member + 1u), _e196.member_1);
-                        phi_336_ = type_26(1u, _e196.member);
+                    let _e247 = phi_388_;
+                    if (_e247.member < _e247.member_1) {
+                        phi_389_ = type_27((_e247.member + 1u), _e247.member_1);
+                        phi_412_ = type_27(1u, _e247.member);
                     } else {
-                        phi_313_ = _e196;
-                        phi_336_ = type_26(0u, type_26().member_1);
+                        phi_389_ = _e247;
+                        phi_412_ = type_27(0u, type_27().member_1);
                     }
-                    let _e210 = phi_313_;
-                    let _e212 = phi_336_;
-                    let _e216 = (bitcast<i32>(_e212.member) != 0i);
-                    if _e216 {
-                        if (_e190.member_1 < 8u) {
+                    let _e261 = phi_389_;
+                    let _e263 = phi_412_;
+                    let _e267 = (bitcast<i32>(_e263.member) != 0i);
+                    if _e267 {
+                        if (_e241.member_1 < 8u) {
                         } else {
                             return;
                         }
-                        if (_e212.member_1 < 4u) {
+                        if (_e263.member_1 < 4u) {
                         } else {
                             return;
                         }
-                        let _e225 = params.member.member_18[_e190.member_1][_e212.member_1];
-                        out.member[((24u + (4u * _e190.member_1)) + _e212.member_1)] = _e225;
+                        let _e276 = params.member.member_20[_e241.member_1][_e263.member_1];
+                        out.member[((32u + (4u * _e241.member_1)) + _e263.member_1)] = _e276;
                     }
                     continue;
                     continuing {
-                        phi_312_ = _e210;
-                        break if !(_e216);
+                        phi_388_ = _e261;
+                        break if !(_e267);
                     }
                 }
             }
             continue;
             continuing {
-                phi_278_ = _e188;
-                break if !(_e194);
+                phi_354_ = _e239;
+                break if !(_e245);
             }
         }
-        let _e230 = paths.member[1u];
-        local = type_31(array<f32, 4>(_e230.member[0], _e230.member[1], _e230.member[2], _e230.member[3]), array<f32, 4>(_e230.member_1[0], _e230.member_1[1], _e230.member_1[2], _e230.member_1[3]));
-        let _e245 = leaves.member[1u];
-        local_1 = type_15(array<u32, 3>(_e245.member[0], _e245.member[1], _e245.member[2]), _e245.member_1);
-        let _e254 = touches.member[1u];
-        let _e257 = pairs.member[1u].member;
-        let _e259 = pairs.member[1u].member_1;
-        phi_428_ = type_26(0u, 4u);
+        let _e281 = paths.member[1u];
+        local = type_32(array<f32, 4>(_e281.member[0], _e281.member[1], _e281.member[2], _e281.member[3]), array<f32, 4>(_e281.member_1[0], _e281.member_1[1], _e281.member_1[2], _e281.member_1[3]));
+        let _e296 = leaves.member[1u];
+        local_1 = type_16(array<u32, 3>(_e296.member[0], _e296.member[1], _e296.member[2]), _e296.member_1);
+        let _e305 = touches.member[1u];
+        let _e308 = pairs.member[1u].member;
+        let _e310 = pairs.member[1u].member_1;
+        phi_504_ = type_27(0u, 4u);
         loop {
-            let _e261 = phi_428_;
-            if (_e261.member < _e261.member_1) {
-                phi_429_ = type_26((_e261.member + 1u), _e261.member_1);
-                phi_452_ = type_26(1u, _e261.member);
+            let _e312 = phi_504_;
+            if (_e312.member < _e312.member_1) {
+                phi_505_ = type_27((_e312.member + 1u), _e312.member_1);
+                phi_528_ = type_27(1u, _e312.member);
             } else {
-                phi_429_ = _e261;
-                phi_452_ = type_26(0u, type_26().member_1);
+                phi_505_ = _e312;
+                phi_528_ = type_27(0u, type_27().member_1);
             }
-            let _e275 = phi_429_;
-            let _e277 = phi_452_;
-            let _e281 = (bitcast<i32>(_e277.member) != 0i);
-            if _e281 {
-                if (_e277.member_1 < 4u) {
+            let _e326 = phi_505_;
+            let _e328 = phi_528_;
+            let _e332 = (bitcast<i32>(_e328.member) != 0i);
+            if _e332 {
+                if (_e328.member_1 < 4u) {
                 } else {
                     return;
                 }
-                let _e286 = local.member[_e277.member_1];
-                out.member[(56u + _e277.member_1)] = bitcast<u32>(_e286);
-                if (_e277.member_1 < 4u) {
+                let _e337 = local.member[_e328.member_1];
+                out.member[(64u + _e328.member_1)] = bitcast<u32>(_e337);
+                if (_e328.member_1 < 4u) {
                 } else {
                     return;
                 }
-                let _e293 = local.member_1[_e277.member_1];
-                out.member[(60u + _e277.member_1)] = bitcast<u32>(_e293);
+                let _e344 = local.member_1[_e328.member_1];
+                out.member[(68u + _e328.member_1)] = bitcast<u32>(_e344);
             }
             continue;
             continuing {
-                phi_428_ = _e275;
-                break if !(_e281);
+                phi_504_ = _e326;
+                break if !(_e332);
             }
         }
-        phi_487_ = type_26(0u, 3u);
+        phi_563_ = type_27(0u, 3u);
         loop {
-            let _e298 = phi_487_;
-            if (_e298.member < _e298.member_1) {
-                phi_488_ = type_26((_e298.member + 1u), _e298.member_1);
-                phi_511_ = type_26(1u, _e298.member);
+            let _e349 = phi_563_;
+            if (_e349.member < _e349.member_1) {
+                phi_564_ = type_27((_e349.member + 1u), _e349.member_1);
+                phi_587_ = type_27(1u, _e349.member);
             } else {
-                phi_488_ = _e298;
-                phi_511_ = type_26(0u, type_26().member_1);
+                phi_564_ = _e349;
+                phi_587_ = type_27(0u, type_27().member_1);
             }
-            let _e312 = phi_488_;
-            let _e314 = phi_511_;
-            let _e318 = (bitcast<i32>(_e314.member) != 0i);
-            if _e318 {
-                if (_e314.member_1 < 3u) {
+            let _e363 = phi_564_;
+            let _e365 = phi_587_;
+            let _e369 = (bitcast<i32>(_e365.member) != 0i);
+            if _e369 {
+                if (_e365.member_1 < 3u) {
                 } else {
                     return;
                 }
-                let _e323 = local_1.member[_e314.member_1];
-                out.member[(64u + _e314.member_1)] = _e323;
+                let _e374 = local_1.member[_e365.member_1];
+                out.member[(72u + _e365.member_1)] = _e374;
             }
             continue;
             continuing {
-                phi_487_ = _e312;
-                break if !(_e318);
+                phi_563_ = _e363;
+                break if !(_e369);
             }
         }
-        let _e327 = local_1.member_1;
-        out.member[67u] = _e327;
-        out.member[68u] = _e254.member;
-        out.member[69u] = _e254.member_1;
-        out.member[70u] = _e254.member_2;
-        out.member[71u] = _e254.member_3;
-        out.member[72u] = _e254.member_4[0];
-        out.member[73u] = _e254.member_4[1];
-        out.member[74u] = _e257;
-        out.member[75u] = _e259;
+        let _e378 = local_1.member_1;
+        out.member[75u] = _e378;
+        out.member[76u] = _e305.member;
+        out.member[77u] = _e305.member_1;
+        out.member[78u] = _e305.member_2;
+        out.member[79u] = _e305.member_3;
+        out.member[80u] = _e305.member_4[0];
+        out.member[81u] = _e305.member_4[1];
+        out.member[82u] = _e308;
+        out.member[83u] = _e310;
     }
     return;
 }

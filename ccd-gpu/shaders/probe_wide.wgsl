@@ -13,11 +13,11 @@ struct type_11 {
     member_1: u32,
 }
 
-struct type_21 {
+struct type_23 {
     member: array<array<u32, 4>>,
 }
 
-struct type_25 {
+struct type_27 {
     member: array<array<u32, 24>>,
 }
 
@@ -25,9 +25,9 @@ var<private> id_1: vec3<u32>;
 var<private> n_1: vec3<u32>;
 var<private> lane_1: u32;
 @group(0) @binding(0) 
-var<storage> inputs: type_21;
+var<storage> inputs: type_23;
 @group(0) @binding(1) 
-var<storage, read_write> out: type_25;
+var<storage, read_write> out: type_27;
 
 fn function_() {
     var local: array<u32, 24>;

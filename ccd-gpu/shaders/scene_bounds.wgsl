@@ -3,7 +3,7 @@ struct type_6 {
     member_1: array<f32, 3>,
 }
 
-struct type_12 {
+struct type_13 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -22,37 +22,39 @@ struct type_12 {
     member_15: u32,
     member_16: u32,
     member_17: u32,
-    member_18: array<array<u32, 4>, 8>,
+    member_18: array<array<u32, 2>, 3>,
+    member_19: array<u32, 2>,
+    member_20: array<array<u32, 4>, 8>,
 }
 
-struct type_14 {
-    member: type_12,
+struct type_15 {
+    member: type_13,
 }
 
-struct type_18 {
+struct type_19 {
     member: array<type_6>,
 }
 
-struct type_22 {
+struct type_23 {
     member: array<u32>,
 }
 
-struct type_31 {
-    member: i32,
-    member_1: i32,
-}
-
 struct type_32 {
-    member: u32,
+    member: i32,
     member_1: i32,
 }
 
 struct type_33 {
     member: u32,
+    member_1: i32,
+}
+
+struct type_34 {
+    member: u32,
     member_1: u32,
 }
 
-struct type_38 {
+struct type_39 {
     member: array<atomic<u32>>,
 }
 
@@ -60,12 +62,12 @@ var<private> id_1: vec3<u32>;
 var<private> n_1: vec3<u32>;
 var<private> lane_1: u32;
 @group(0) @binding(0) 
-var<storage> params: type_14;
+var<storage> params: type_15;
 @group(0) @binding(1) 
-var<storage> boxes: type_18;
+var<storage> boxes: type_19;
 var<workgroup> shared_: array<type_6, 256>;
 @group(0) @binding(2) 
-var<storage, read_write> words: type_38;
+var<storage, read_write> words: type_39;
 
 fn function_() {
     var local: type_6;
@@ -73,58 +75,58 @@ fn function_() {
     var local_2: type_6;
     var local_3: type_6;
     var local_4: type_6;
-    var phi_101_: type_33;
-    var phi_104_: type_6;
-    var phi_102_: type_33;
-    var phi_127_: type_33;
-    var phi_175_: type_33;
-    var phi_176_: type_33;
-    var phi_199_: type_33;
-    var phi_225_: f32;
-    var phi_252_: f32;
-    var phi_272_: type_6;
+    var phi_102_: type_34;
     var phi_105_: type_6;
+    var phi_103_: type_34;
+    var phi_128_: type_34;
+    var phi_176_: type_34;
+    var phi_177_: type_34;
+    var phi_200_: type_34;
+    var phi_226_: f32;
+    var phi_253_: f32;
+    var phi_273_: type_6;
+    var phi_106_: type_6;
     var local_5: type_6;
     var local_6: type_6;
-    var phi_310_: type_31;
-    var phi_313_: u32;
-    var phi_334_: bool;
-    var phi_340_: type_32;
-    var phi_311_: type_31;
-    var phi_354_: type_32;
-    var phi_392_: type_33;
-    var phi_393_: type_33;
-    var phi_416_: type_33;
-    var phi_442_: f32;
-    var phi_469_: f32;
+    var phi_311_: type_32;
     var phi_314_: u32;
-    var phi_531_: type_33;
-    var phi_532_: type_33;
-    var phi_555_: type_33;
-    var phi_601_: u32;
-    var phi_582_: u32;
+    var phi_335_: bool;
+    var phi_341_: type_33;
+    var phi_312_: type_32;
+    var phi_355_: type_33;
+    var phi_393_: type_34;
+    var phi_394_: type_34;
+    var phi_417_: type_34;
+    var phi_443_: f32;
+    var phi_470_: f32;
+    var phi_315_: u32;
+    var phi_532_: type_34;
+    var phi_533_: type_34;
+    var phi_556_: type_34;
     var phi_602_: u32;
+    var phi_583_: u32;
+    var phi_603_: u32;
 
     let _e45 = id_1;
     let _e46 = n_1;
     let _e47 = lane_1;
     let _e59 = params.member.member_17;
-    phi_101_ = type_33(0u, 8u);
-    phi_104_ = type_6(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+    phi_102_ = type_34(0u, 8u);
+    phi_105_ = type_6(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
     loop {
-        let _e61 = phi_101_;
-        let _e63 = phi_104_;
+        let _e61 = phi_102_;
+        let _e63 = phi_105_;
         local_5 = _e63;
         local_6 = _e63;
         if (_e61.member < _e61.member_1) {
-            phi_102_ = type_33((_e61.member + 1u), _e61.member_1);
-            phi_127_ = type_33(1u, _e61.member);
+            phi_103_ = type_34((_e61.member + 1u), _e61.member_1);
+            phi_128_ = type_34(1u, _e61.member);
         } else {
-            phi_102_ = _e61;
-            phi_127_ = type_33(0u, type_33().member_1);
+            phi_103_ = _e61;
+            phi_128_ = type_34(0u, type_34().member_1);
         }
-        let _e77 = phi_102_;
-        let _e79 = phi_127_;
+        let _e77 = phi_103_;
+        let _e79 = phi_128_;
         let _e83 = (bitcast<i32>(_e79.member) != 0i);
         if _e83 {
             let _e85 = (((((_e45.y * _e46.x) + _e45.x) * 2048u) + _e47) + (_e79.member_1 * 256u));
@@ -132,18 +134,18 @@ fn function_() {
                 let _e88 = boxes.member[_e85];
                 local_2 = type_6(array<f32, 3>(_e88.member[0], _e88.member[1], _e88.member[2]), array<f32, 3>(_e88.member_1[0], _e88.member_1[1], _e88.member_1[2]));
                 local_1 = type_6(array<f32, 3>(_e63.member[0], _e63.member[1], _e63.member[2]), array<f32, 3>(_e63.member_1[0], _e63.member_1[1], _e63.member_1[2]));
-                phi_175_ = type_33(0u, 3u);
+                phi_176_ = type_34(0u, 3u);
                 loop {
-                    let _e112 = phi_175_;
+                    let _e112 = phi_176_;
                     if (_e112.member < _e112.member_1) {
-                        phi_176_ = type_33((_e112.member + 1u), _e112.member_1);
-                        phi_199_ = type_33(1u, _e112.member);
+                        phi_177_ = type_34((_e112.member + 1u), _e112.member_1);
+                        phi_200_ = type_34(1u, _e112.member);
                     } else {
-                        phi_176_ = _e112;
-                        phi_199_ = type_33(0u, type_33().member_1);
+                        phi_177_ = _e112;
+                        phi_200_ = type_34(0u, type_34().member_1);
                     }
-                    let _e126 = phi_176_;
-                    let _e128 = phi_199_;
+                    let _e126 = phi_177_;
+                    let _e128 = phi_200_;
                     let _e132 = (bitcast<i32>(_e128.member) != 0i);
                     if _e132 {
                         if (_e128.member_1 < 3u) {
@@ -157,11 +159,11 @@ fn function_() {
                         }
                         let _e140 = local_2.member[_e128.member_1];
                         if (_e136 < _e140) {
-                            phi_225_ = _e136;
+                            phi_226_ = _e136;
                         } else {
-                            phi_225_ = _e140;
+                            phi_226_ = _e140;
                         }
-                        let _e143 = phi_225_;
+                        let _e143 = phi_226_;
                         if (_e128.member_1 < 3u) {
                         } else {
                             return;
@@ -178,11 +180,11 @@ fn function_() {
                         }
                         let _e154 = local_2.member_1[_e128.member_1];
                         if (_e150 > _e154) {
-                            phi_252_ = _e150;
+                            phi_253_ = _e150;
                         } else {
-                            phi_252_ = _e154;
+                            phi_253_ = _e154;
                         }
-                        let _e157 = phi_252_;
+                        let _e157 = phi_253_;
                         if (_e128.member_1 < 3u) {
                         } else {
                             return;
@@ -191,25 +193,25 @@ fn function_() {
                     }
                     continue;
                     continuing {
-                        phi_175_ = _e126;
+                        phi_176_ = _e126;
                         break if !(_e132);
                     }
                 }
                 let _e162 = local_1;
-                phi_272_ = type_6(array<f32, 3>(_e162.member[0], _e162.member[1], _e162.member[2]), array<f32, 3>(_e162.member_1[0], _e162.member_1[1], _e162.member_1[2]));
+                phi_273_ = type_6(array<f32, 3>(_e162.member[0], _e162.member[1], _e162.member[2]), array<f32, 3>(_e162.member_1[0], _e162.member_1[1], _e162.member_1[2]));
             } else {
-                phi_272_ = _e63;
+                phi_273_ = _e63;
             }
-            let _e175 = phi_272_;
-            phi_105_ = _e175;
+            let _e175 = phi_273_;
+            phi_106_ = _e175;
         } else {
-            phi_105_ = type_6();
+            phi_106_ = type_6();
         }
-        let _e177 = phi_105_;
+        let _e177 = phi_106_;
         continue;
         continuing {
-            phi_101_ = _e77;
-            phi_104_ = _e177;
+            phi_102_ = _e77;
+            phi_105_ = _e177;
             break if !(_e83);
         }
     }
@@ -218,37 +220,37 @@ fn function_() {
     local_3 = type_6(array<f32, 3>(_e180.member[0], _e180.member[1], _e180.member[2]), array<f32, 3>(_e187.member_1[0], _e187.member_1[1], _e187.member_1[2]));
     let _e194 = local_3;
     shared_[_e47] = _e194;
-    phi_310_ = type_31(0i, 8i);
-    phi_313_ = 128u;
+    phi_311_ = type_32(0i, 8i);
+    phi_314_ = 128u;
     loop {
-        let _e197 = phi_310_;
-        let _e199 = phi_313_;
+        let _e197 = phi_311_;
+        let _e199 = phi_314_;
         if (_e197.member < _e197.member_1) {
             let _e207 = (_e197.member + 1i);
             if ((false == (_e207 > _e197.member)) != false) {
-                phi_334_ = true;
+                phi_335_ = true;
             } else {
-                phi_334_ = false;
+                phi_335_ = false;
             }
-            let _e212 = phi_334_;
+            let _e212 = phi_335_;
             if _e212 {
-                phi_340_ = type_32(0u, type_32().member_1);
+                phi_341_ = type_33(0u, type_33().member_1);
             } else {
-                phi_340_ = type_32(1u, _e207);
+                phi_341_ = type_33(1u, _e207);
             }
-            let _e218 = phi_340_;
+            let _e218 = phi_341_;
             if (bitcast<i32>(_e218.member) != 0i) {
             } else {
                 return;
             }
-            phi_311_ = type_31(_e218.member_1, _e197.member_1);
-            phi_354_ = type_32(1u, _e197.member);
+            phi_312_ = type_32(_e218.member_1, _e197.member_1);
+            phi_355_ = type_33(1u, _e197.member);
         } else {
-            phi_311_ = _e197;
-            phi_354_ = type_32(0u, type_32().member_1);
+            phi_312_ = _e197;
+            phi_355_ = type_33(0u, type_33().member_1);
         }
-        let _e228 = phi_311_;
-        let _e230 = phi_354_;
+        let _e228 = phi_312_;
+        let _e230 = phi_355_;
         let _e233 = (bitcast<i32>(_e230.member) != 0i);
         if _e233 {
             workgroupBarrier();
@@ -257,18 +259,18 @@ fn function_() {
                 local_4 = _e237;
                 let _e238 = local_3;
                 local = _e238;
-                phi_392_ = type_33(0u, 3u);
+                phi_393_ = type_34(0u, 3u);
                 loop {
-                    let _e240 = phi_392_;
+                    let _e240 = phi_393_;
                     if (_e240.member < _e240.member_1) {
-                        phi_393_ = type_33((_e240.member + 1u), _e240.member_1);
-                        phi_416_ = type_33(1u, _e240.member);
+                        phi_394_ = type_34((_e240.member + 1u), _e240.member_1);
+                        phi_417_ = type_34(1u, _e240.member);
                     } else {
-                        phi_393_ = _e240;
-                        phi_416_ = type_33(0u, type_33().member_1);
+                        phi_394_ = _e240;
+                        phi_417_ = type_34(0u, type_34().member_1);
                     }
-                    let _e254 = phi_393_;
-                    let _e256 = phi_416_;
+                    let _e254 = phi_394_;
+                    let _e256 = phi_417_;
                     let _e260 = (bitcast<i32>(_e256.member) != 0i);
                     if _e260 {
                         if (_e256.member_1 < 3u) {
@@ -282,11 +284,11 @@ fn function_() {
                         }
                         let _e268 = local_4.member[_e256.member_1];
                         if (_e264 < _e268) {
-                            phi_442_ = _e264;
+                            phi_443_ = _e264;
                         } else {
-                            phi_442_ = _e268;
+                            phi_443_ = _e268;
                         }
-                        let _e271 = phi_442_;
+                        let _e271 = phi_443_;
                         if (_e256.member_1 < 3u) {
                         } else {
                             return;
@@ -303,11 +305,11 @@ fn function_() {
                         }
                         let _e282 = local_4.member_1[_e256.member_1];
                         if (_e278 > _e282) {
-                            phi_469_ = _e278;
+                            phi_470_ = _e278;
                         } else {
-                            phi_469_ = _e282;
+                            phi_470_ = _e282;
                         }
-                        let _e285 = phi_469_;
+                        let _e285 = phi_470_;
                         if (_e256.member_1 < 3u) {
                         } else {
                             return;
@@ -316,7 +318,7 @@ fn function_() {
                     }
                     continue;
                     continuing {
-                        phi_392_ = _e254;
+                        phi_393_ = _e254;
                         break if !(_e260);
                     }
                 }
@@ -325,31 +327,31 @@ fn function_() {
                 let _e291 = local_3;
                 shared_[_e47] = _e291;
             }
-            phi_314_ = (_e199 / 2u);
+            phi_315_ = (_e199 / 2u);
         } else {
-            phi_314_ = u32();
+            phi_315_ = u32();
         }
-        let _e295 = phi_314_;
+        let _e295 = phi_315_;
         continue;
         continuing {
-            phi_310_ = _e228;
-            phi_313_ = _e295;
+            phi_311_ = _e228;
+            phi_314_ = _e295;
             break if !(_e233);
         }
     }
     if (_e47 == 0u) {
-        phi_531_ = type_33(0u, 6u);
+        phi_532_ = type_34(0u, 6u);
         loop {
-            let _e299 = phi_531_;
+            let _e299 = phi_532_;
             if (_e299.member < _e299.member_1) {
-                phi_532_ = type_33((_e299.member + 1u), _e299.member_1);
-                phi_555_ = type_33(1u, _e299.member);
+                phi_533_ = type_34((_e299.member + 1u), _e299.member_1);
+                phi_556_ = type_34(1u, _e299.member);
             } else {
-                phi_532_ = _e299;
-                phi_555_ = type_33(0u, type_33().member_1);
+                phi_533_ = _e299;
+                phi_556_ = type_34(0u, type_34().member_1);
             }
-            let _e313 = phi_532_;
-            let _e315 = phi_555_;
+            let _e313 = phi_533_;
+            let _e315 = phi_556_;
             let _e319 = (bitcast<i32>(_e315.member) != 0i);
             if _e319 {
                 if (_e315.member_1 < 3u) {
@@ -360,12 +362,12 @@ fn function_() {
                     let _e337 = local_3.member[_e315.member_1];
                     let _e338 = bitcast<u32>(_e337);
                     if ((_e338 >> bitcast<u32>(31i)) == 1u) {
-                        phi_582_ = ~(_e338);
+                        phi_583_ = ~(_e338);
                     } else {
-                        phi_582_ = (_e338 | 2147483648u);
+                        phi_583_ = (_e338 | 2147483648u);
                     }
-                    let _e345 = phi_582_;
-                    phi_602_ = ~(_e345);
+                    let _e345 = phi_583_;
+                    phi_603_ = ~(_e345);
                 } else {
                     let _e321 = (_e315.member_1 - 3u);
                     if (_e321 < 3u) {
@@ -375,19 +377,19 @@ fn function_() {
                     let _e325 = local_3.member_1[_e321];
                     let _e326 = bitcast<u32>(_e325);
                     if ((_e326 >> bitcast<u32>(31i)) == 1u) {
-                        phi_601_ = ~(_e326);
+                        phi_602_ = ~(_e326);
                     } else {
-                        phi_601_ = (_e326 | 2147483648u);
+                        phi_602_ = (_e326 | 2147483648u);
                     }
-                    let _e333 = phi_601_;
-                    phi_602_ = _e333;
+                    let _e333 = phi_602_;
+                    phi_603_ = _e333;
                 }
-                let _e348 = phi_602_;
+                let _e348 = phi_603_;
                 let _e350 = atomicMax((&words.member[_e315.member_1]), _e348);
             }
             continue;
             continuing {
-                phi_531_ = _e313;
+                phi_532_ = _e313;
                 break if !(_e319);
             }
         }

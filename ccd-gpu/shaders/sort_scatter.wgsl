@@ -1,4 +1,4 @@
-struct type_9 {
+struct type_10 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -17,18 +17,20 @@ struct type_9 {
     member_15: u32,
     member_16: u32,
     member_17: u32,
-    member_18: array<array<u32, 4>, 8>,
+    member_18: array<array<u32, 2>, 3>,
+    member_19: array<u32, 2>,
+    member_20: array<array<u32, 4>, 8>,
 }
 
-struct type_11 {
-    member: type_9,
+struct type_12 {
+    member: type_10,
 }
 
-struct type_15 {
+struct type_16 {
     member: array<u32>,
 }
 
-struct type_20 {
+struct type_21 {
     member: u32,
     member_1: u32,
 }
@@ -37,78 +39,78 @@ var<private> id_1: vec3<u32>;
 var<private> n_1: vec3<u32>;
 var<private> lane_1: u32;
 @group(0) @binding(0) 
-var<storage> params: type_11;
+var<storage> params: type_12;
 @group(0) @binding(1) 
-var<storage> table: type_15;
+var<storage> table: type_16;
 @group(0) @binding(2) 
-var<storage> keys: type_15;
+var<storage> keys: type_16;
 @group(0) @binding(3) 
-var<storage> values: type_15;
+var<storage> values: type_16;
 @group(0) @binding(4) 
-var<storage, read_write> keys_out: type_15;
+var<storage, read_write> keys_out: type_16;
 @group(0) @binding(5) 
-var<storage, read_write> values_out: type_15;
+var<storage, read_write> values_out: type_16;
 var<workgroup> masks: array<atomic<u32>, 2048>;
 var<workgroup> counts: array<atomic<u32>, 1024>;
 
 fn function_() {
-    var phi_117_: u32;
-    var phi_140_: u32;
-    var phi_163_: u32;
-    var phi_186_: u32;
-    var phi_209_: u32;
-    var phi_232_: u32;
-    var phi_255_: u32;
-    var phi_278_: u32;
-    var phi_301_: u32;
-    var phi_324_: u32;
-    var phi_347_: u32;
-    var phi_370_: u32;
-    var phi_393_: u32;
-    var phi_416_: u32;
-    var phi_439_: u32;
-    var phi_462_: u32;
-    var phi_485_: u32;
-    var phi_508_: u32;
-    var phi_531_: u32;
-    var phi_554_: u32;
-    var phi_577_: u32;
-    var phi_600_: u32;
-    var phi_623_: u32;
-    var phi_646_: u32;
-    var phi_669_: u32;
-    var phi_692_: u32;
-    var phi_715_: u32;
-    var phi_738_: u32;
-    var phi_761_: u32;
-    var phi_784_: u32;
-    var phi_807_: u32;
-    var phi_830_: u32;
-    var phi_833_: type_20;
-    var phi_834_: type_20;
-    var phi_857_: type_20;
-    var phi_1651_: type_20;
-    var phi_1654_: u32;
-    var phi_1656_: u32;
-    var phi_1658_: u32;
+    var phi_118_: u32;
+    var phi_141_: u32;
+    var phi_164_: u32;
+    var phi_187_: u32;
+    var phi_210_: u32;
+    var phi_233_: u32;
+    var phi_256_: u32;
+    var phi_279_: u32;
+    var phi_302_: u32;
+    var phi_325_: u32;
+    var phi_348_: u32;
+    var phi_371_: u32;
+    var phi_394_: u32;
+    var phi_417_: u32;
+    var phi_440_: u32;
+    var phi_463_: u32;
+    var phi_486_: u32;
+    var phi_509_: u32;
+    var phi_532_: u32;
+    var phi_555_: u32;
+    var phi_578_: u32;
+    var phi_601_: u32;
+    var phi_624_: u32;
+    var phi_647_: u32;
+    var phi_670_: u32;
+    var phi_693_: u32;
+    var phi_716_: u32;
+    var phi_739_: u32;
+    var phi_762_: u32;
+    var phi_785_: u32;
+    var phi_808_: u32;
+    var phi_831_: u32;
+    var phi_834_: type_21;
+    var phi_835_: type_21;
+    var phi_858_: type_21;
+    var phi_1652_: type_21;
     var phi_1655_: u32;
-    var phi_1652_: type_20;
-    var phi_1681_: type_20;
-    var phi_1697_: u32;
     var phi_1657_: u32;
     var phi_1659_: u32;
+    var phi_1656_: u32;
+    var phi_1653_: type_21;
+    var phi_1682_: type_21;
+    var phi_1698_: u32;
+    var phi_1658_: u32;
+    var phi_1660_: u32;
     var local: u32;
-    var phi_1704_: type_20;
-    var phi_1707_: u32;
-    var phi_1705_: type_20;
-    var phi_1730_: type_20;
-    var phi_1760_: u32;
-    var phi_1764_: type_20;
-    var phi_1767_: u32;
-    var phi_1765_: type_20;
-    var phi_1790_: type_20;
-    var phi_1768_: u32;
+    var phi_1705_: type_21;
     var phi_1708_: u32;
+    var phi_1706_: type_21;
+    var phi_1731_: type_21;
+    var phi_1761_: u32;
+    var phi_1765_: type_21;
+    var phi_1768_: u32;
+    var phi_1766_: type_21;
+    var phi_1791_: type_21;
+    var phi_1769_: u32;
+    var phi_1709_: u32;
 
     let _e49 = id_1;
     let _e50 = n_1;
@@ -120,271 +122,271 @@ fn function_() {
     let _e74 = ((_e62 * 2048u) + (((_e51 / 32u) * 512u) + (_e51 % 32u)));
     if (_e74 < _e68) {
         let _e77 = keys.member[_e74];
-        phi_117_ = _e77;
+        phi_118_ = _e77;
     } else {
-        phi_117_ = 0u;
+        phi_118_ = 0u;
     }
-    let _e79 = phi_117_;
+    let _e79 = phi_118_;
     let _e86 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 32u) + (_e51 % 32u)));
     if (_e86 < _e68) {
         let _e89 = keys.member[_e86];
-        phi_140_ = _e89;
+        phi_141_ = _e89;
     } else {
-        phi_140_ = 0u;
+        phi_141_ = 0u;
     }
-    let _e91 = phi_140_;
+    let _e91 = phi_141_;
     let _e97 = ((_e62 * 2048u) + (((_e51 / 32u) * 512u) + (_e51 % 32u)));
     if (_e97 < _e68) {
         let _e100 = values.member[_e97];
-        phi_163_ = _e100;
+        phi_164_ = _e100;
     } else {
-        phi_163_ = 0u;
+        phi_164_ = 0u;
     }
-    let _e102 = phi_163_;
+    let _e102 = phi_164_;
     let _e109 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 32u) + (_e51 % 32u)));
     if (_e109 < _e68) {
         let _e112 = values.member[_e109];
-        phi_186_ = _e112;
+        phi_187_ = _e112;
     } else {
-        phi_186_ = 0u;
+        phi_187_ = 0u;
     }
-    let _e114 = phi_186_;
+    let _e114 = phi_187_;
     let _e121 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 64u) + (_e51 % 32u)));
     if (_e121 < _e68) {
         let _e124 = keys.member[_e121];
-        phi_209_ = _e124;
+        phi_210_ = _e124;
     } else {
-        phi_209_ = 0u;
+        phi_210_ = 0u;
     }
-    let _e126 = phi_209_;
+    let _e126 = phi_210_;
     let _e133 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 96u) + (_e51 % 32u)));
     if (_e133 < _e68) {
         let _e136 = keys.member[_e133];
-        phi_232_ = _e136;
+        phi_233_ = _e136;
     } else {
-        phi_232_ = 0u;
+        phi_233_ = 0u;
     }
-    let _e138 = phi_232_;
+    let _e138 = phi_233_;
     let _e145 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 64u) + (_e51 % 32u)));
     if (_e145 < _e68) {
         let _e148 = values.member[_e145];
-        phi_255_ = _e148;
+        phi_256_ = _e148;
     } else {
-        phi_255_ = 0u;
+        phi_256_ = 0u;
     }
-    let _e150 = phi_255_;
+    let _e150 = phi_256_;
     let _e157 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 96u) + (_e51 % 32u)));
     if (_e157 < _e68) {
         let _e160 = values.member[_e157];
-        phi_278_ = _e160;
+        phi_279_ = _e160;
     } else {
-        phi_278_ = 0u;
+        phi_279_ = 0u;
     }
-    let _e162 = phi_278_;
+    let _e162 = phi_279_;
     let _e169 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 128u) + (_e51 % 32u)));
     if (_e169 < _e68) {
         let _e172 = keys.member[_e169];
-        phi_301_ = _e172;
+        phi_302_ = _e172;
     } else {
-        phi_301_ = 0u;
+        phi_302_ = 0u;
     }
-    let _e174 = phi_301_;
+    let _e174 = phi_302_;
     let _e181 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 160u) + (_e51 % 32u)));
     if (_e181 < _e68) {
         let _e184 = keys.member[_e181];
-        phi_324_ = _e184;
+        phi_325_ = _e184;
     } else {
-        phi_324_ = 0u;
+        phi_325_ = 0u;
     }
-    let _e186 = phi_324_;
+    let _e186 = phi_325_;
     let _e193 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 128u) + (_e51 % 32u)));
     if (_e193 < _e68) {
         let _e196 = values.member[_e193];
-        phi_347_ = _e196;
+        phi_348_ = _e196;
     } else {
-        phi_347_ = 0u;
+        phi_348_ = 0u;
     }
-    let _e198 = phi_347_;
+    let _e198 = phi_348_;
     let _e205 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 160u) + (_e51 % 32u)));
     if (_e205 < _e68) {
         let _e208 = values.member[_e205];
-        phi_370_ = _e208;
+        phi_371_ = _e208;
     } else {
-        phi_370_ = 0u;
+        phi_371_ = 0u;
     }
-    let _e210 = phi_370_;
+    let _e210 = phi_371_;
     let _e217 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 192u) + (_e51 % 32u)));
     if (_e217 < _e68) {
         let _e220 = keys.member[_e217];
-        phi_393_ = _e220;
+        phi_394_ = _e220;
     } else {
-        phi_393_ = 0u;
+        phi_394_ = 0u;
     }
-    let _e222 = phi_393_;
+    let _e222 = phi_394_;
     let _e229 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 224u) + (_e51 % 32u)));
     if (_e229 < _e68) {
         let _e232 = keys.member[_e229];
-        phi_416_ = _e232;
+        phi_417_ = _e232;
     } else {
-        phi_416_ = 0u;
+        phi_417_ = 0u;
     }
-    let _e234 = phi_416_;
+    let _e234 = phi_417_;
     let _e241 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 192u) + (_e51 % 32u)));
     if (_e241 < _e68) {
         let _e244 = values.member[_e241];
-        phi_439_ = _e244;
+        phi_440_ = _e244;
     } else {
-        phi_439_ = 0u;
+        phi_440_ = 0u;
     }
-    let _e246 = phi_439_;
+    let _e246 = phi_440_;
     let _e253 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 224u) + (_e51 % 32u)));
     if (_e253 < _e68) {
         let _e256 = values.member[_e253];
-        phi_462_ = _e256;
+        phi_463_ = _e256;
     } else {
-        phi_462_ = 0u;
+        phi_463_ = 0u;
     }
-    let _e258 = phi_462_;
+    let _e258 = phi_463_;
     let _e265 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 256u) + (_e51 % 32u)));
     if (_e265 < _e68) {
         let _e268 = keys.member[_e265];
-        phi_485_ = _e268;
+        phi_486_ = _e268;
     } else {
-        phi_485_ = 0u;
+        phi_486_ = 0u;
     }
-    let _e270 = phi_485_;
+    let _e270 = phi_486_;
     let _e277 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 288u) + (_e51 % 32u)));
     if (_e277 < _e68) {
         let _e280 = keys.member[_e277];
-        phi_508_ = _e280;
+        phi_509_ = _e280;
     } else {
-        phi_508_ = 0u;
+        phi_509_ = 0u;
     }
-    let _e282 = phi_508_;
+    let _e282 = phi_509_;
     let _e289 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 256u) + (_e51 % 32u)));
     if (_e289 < _e68) {
         let _e292 = values.member[_e289];
-        phi_531_ = _e292;
+        phi_532_ = _e292;
     } else {
-        phi_531_ = 0u;
+        phi_532_ = 0u;
     }
-    let _e294 = phi_531_;
+    let _e294 = phi_532_;
     let _e301 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 288u) + (_e51 % 32u)));
     if (_e301 < _e68) {
         let _e304 = values.member[_e301];
-        phi_554_ = _e304;
+        phi_555_ = _e304;
     } else {
-        phi_554_ = 0u;
+        phi_555_ = 0u;
     }
-    let _e306 = phi_554_;
+    let _e306 = phi_555_;
     let _e313 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 320u) + (_e51 % 32u)));
     if (_e313 < _e68) {
         let _e316 = keys.member[_e313];
-        phi_577_ = _e316;
+        phi_578_ = _e316;
     } else {
-        phi_577_ = 0u;
+        phi_578_ = 0u;
     }
-    let _e318 = phi_577_;
+    let _e318 = phi_578_;
     let _e325 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 352u) + (_e51 % 32u)));
     if (_e325 < _e68) {
         let _e328 = keys.member[_e325];
-        phi_600_ = _e328;
+        phi_601_ = _e328;
     } else {
-        phi_600_ = 0u;
+        phi_601_ = 0u;
     }
-    let _e330 = phi_600_;
+    let _e330 = phi_601_;
     let _e337 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 320u) + (_e51 % 32u)));
     if (_e337 < _e68) {
         let _e340 = values.member[_e337];
-        phi_623_ = _e340;
+        phi_624_ = _e340;
     } else {
-        phi_623_ = 0u;
+        phi_624_ = 0u;
     }
-    let _e342 = phi_623_;
+    let _e342 = phi_624_;
     let _e349 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 352u) + (_e51 % 32u)));
     if (_e349 < _e68) {
         let _e352 = values.member[_e349];
-        phi_646_ = _e352;
+        phi_647_ = _e352;
     } else {
-        phi_646_ = 0u;
+        phi_647_ = 0u;
     }
-    let _e354 = phi_646_;
+    let _e354 = phi_647_;
     let _e361 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 384u) + (_e51 % 32u)));
     if (_e361 < _e68) {
         let _e364 = keys.member[_e361];
-        phi_669_ = _e364;
+        phi_670_ = _e364;
     } else {
-        phi_669_ = 0u;
+        phi_670_ = 0u;
     }
-    let _e366 = phi_669_;
+    let _e366 = phi_670_;
     let _e373 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 416u) + (_e51 % 32u)));
     if (_e373 < _e68) {
         let _e376 = keys.member[_e373];
-        phi_692_ = _e376;
+        phi_693_ = _e376;
     } else {
-        phi_692_ = 0u;
+        phi_693_ = 0u;
     }
-    let _e378 = phi_692_;
+    let _e378 = phi_693_;
     let _e385 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 384u) + (_e51 % 32u)));
     if (_e385 < _e68) {
         let _e388 = values.member[_e385];
-        phi_715_ = _e388;
+        phi_716_ = _e388;
     } else {
-        phi_715_ = 0u;
+        phi_716_ = 0u;
     }
-    let _e390 = phi_715_;
+    let _e390 = phi_716_;
     let _e397 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 416u) + (_e51 % 32u)));
     if (_e397 < _e68) {
         let _e400 = values.member[_e397];
-        phi_738_ = _e400;
+        phi_739_ = _e400;
     } else {
-        phi_738_ = 0u;
+        phi_739_ = 0u;
     }
-    let _e402 = phi_738_;
+    let _e402 = phi_739_;
     let _e409 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 448u) + (_e51 % 32u)));
     if (_e409 < _e68) {
         let _e412 = keys.member[_e409];
-        phi_761_ = _e412;
+        phi_762_ = _e412;
     } else {
-        phi_761_ = 0u;
+        phi_762_ = 0u;
     }
-    let _e414 = phi_761_;
+    let _e414 = phi_762_;
     let _e421 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 480u) + (_e51 % 32u)));
     if (_e421 < _e68) {
         let _e424 = keys.member[_e421];
-        phi_784_ = _e424;
+        phi_785_ = _e424;
     } else {
-        phi_784_ = 0u;
+        phi_785_ = 0u;
     }
-    let _e426 = phi_784_;
+    let _e426 = phi_785_;
     let _e433 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 448u) + (_e51 % 32u)));
     if (_e433 < _e68) {
         let _e436 = values.member[_e433];
-        phi_807_ = _e436;
+        phi_808_ = _e436;
     } else {
-        phi_807_ = 0u;
+        phi_808_ = 0u;
     }
-    let _e438 = phi_807_;
+    let _e438 = phi_808_;
     let _e445 = ((_e62 * 2048u) + ((((_e51 / 32u) * 512u) + 480u) + (_e51 % 32u)));
     if (_e445 < _e68) {
         let _e448 = values.member[_e445];
-        phi_830_ = _e448;
+        phi_831_ = _e448;
     } else {
-        phi_830_ = 0u;
+        phi_831_ = 0u;
     }
-    let _e450 = phi_830_;
-    phi_833_ = type_20(0u, 8u);
+    let _e450 = phi_831_;
+    phi_834_ = type_21(0u, 8u);
     loop {
-        let _e452 = phi_833_;
+        let _e452 = phi_834_;
         if (_e452.member < _e452.member_1) {
-            phi_834_ = type_20((_e452.member + 1u), _e452.member_1);
-            phi_857_ = type_20(1u, _e452.member);
+            phi_835_ = type_21((_e452.member + 1u), _e452.member_1);
+            phi_858_ = type_21(1u, _e452.member);
         } else {
-            phi_834_ = _e452;
-            phi_857_ = type_20(0u, type_20().member_1);
+            phi_835_ = _e452;
+            phi_858_ = type_21(0u, type_21().member_1);
         }
-        let _e466 = phi_834_;
-        let _e468 = phi_857_;
+        let _e466 = phi_835_;
+        let _e468 = phi_858_;
         let _e472 = (bitcast<i32>(_e468.member) != 0i);
         if _e472 {
             atomicStore((&masks[((_e468.member_1 * 128u) + _e51)]), 0u);
@@ -393,7 +395,7 @@ fn function_() {
         }
         continue;
         continuing {
-            phi_833_ = _e466;
+            phi_834_ = _e466;
             break if !(_e472);
         }
     }
@@ -660,72 +662,72 @@ fn function_() {
     let _e1126 = table.member[((_e1117 + (2u * _e51)) + 1u)];
     let _e1127 = (_e1121 + _e1126);
     atomicStore((&masks[_e51]), _e1127);
-    phi_1651_ = type_20(0u, 7u);
-    phi_1654_ = 0u;
-    phi_1656_ = 1u;
-    phi_1658_ = _e1127;
-    phi_1655_ = 1024u;
+    phi_1652_ = type_21(0u, 7u);
+    phi_1655_ = 0u;
+    phi_1657_ = 1u;
+    phi_1659_ = _e1127;
+    phi_1656_ = 1024u;
     loop {
-        let _e1130 = phi_1651_;
-        let _e1132 = phi_1654_;
-        let _e1134 = phi_1656_;
-        let _e1136 = phi_1658_;
-        let _e1138 = phi_1655_;
+        let _e1130 = phi_1652_;
+        let _e1132 = phi_1655_;
+        let _e1134 = phi_1657_;
+        let _e1136 = phi_1659_;
+        let _e1138 = phi_1656_;
         local = _e1136;
         if (_e1130.member < _e1130.member_1) {
-            phi_1652_ = type_20((_e1130.member + 1u), _e1130.member_1);
-            phi_1681_ = type_20(1u, _e1130.member);
+            phi_1653_ = type_21((_e1130.member + 1u), _e1130.member_1);
+            phi_1682_ = type_21(1u, _e1130.member);
         } else {
-            phi_1652_ = _e1130;
-            phi_1681_ = type_20(0u, type_20().member_1);
+            phi_1653_ = _e1130;
+            phi_1682_ = type_21(0u, type_21().member_1);
         }
-        let _e1152 = phi_1652_;
-        let _e1154 = phi_1681_;
+        let _e1152 = phi_1653_;
+        let _e1154 = phi_1682_;
         let _e1157 = (bitcast<i32>(_e1154.member) != 0i);
         if _e1157 {
             workgroupBarrier();
             if (_e51 >= _e1134) {
                 let _e1162 = atomicLoad((&masks[((_e1132 + _e51) - _e1134)]));
-                phi_1697_ = (_e1136 + _e1162);
+                phi_1698_ = (_e1136 + _e1162);
             } else {
-                phi_1697_ = _e1136;
+                phi_1698_ = _e1136;
             }
-            let _e1165 = phi_1697_;
+            let _e1165 = phi_1698_;
             atomicStore((&masks[(_e1138 + _e51)]), _e1165);
-            phi_1657_ = (_e1134 * 2u);
-            phi_1659_ = _e1165;
+            phi_1658_ = (_e1134 * 2u);
+            phi_1660_ = _e1165;
         } else {
-            phi_1657_ = u32();
-            phi_1659_ = u32();
+            phi_1658_ = u32();
+            phi_1660_ = u32();
         }
-        let _e1170 = phi_1657_;
-        let _e1172 = phi_1659_;
+        let _e1170 = phi_1658_;
+        let _e1172 = phi_1660_;
         continue;
         continuing {
-            phi_1651_ = _e1152;
-            phi_1654_ = _e1138;
-            phi_1656_ = _e1170;
-            phi_1658_ = _e1172;
-            phi_1655_ = _e1132;
+            phi_1652_ = _e1152;
+            phi_1655_ = _e1138;
+            phi_1657_ = _e1170;
+            phi_1659_ = _e1172;
+            phi_1656_ = _e1132;
             break if !(_e1157);
         }
     }
     workgroupBarrier();
     let _e1175 = local;
-    phi_1704_ = type_20(0u, 2u);
-    phi_1707_ = (_e1175 - _e1127);
+    phi_1705_ = type_21(0u, 2u);
+    phi_1708_ = (_e1175 - _e1127);
     loop {
-        let _e1178 = phi_1704_;
-        let _e1180 = phi_1707_;
+        let _e1178 = phi_1705_;
+        let _e1180 = phi_1708_;
         if (_e1178.member < _e1178.member_1) {
-            phi_1705_ = type_20((_e1178.member + 1u), _e1178.member_1);
-            phi_1730_ = type_20(1u, _e1178.member);
+            phi_1706_ = type_21((_e1178.member + 1u), _e1178.member_1);
+            phi_1731_ = type_21(1u, _e1178.member);
         } else {
-            phi_1705_ = _e1178;
-            phi_1730_ = type_20(0u, type_20().member_1);
+            phi_1706_ = _e1178;
+            phi_1731_ = type_21(0u, type_21().member_1);
         }
-        let _e1194 = phi_1705_;
-        let _e1196 = phi_1730_;
+        let _e1194 = phi_1706_;
+        let _e1196 = phi_1731_;
         let _e1200 = (bitcast<i32>(_e1196.member) != 0i);
         if _e1200 {
             let _e1202 = ((2u * _e51) + _e1196.member_1);
@@ -733,51 +735,51 @@ fn function_() {
             if (_e62 < _e1204) {
                 let _e1207 = params.member.member_11;
                 let _e1211 = table.member[((_e1202 * _e1207) + _e62)];
-                phi_1760_ = _e1211;
+                phi_1761_ = _e1211;
             } else {
-                phi_1760_ = 0u;
+                phi_1761_ = 0u;
             }
-            let _e1213 = phi_1760_;
-            phi_1764_ = type_20(0u, 4u);
-            phi_1767_ = (_e1180 + _e1213);
+            let _e1213 = phi_1761_;
+            phi_1765_ = type_21(0u, 4u);
+            phi_1768_ = (_e1180 + _e1213);
             loop {
-                let _e1216 = phi_1764_;
-                let _e1218 = phi_1767_;
+                let _e1216 = phi_1765_;
+                let _e1218 = phi_1768_;
                 if (_e1216.member < _e1216.member_1) {
-                    phi_1765_ = type_20((_e1216.member + 1u), _e1216.member_1);
-                    phi_1790_ = type_20(1u, _e1216.member);
+                    phi_1766_ = type_21((_e1216.member + 1u), _e1216.member_1);
+                    phi_1791_ = type_21(1u, _e1216.member);
                 } else {
-                    phi_1765_ = _e1216;
-                    phi_1790_ = type_20(0u, type_20().member_1);
+                    phi_1766_ = _e1216;
+                    phi_1791_ = type_21(0u, type_21().member_1);
                 }
-                let _e1232 = phi_1765_;
-                let _e1234 = phi_1790_;
+                let _e1232 = phi_1766_;
+                let _e1234 = phi_1791_;
                 let _e1238 = (bitcast<i32>(_e1234.member) != 0i);
                 if _e1238 {
                     let _e1240 = ((_e1234.member_1 * 256u) + _e1202);
                     let _e1242 = atomicLoad((&counts[_e1240]));
                     atomicStore((&counts[_e1240]), _e1218);
-                    phi_1768_ = (_e1218 + _e1242);
+                    phi_1769_ = (_e1218 + _e1242);
                 } else {
-                    phi_1768_ = u32();
+                    phi_1769_ = u32();
                 }
-                let _e1246 = phi_1768_;
+                let _e1246 = phi_1769_;
                 continue;
                 continuing {
-                    phi_1764_ = _e1232;
-                    phi_1767_ = _e1246;
+                    phi_1765_ = _e1232;
+                    phi_1768_ = _e1246;
                     break if !(_e1238);
                 }
             }
-            phi_1708_ = (_e1180 + _e1121);
+            phi_1709_ = (_e1180 + _e1121);
         } else {
-            phi_1708_ = u32();
+            phi_1709_ = u32();
         }
-        let _e1250 = phi_1708_;
+        let _e1250 = phi_1709_;
         continue;
         continuing {
-            phi_1704_ = _e1194;
-            phi_1707_ = _e1250;
+            phi_1705_ = _e1194;
+            phi_1708_ = _e1250;
             break if !(_e1200);
         }
     }

@@ -3,7 +3,7 @@ struct type_6 {
     member_1: array<f32, 3>,
 }
 
-struct type_12 {
+struct type_13 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -22,22 +22,24 @@ struct type_12 {
     member_15: u32,
     member_16: u32,
     member_17: u32,
-    member_18: array<array<u32, 4>, 8>,
+    member_18: array<array<u32, 2>, 3>,
+    member_19: array<u32, 2>,
+    member_20: array<array<u32, 4>, 8>,
 }
 
-struct type_14 {
-    member: type_12,
+struct type_15 {
+    member: type_13,
 }
 
-struct type_18 {
+struct type_19 {
     member: array<type_6>,
 }
 
-struct type_22 {
+struct type_23 {
     member: array<array<u32, 2>>,
 }
 
-struct type_30 {
+struct type_31 {
     member: u32,
     member_1: u32,
 }
@@ -46,20 +48,20 @@ var<private> id_1: vec3<u32>;
 var<private> n_1: vec3<u32>;
 var<private> lane_1: u32;
 @group(0) @binding(0) 
-var<storage> params: type_14;
+var<storage> params: type_15;
 @group(0) @binding(1) 
-var<storage> edges: type_22;
+var<storage> edges: type_23;
 @group(0) @binding(2) 
-var<storage, read_write> boxes: type_18;
+var<storage, read_write> boxes: type_19;
 
 fn function_() {
     var local: type_6;
     var local_1: type_6;
-    var phi_135_: type_30;
-    var phi_136_: type_30;
-    var phi_159_: type_30;
-    var phi_185_: f32;
-    var phi_212_: f32;
+    var phi_136_: type_31;
+    var phi_137_: type_31;
+    var phi_160_: type_31;
+    var phi_186_: f32;
+    var phi_213_: f32;
 
     let _e18 = id_1;
     let _e19 = n_1;
@@ -72,18 +74,18 @@ fn function_() {
         let _e42 = boxes.member[_e36[1]];
         local_1 = type_6(array<f32, 3>(_e42.member[0], _e42.member[1], _e42.member[2]), array<f32, 3>(_e42.member_1[0], _e42.member_1[1], _e42.member_1[2]));
         local = type_6(array<f32, 3>(_e40.member[0], _e40.member[1], _e40.member[2]), array<f32, 3>(_e40.member_1[0], _e40.member_1[1], _e40.member_1[2]));
-        phi_135_ = type_30(0u, 3u);
+        phi_136_ = type_31(0u, 3u);
         loop {
-            let _e66 = phi_135_;
+            let _e66 = phi_136_;
             if (_e66.member < _e66.member_1) {
-                phi_136_ = type_30((_e66.member + 1u), _e66.member_1);
-                phi_159_ = type_30(1u, _e66.member);
+                phi_137_ = type_31((_e66.member + 1u), _e66.member_1);
+                phi_160_ = type_31(1u, _e66.member);
             } else {
-                phi_136_ = _e66;
-                phi_159_ = type_30(0u, type_30().member_1);
+                phi_137_ = _e66;
+                phi_160_ = type_31(0u, type_31().member_1);
             }
-            let _e80 = phi_136_;
-            let _e82 = phi_159_;
+            let _e80 = phi_137_;
+            let _e82 = phi_160_;
             let _e86 = (bitcast<i32>(_e82.member) != 0i);
             if _e86 {
                 if (_e82.member_1 < 3u) {
@@ -97,11 +99,11 @@ fn function_() {
                 }
                 let _e94 = local_1.member[_e82.member_1];
                 if (_e90 < _e94) {
-                    phi_185_ = _e90;
+                    phi_186_ = _e90;
                 } else {
-                    phi_185_ = _e94;
+                    phi_186_ = _e94;
                 }
-                let _e97 = phi_185_;
+                let _e97 = phi_186_;
                 if (_e82.member_1 < 3u) {
                 } else {
                     return;
@@ -118,11 +120,11 @@ fn function_() {
                 }
                 let _e108 = local_1.member_1[_e82.member_1];
                 if (_e104 > _e108) {
-                    phi_212_ = _e104;
+                    phi_213_ = _e104;
                 } else {
-                    phi_212_ = _e108;
+                    phi_213_ = _e108;
                 }
-                let _e111 = phi_212_;
+                let _e111 = phi_213_;
                 if (_e82.member_1 < 3u) {
                 } else {
                     return;
@@ -131,7 +133,7 @@ fn function_() {
             }
             continue;
             continuing {
-                phi_135_ = _e80;
+                phi_136_ = _e80;
                 break if !(_e86);
             }
         }

@@ -3,7 +3,7 @@ struct type_6 {
     member_1: array<f32, 3>,
 }
 
-struct type_12 {
+struct type_13 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -22,22 +22,24 @@ struct type_12 {
     member_15: u32,
     member_16: u32,
     member_17: u32,
-    member_18: array<array<u32, 4>, 8>,
+    member_18: array<array<u32, 2>, 3>,
+    member_19: array<u32, 2>,
+    member_20: array<array<u32, 4>, 8>,
 }
 
-struct type_14 {
-    member: type_12,
+struct type_15 {
+    member: type_13,
 }
 
-struct type_18 {
+struct type_19 {
     member: array<type_6>,
 }
 
-struct type_22 {
+struct type_23 {
     member: array<array<u32, 3>>,
 }
 
-struct type_30 {
+struct type_31 {
     member: u32,
     member_1: u32,
 }
@@ -46,27 +48,27 @@ var<private> id_1: vec3<u32>;
 var<private> n_1: vec3<u32>;
 var<private> lane_1: u32;
 @group(0) @binding(0) 
-var<storage> params: type_14;
+var<storage> params: type_15;
 @group(0) @binding(2) 
-var<storage, read_write> boxes: type_18;
+var<storage, read_write> boxes: type_19;
 @group(0) @binding(1) 
-var<storage> faces: type_22;
+var<storage> faces: type_23;
 
 fn function_() {
     var local: type_6;
     var local_1: type_6;
     var local_2: type_6;
     var local_3: type_6;
-    var phi_138_: type_30;
-    var phi_139_: type_30;
-    var phi_162_: type_30;
-    var phi_188_: f32;
-    var phi_215_: f32;
-    var phi_269_: type_30;
-    var phi_270_: type_30;
-    var phi_293_: type_30;
-    var phi_319_: f32;
-    var phi_346_: f32;
+    var phi_139_: type_31;
+    var phi_140_: type_31;
+    var phi_163_: type_31;
+    var phi_189_: f32;
+    var phi_216_: f32;
+    var phi_270_: type_31;
+    var phi_271_: type_31;
+    var phi_294_: type_31;
+    var phi_320_: f32;
+    var phi_347_: f32;
 
     let _e20 = id_1;
     let _e21 = n_1;
@@ -79,18 +81,18 @@ fn function_() {
         let _e45 = boxes.member[_e38[1]];
         local_2 = type_6(array<f32, 3>(_e45.member[0], _e45.member[1], _e45.member[2]), array<f32, 3>(_e45.member_1[0], _e45.member_1[1], _e45.member_1[2]));
         local_1 = type_6(array<f32, 3>(_e43.member[0], _e43.member[1], _e43.member[2]), array<f32, 3>(_e43.member_1[0], _e43.member_1[1], _e43.member_1[2]));
-        phi_138_ = type_30(0u, 3u);
+        phi_139_ = type_31(0u, 3u);
         loop {
-            let _e69 = phi_138_;
+            let _e69 = phi_139_;
             if (_e69.member < _e69.member_1) {
-                phi_139_ = type_30((_e69.member + 1u), _e69.member_1);
-                phi_162_ = type_30(1u, _e69.member);
+                phi_140_ = type_31((_e69.member + 1u), _e69.member_1);
+                phi_163_ = type_31(1u, _e69.member);
             } else {
-                phi_139_ = _e69;
-                phi_162_ = type_30(0u, type_30().member_1);
+                phi_140_ = _e69;
+                phi_163_ = type_31(0u, type_31().member_1);
             }
-            let _e83 = phi_139_;
-            let _e85 = phi_162_;
+            let _e83 = phi_140_;
+            let _e85 = phi_163_;
             let _e89 = (bitcast<i32>(_e85.member) != 0i);
             if _e89 {
                 if (_e85.member_1 < 3u) {
@@ -104,11 +106,11 @@ fn function_() {
                 }
                 let _e97 = local_2.member[_e85.member_1];
                 if (_e93 < _e97) {
-                    phi_188_ = _e93;
+                    phi_189_ = _e93;
                 } else {
-                    phi_188_ = _e97;
+                    phi_189_ = _e97;
                 }
-                let _e100 = phi_188_;
+                let _e100 = phi_189_;
                 if (_e85.member_1 < 3u) {
                 } else {
                     return;
@@ -125,11 +127,11 @@ fn function_() {
                 }
                 let _e111 = local_2.member_1[_e85.member_1];
                 if (_e107 > _e111) {
-                    phi_215_ = _e107;
+                    phi_216_ = _e107;
                 } else {
-                    phi_215_ = _e111;
+                    phi_216_ = _e111;
                 }
-                let _e114 = phi_215_;
+                let _e114 = phi_216_;
                 if (_e85.member_1 < 3u) {
                 } else {
                     return;
@@ -138,7 +140,7 @@ fn function_() {
             }
             continue;
             continuing {
-                phi_138_ = _e83;
+                phi_139_ = _e83;
                 break if !(_e89);
             }
         }
@@ -146,18 +148,18 @@ fn function_() {
         let _e121 = boxes.member[_e38[2]];
         local_3 = type_6(array<f32, 3>(_e121.member[0], _e121.member[1], _e121.member[2]), array<f32, 3>(_e121.member_1[0], _e121.member_1[1], _e121.member_1[2]));
         local = _e119;
-        phi_269_ = type_30(0u, 3u);
+        phi_270_ = type_31(0u, 3u);
         loop {
-            let _e134 = phi_269_;
+            let _e134 = phi_270_;
             if (_e134.member < _e134.member_1) {
-                phi_270_ = type_30((_e134.member + 1u), _e134.member_1);
-                phi_293_ = type_30(1u, _e134.member);
+                phi_271_ = type_31((_e134.member + 1u), _e134.member_1);
+                phi_294_ = type_31(1u, _e134.member);
             } else {
-                phi_270_ = _e134;
-                phi_293_ = type_30(0u, type_30().member_1);
+                phi_271_ = _e134;
+                phi_294_ = type_31(0u, type_31().member_1);
             }
-            let _e148 = phi_270_;
-            let _e150 = phi_293_;
+            let _e148 = phi_271_;
+            let _e150 = phi_294_;
             let _e154 = (bitcast<i32>(_e150.member) != 0i);
             if _e154 {
                 if (_e150.member_1 < 3u) {
@@ -171,11 +173,11 @@ fn function_() {
                 }
                 let _e162 = local_3.member[_e150.member_1];
                 if (_e158 < _e162) {
-                    phi_319_ = _e158;
+                    phi_320_ = _e158;
                 } else {
-                    phi_319_ = _e162;
+                    phi_320_ = _e162;
                 }
-                let _e165 = phi_319_;
+                let _e165 = phi_320_;
                 if (_e150.member_1 < 3u) {
                 } else {
                     return;
@@ -192,11 +194,11 @@ fn function_() {
                 }
                 let _e176 = local_3.member_1[_e150.member_1];
                 if (_e172 > _e176) {
-                    phi_346_ = _e172;
+                    phi_347_ = _e172;
                 } else {
-                    phi_346_ = _e176;
+                    phi_347_ = _e176;
                 }
-                let _e179 = phi_346_;
+                let _e179 = phi_347_;
                 if (_e150.member_1 < 3u) {
                 } else {
                     return;
@@ -205,7 +207,7 @@ fn function_() {
             }
             continue;
             continuing {
-                phi_269_ = _e148;
+                phi_270_ = _e148;
                 break if !(_e154);
             }
         }

@@ -3,9 +3,10 @@
 use crate::device::Device;
 use crate::error::Error;
 use crate::list::{HEADER_BYTES, List};
+use crate::order::Order;
 use crate::recorder::Recorder;
 use crate::tree::Tree;
-use crate::upload::Positions;
+use crate::upload::{Boxes, Positions};
 use ccd_core::Num;
 use ccd_core::kernel::Id;
 use ccd_core::layout::{Params, Path, Touch};
@@ -34,8 +35,11 @@ pub struct Buffers {
     pub contacts: List,
     /// Candidates, by kind; as small as possible until they are asked for.
     pub candidates: [List; 2],
-    /// The key of the earliest time of impact.
-    pub earliest: wgpu::Buffer,
+    /// Contacts in order, where there are enough of them, and for how many the next frame does that.
+    pub order: Option<Order>,
+    pub to_order: u32,
+    /// The keys of the earliest times of impact, by kind: a buffer each, so that no kind waits for the other.
+    pub earliest: [wgpu::Buffer; 2],
     /// Candidates of the sample by which the earliest time is bounded, by kind.
     pub sample: wgpu::Buffer,
     pub never: wgpu::Buffer,
@@ -75,7 +79,9 @@ impl Buffers {
             undecided: [list("undecided vertex-face pairs", 2, features / 2)?, list("undecided edge-edge pairs", 2, features)?],
             contacts: list("contacts", (size_of::<Touch>() / 4) as u32, features / 2)?,
             candidates: [list("vertex-face candidates", 2, 0)?, list("edge-edge candidates", 2, 0)?],
-            earliest: fixed("time of impact", &[0; 4])?,
+            order: None,
+            to_order: 0,
+            earliest: [fixed("time of impact", &[0; 4])?, fixed("time of impact", &[0; 4])?],
             sample: fixed("candidates of a sample", &[0; 8])?,
             never: fixed("no time of impact", &[0xff; 16])?,
         })
@@ -103,10 +109,12 @@ impl Buffers {
     /// Everything from positions to results.
     pub fn frame(&self, recorder: &mut Recorder, params: &Params, goal: Goal, wide: bool) {
         self.clear(recorder);
-        recorder.copy(&self.never, 0, &self.earliest, 0, 4);
+        for earliest in &self.earliest {
+            recorder.copy(&self.never, 0, earliest, 0, 4);
+        }
         self.tree.clear_bounds(recorder);
         recorder.stage("boxes");
-        self.sweep(recorder, params, &self.positions.paths, self.positions.boxes_uploaded());
+        self.sweep(recorder, params, &self.positions.paths, self.positions.boxes);
         self.tree.sort(recorder, params, params.count[0]);
         recorder.stage("build");
         self.tree.fit(recorder, params, &self.edges, &self.faces);
@@ -115,6 +123,10 @@ impl Buffers {
             Goal::Contacts => {
                 let p = Params { flags: params.flags | Params::FLAG_KEEP, ..*params };
                 self.contacts(recorder, &p, &self.positions.paths, 1, wide);
+                if let Some(order) = self.order.as_ref().filter(|_| self.to_order > 0) {
+                    recorder.stage("order contacts");
+                    order.run(recorder, &p, &self.contacts, self.to_order);
+                }
             }
             Goal::EarliestAtOnce => self.contacts(recorder, params, &self.positions.paths, 1, wide),
             Goal::Earliest => {
@@ -129,10 +141,11 @@ impl Buffers {
                     flags: params.flags & !Params::FLAG_CONFIRM,
                     ..*params
                 };
-                recorder.stage("shorten");
-                recorder.dispatch(Id::Shorten, &cut, &[&self.positions.paths, &self.earliest, &self.shortened], cut.count[0].div_ceil(256));
                 self.clear(recorder);
-                self.sweep(recorder, &cut, &self.shortened, false);
+                recorder.stage("shorten");
+                let buffers = [&self.positions.paths, &self.earliest[0], &self.earliest[1], &self.shortened];
+                recorder.dispatch(Id::Shorten, &cut, &buffers, cut.count[0].div_ceil(256));
+                self.sweep(recorder, &cut, &self.shortened, Boxes::OfPaths);
                 self.tree.fit(recorder, &cut, &self.edges, &self.faces);
                 self.contacts(recorder, &cut, &self.shortened, 1, wide);
             }
@@ -145,10 +158,13 @@ impl Buffers {
         }
     }
 
-    fn sweep(&self, recorder: &mut Recorder, params: &Params, paths: &wgpu::Buffer, vertices_done: bool) {
+    fn sweep(&self, recorder: &mut Recorder, params: &Params, paths: &wgpu::Buffer, of_vertices: Boxes) {
         let [v, e, f] = params.count;
-        if !vertices_done {
-            recorder.dispatch(Id::SweepVertices, params, &[paths, &self.tree.boxes], v.div_ceil(256));
+        let Positions { wide, keys, .. } = &self.positions;
+        match of_vertices {
+            Boxes::OfPaths => recorder.dispatch(Id::SweepVertices, params, &[paths, &self.tree.boxes], v.div_ceil(256)),
+            Boxes::OfPositions => recorder.dispatch(Id::PlaceVertices, params, &[wide, paths, keys, &self.tree.boxes], v.div_ceil(256)),
+            Boxes::Sent => {}
         }
         recorder.dispatch(Id::SweepEdges, params, &[&self.edges, &self.tree.boxes], e.div_ceil(256));
         recorder.dispatch(Id::SweepFaces, params, &[&self.faces, &self.tree.boxes], f.div_ceil(256));
@@ -157,9 +173,7 @@ impl Buffers {
     /// Descends for both kinds, then calls `leaves` for each.
     fn pairs(&self, recorder: &mut Recorder, params: &Params, mut leaves: impl FnMut(&mut Recorder, &Params)) {
         recorder.stage("block pairs");
-        for kind in [0, 1] {
-            self.tree.descend(recorder, &Params { kind, ..*params });
-        }
+        self.tree.descend(recorder, params, &[0, 1]);
         for kind in [0, 1] {
             leaves(recorder, &Params { kind, ..*params });
         }
@@ -199,12 +213,14 @@ impl Buffers {
                 ..*params
             };
             let groups = self.tree.groups.min(input.room().div_ceil(64));
-            let (paths, survivors, contacts) = (&self.positions.paths, input.buffer(), self.contacts.buffer());
+            // Where contacts are not kept, a list that stays as it is and that the other kind does not have, so that a device works on both at once.
+            let contacts = if params.has(Params::FLAG_KEEP) { &self.contacts } else { &self.candidates[kind] }.buffer();
+            let (paths, survivors, earliest) = (&self.positions.paths, input.buffer(), &self.earliest[kind]);
             if wide {
-                let buffers = [paths, &self.positions.wide, elements, survivors, contacts, &self.earliest];
+                let buffers = [paths, &self.positions.wide, elements, survivors, contacts, earliest];
                 recorder.dispatch([Id::DecideVertexFaceWide, Id::DecideEdgeEdgeWide][kind], &p, &buffers, groups);
             } else {
-                let buffers = [paths, elements, survivors, contacts, self.undecided[kind].buffer(), &self.earliest];
+                let buffers = [paths, elements, survivors, contacts, self.undecided[kind].buffer(), earliest];
                 recorder.dispatch([Id::DecideVertexFace, Id::DecideEdgeEdge][kind], &p, &buffers, groups);
             }
         }

@@ -29,7 +29,7 @@ pub fn run(device: &Device, id: Id, params: &Params, buffers: &mut [Vec<u8>], gr
     submit(device, &mut bench, |recorder| {
         recorder.dispatch(id, params, &on_device.iter().collect::<Vec<_>>(), groups);
         for (part, buffer) in parts.iter().zip(&on_device) {
-            readback.copy(recorder, *part, buffer);
+            readback.copy(recorder, *part, buffer, 0);
         }
     })?;
     for (to, from) in buffers.iter_mut().zip(readback.read(device, &parts)?) {

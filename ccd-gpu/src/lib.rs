@@ -9,6 +9,8 @@
 //! | `device.rs`, `error.rs` | adapters, paths for shaders, pipelines, failures |
 //! | `session.rs`, `frame.rs` | a step: calls and results; buffers and dispatches |
 //! | `tree.rs`, `levels.rs`, `list.rs` | block trees, where their nodes are, lists that kernels append to |
+//! | `radix_tree.rs` | the binary tree over the same order, for boxes alone |
+//! | `sort.rs`, `order.rs` | the radix sort; contacts in their order |
 //! | `upload.rs`, `readback.rs`, `tail.rs` | positions in, results out, what the CPU does at the end |
 //! | `recorder.rs`, `modules.rs` | dispatches by the kernel table, the compiled shaders |
 //! | `broad.rs`, `harness.rs` | boxes alone; one kernel by itself, for tests |
@@ -22,16 +24,21 @@ pub mod harness;
 mod levels;
 mod list;
 mod modules;
+mod order;
+mod radix_tree;
 mod readback;
 mod recorder;
 mod session;
+mod sort;
 mod tail;
 mod tree;
 mod upload;
 
-pub use broad::{BroadPhase, Sorter};
+pub use broad::BroadPhase;
 pub use device::{Device, DeviceOptions, Info, Path};
 pub use error::Error;
 pub use list::List;
+pub use recorder::Timing;
 pub use session::{Candidates, OnDevice, Session};
+pub use sort::Sorter;
 pub use wgpu;

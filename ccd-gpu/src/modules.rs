@@ -23,6 +23,7 @@ macro_rules! modules {
 }
 
 modules! {
+    PlaceVertices "place_vertices",
     SweepVertices "sweep_vertices",
     SweepEdges "sweep_edges",
     SweepFaces "sweep_faces",
@@ -34,6 +35,10 @@ modules! {
     SortScatter "sort_scatter",
     FitLeaves "fit_leaves",
     FitLevel "fit_level",
+    Branches "branches",
+    BranchBoxes "branch_boxes",
+    TraverseHalf "traverse_half",
+    TraverseAgainst "traverse_against",
     NodePairs "node_pairs",
     ListCandidates "list_candidates",
     FilterVertexFace "filter_vertex_face",
@@ -42,6 +47,8 @@ modules! {
     DecideEdgeEdge "decide_edge_edge",
     DecideVertexFaceWide "decide_vertex_face_wide",
     DecideEdgeEdgeWide "decide_edge_edge_wide",
+    ContactKeys "contact_keys",
+    OrderContacts "order_contacts",
     ProbeLayout "probe_layout",
     ProbeScalars "probe_scalars",
     ProbeWide "probe_wide",

@@ -46,10 +46,12 @@ impl Readback {
         Ok(parts)
     }
 
-    /// Records the copy of a part from the front of `from`.
-    pub fn copy(&self, recorder: &mut crate::recorder::Recorder, part: Part, from: &wgpu::Buffer) {
-        if let Some(buffer) = &self.buffer {
-            recorder.copy(from, 0, buffer, part.at, part.bytes);
+    /// Records the copy of a part from byte `first` of `from` on.
+    pub fn copy(&self, recorder: &mut crate::recorder::Recorder, part: Part, from: &wgpu::Buffer, first: u64) {
+        if let Some(buffer) = &self.buffer
+            && part.bytes > 0
+        {
+            recorder.copy(from, first, buffer, part.at, part.bytes);
         }
     }
 

@@ -13,14 +13,27 @@ const MAX_DISPATCHES: u64 = 1024;
 /// Stages of one recording, at most.
 const MAX_STAGES: u32 = 32;
 
+/// What timestamps of the device tell.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Timing {
+    /// Nothing.
+    #[default]
+    Off,
+    /// All kernels of a call together. Nothing waits for this.
+    Whole,
+    /// Each stage by itself: none begins before the last has ended, so together they take longer than the whole.
+    Stages,
+    /// Kernels rather than stages, where a stage has several.
+    Kernels,
+}
+
 /// Buffers for parameters and timestamps, bind groups; kept between recordings.
 pub struct Bench {
     device: Device,
     params: wgpu::Buffer,
     groups: HashMap<(Id, Vec<wgpu::Buffer>), wgpu::BindGroup>,
+    timing: Timing,
     timer: Option<Timer>,
-    /// Time kernels rather than stages, where a stage has several.
-    pub details: bool,
     /// Workgroups of a row of the grid, at most.
     pub fold: u32,
 }
@@ -39,16 +52,16 @@ impl Bench {
             device: device.clone(),
             params,
             groups: HashMap::new(),
+            timing: Timing::Off,
             timer: None,
-            details: false,
             fold: device.info().limits.max_compute_workgroups_per_dimension.min(65_535),
         })
     }
 
-    /// Starts or stops timing stages; where there are no timestamps, nothing is timed.
-    pub fn time_stages(&mut self, on: bool) -> Result<(), Error> {
-        if !on || !self.device.info().timestamps {
-            self.timer = None;
+    /// Sets what is timed; where there are no timestamps, nothing is.
+    pub fn set_timing(&mut self, timing: Timing) -> Result<(), Error> {
+        self.timing = if self.device.info().timestamps { timing } else { Timing::Off };
+        if self.timing == Timing::Off || self.timer.is_some() {
             return Ok(());
         }
         use wgpu::BufferUsages as U;
@@ -69,12 +82,17 @@ impl Bench {
 
     /// Starts recording into `encoder`.
     pub fn record<'a>(&'a mut self, encoder: &'a mut wgpu::CommandEncoder) -> Recorder<'a> {
-        Recorder { bench: self, encoder, pass: None, params: Vec::new(), stages: Vec::new() }
+        let mut recorder = Recorder { bench: self, encoder, pass: None, params: Vec::new(), stages: Vec::new(), ended: false };
+        if recorder.bench.timing == Timing::Whole {
+            recorder.stages.push("whole");
+            recorder.stamp(Some(0), None);
+        }
+        recorder
     }
 
     /// Milliseconds between the first and the last timestamp of each stage that was recorded last; the work must be done.
     pub fn times(&self, stages: &[&'static str]) -> Result<Vec<(&'static str, f64)>, Error> {
-        let Some(timer) = &self.timer else { return Ok(Vec::new()) };
+        let Some(timer) = self.timer.as_ref().filter(|_| !stages.is_empty()) else { return Ok(Vec::new()) };
         let ticks: Vec<u64> = crate::readback::map(&self.device, &timer.read, stages.len() as u64 * 16, |bytes| {
             bytes.chunks_exact(8).map(|b| u64::from_le_bytes(b.try_into().unwrap_or_default())).collect()
         })?;
@@ -90,22 +108,43 @@ pub struct Recorder<'a> {
     pass: Option<wgpu::ComputePass<'static>>,
     params: Vec<u8>,
     stages: Vec<&'static str>,
+    /// Whether the timestamp at the end of the whole is recorded.
+    ended: bool,
 }
 
 impl Recorder<'_> {
-    /// A new stage begins.
+    /// A new stage begins: dispatches without copies between them, which are one pass.
     pub fn stage(&mut self, name: &'static str) {
-        if self.bench.timer.is_some() && self.stages.len() < MAX_STAGES as usize {
+        if matches!(self.bench.timing, Timing::Stages | Timing::Kernels) && self.stages.len() < MAX_STAGES as usize {
             self.pass = None;
             self.stages.push(name);
         }
     }
 
-    /// A part of a stage, which is timed by itself if details are.
+    /// A part of a stage, which is timed by itself if kernels are.
     pub fn detail(&mut self, name: &'static str) {
-        if self.bench.details {
+        if self.bench.timing == Timing::Kernels {
             self.stage(name);
         }
+    }
+
+    /// The last kernel was recorded; what comes now only hands results over.
+    pub fn end_of_work(&mut self) {
+        self.pass = None;
+        if self.bench.timing == Timing::Whole && !self.ended {
+            self.stamp(None, Some(1));
+        }
+        self.ended = true;
+    }
+
+    /// Writes a timestamp, in a pass that does nothing else.
+    fn stamp(&mut self, beginning: Option<u32>, end: Option<u32>) {
+        let timestamp_writes = self.bench.timer.as_ref().map(|timer| wgpu::ComputePassTimestampWrites {
+            query_set: &timer.queries,
+            beginning_of_pass_write_index: beginning,
+            end_of_pass_write_index: end,
+        });
+        self.encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some("timestamp"), timestamp_writes });
     }
 
     /// Sets the first `bytes` of a buffer to zero.
@@ -139,7 +178,8 @@ impl Recorder<'_> {
         });
         let pass = self.pass.get_or_insert_with(|| {
             let at = 2 * (self.stages.len() as u32).saturating_sub(1);
-            let timestamp_writes = bench.timer.as_ref().filter(|_| !self.stages.is_empty()).map(|timer| wgpu::ComputePassTimestampWrites {
+            let by_stage = matches!(bench.timing, Timing::Stages | Timing::Kernels) && !self.stages.is_empty();
+            let timestamp_writes = bench.timer.as_ref().filter(|_| by_stage).map(|timer| wgpu::ComputePassTimestampWrites {
                 query_set: &timer.queries,
                 beginning_of_pass_write_index: Some(at),
                 end_of_pass_write_index: Some(at + 1),
@@ -162,7 +202,7 @@ impl Recorder<'_> {
 
     /// Ends the recording: uploads the parameters. Returns the stages.
     pub fn finish(mut self) -> Result<Vec<&'static str>, Error> {
-        self.pass = None;
+        self.end_of_work();
         let bytes = self.params.len() as u64;
         if bytes > PARAMS_STRIDE * MAX_DISPATCHES {
             return Err(Error::TooLarge { what: "parameters of dispatches", bytes, limit: PARAMS_STRIDE * MAX_DISPATCHES });

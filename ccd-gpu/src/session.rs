@@ -4,8 +4,9 @@ use crate::device::Device;
 use crate::error::Error;
 use crate::frame::{Buffers, Goal, SAMPLE};
 use crate::list::{HEADER_BYTES, List};
+use crate::order::{self, Order};
 use crate::readback::Readback;
-use crate::recorder::{Bench, submit};
+use crate::recorder::{Bench, Timing, submit};
 use crate::tail;
 use crate::tree::check_countable;
 use ccd_core::Real;
@@ -26,9 +27,6 @@ pub struct Session {
     report: Report,
     stages: Vec<(&'static str, f64)>,
     grown: u32,
-    /// Contacts as the device wrote them.
-    touches: Vec<Touch>,
-    order: tail::Order,
     /// Calls for which the earliest time is looked for at once, because a sample did not pay the last time.
     at_once: u32,
     left_open: PerKind,
@@ -46,8 +44,9 @@ pub struct OnDevice<'a> {
     pub undecided: [&'a List; 2],
     /// Every list of the frame, also those between stages: if the first word of any of them exceeds its room, results are incomplete.
     pub lists: Vec<&'a List>,
-    /// One word: the bits of the earliest time of impact as `f32`, rounded down; greater than those of 1 if there is none. Without the undecided pairs.
-    pub earliest: &'a wgpu::Buffer,
+    /// By kind, one word: the bits of the earliest time of impact as `f32`, rounded down; greater than those of 1 if there is none. Without the undecided
+    /// pairs.
+    pub earliest: [&'a wgpu::Buffer; 2],
 }
 
 /// Candidates of a step: pairs of features whose swept boxes overlap, in no order.
@@ -73,8 +72,6 @@ impl Session {
             report: Report::default(),
             stages: Vec::new(),
             grown: 0,
-            touches: Vec::new(),
-            order: tail::Order::default(),
             at_once: 0,
             left_open: PerKind::default(),
         })
@@ -109,12 +106,12 @@ impl Session {
         &self.report
     }
 
-    /// Starts or stops timing the stages of each step with timestamps of the device; each stage becomes a pass of its own, which costs a little.
-    pub fn time_stages(&mut self, on: bool) -> Result<(), Error> {
-        self.bench.time_stages(on)
+    /// What each call times on the device from now on.
+    pub fn set_timing(&mut self, timing: Timing) -> Result<(), Error> {
+        self.bench.set_timing(timing)
     }
 
-    /// Milliseconds on the device by stage, if they are timed.
+    /// Milliseconds on the device, from the first kernel to the last: of each stage or of all together.
     pub fn stages(&self) -> &[(&'static str, f64)] {
         &self.stages
     }
@@ -167,7 +164,7 @@ impl Session {
         let parts = readback.plan(device, &sizes)?;
         submit(device, bench, |recorder| {
             for (part, list) in parts.iter().zip(&buffers.candidates) {
-                readback.copy(recorder, *part, list.buffer());
+                readback.copy(recorder, *part, list.buffer(), 0);
             }
         })?;
         let pairs = |bytes: &[u8]| bytemuck::pod_collect_to_vec::<u8, Pair>(&bytes[HEADER_BYTES as usize..]);
@@ -191,8 +188,8 @@ impl Session {
     ///
     /// The paths are taken as exact and must be finite. Submit the encoder before the session's next call. With a minimum distance, it is rounded to `f32`.
     pub fn record(&mut self, encoder: &mut wgpu::CommandEncoder) -> Result<OnDevice<'_>, Error> {
-        let positions = &mut self.buffers.positions;
-        (positions.exact, positions.path_error, positions.slack) = (true, 0.0, 0.0);
+        self.buffers.positions.take_paths();
+        self.buffers.to_order = 0;
         let (device, bench, buffers) = (&self.device, &mut self.bench, &self.buffers);
         let params = buffers.params(&self.options);
         device.guarded("a frame", 0, || -> Result<(), Error> {
@@ -202,7 +199,7 @@ impl Session {
         })??;
         let b = &self.buffers;
         let lists = b.lists().collect();
-        Ok(OnDevice { contacts: &b.contacts, undecided: [&b.undecided[0], &b.undecided[1]], lists, earliest: &b.earliest })
+        Ok(OnDevice { contacts: &b.contacts, undecided: [&b.undecided[0], &b.undecided[1]], lists, earliest: b.earliest.each_ref() })
     }
 
     fn run<T: Real + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]], goal: Goal) -> Result<(), Error> {
@@ -230,37 +227,56 @@ impl Session {
         Ok(())
     }
 
-    /// Runs a frame; `None` if a list was too short and has been replaced. `expected`: contacts that are read back at once.
-    fn attempt(&mut self, goal: Goal, expected: u32) -> Result<Option<Found>, Error> {
-        let Self { device, buffers, bench, readback, .. } = self;
+    /// Makes room for the order of as many contacts as are expected to be read at once, if they are many. Returns their number.
+    fn plan_contacts(&mut self, goal: Goal, last: u32) -> Result<u32, Error> {
+        let Self { device, buffers, bench, .. } = self;
+        let n = if goal == Goal::Contacts { (last + last / 4 + 256).min(buffers.contacts.room()) } else { 0 };
+        buffers.to_order = if last >= order::FEWEST { n } else { 0 };
+        if buffers.order.as_ref().map_or(0, Order::room) < buffers.to_order {
+            // As for lists: some more, or else just enough.
+            buffers.order = None;
+            buffers.order = Some(Order::new(device, n + n / 4).or_else(|_| Order::new(device, n))?);
+            bench.forget();
+        }
+        Ok(n)
+    }
+
+    /// Runs a frame; `None` if a list was too short and has been replaced. `last`: contacts of the last one.
+    fn attempt(&mut self, goal: Goal, last: u32) -> Result<Option<Found>, Error> {
+        let guess = self.plan_contacts(goal, last)?;
+        let Self { device, buffers, bench, readback, report, .. } = self;
         let params = buffers.params(&self.options);
         let heads: Vec<List> = buffers.lists().cloned().collect();
-        let guess = (expected + expected / 4 + 256).min(buffers.contacts.room());
-        let mut sizes = vec![4, 8];
+        let mut sizes = vec![4, 4, 8];
         sizes.extend(heads.iter().map(|_| HEADER_BYTES));
-        sizes.push(buffers.contacts.bytes(guess));
+        sizes.push(guess as u64 * size_of::<Touch>() as u64);
         let parts = readback.plan(device, &sizes)?;
+        let [of_vf, of_ee, of_sample, of_heads @ .., of_contacts] = parts.as_slice() else { return Ok(None) };
         let wide = device.info().wide;
         let stages = submit(device, bench, |recorder| {
             buffers.frame(recorder, &params, goal, wide);
-            recorder.stage("read back");
-            readback.copy(recorder, parts[0], &buffers.earliest);
-            readback.copy(recorder, parts[1], &buffers.sample);
-            for (part, list) in parts[2..].iter().zip(&heads) {
-                readback.copy(recorder, *part, list.buffer());
+            recorder.end_of_work();
+            readback.copy(recorder, *of_vf, &buffers.earliest[0], 0);
+            readback.copy(recorder, *of_ee, &buffers.earliest[1], 0);
+            readback.copy(recorder, *of_sample, &buffers.sample, 0);
+            for (part, list) in of_heads.iter().zip(&heads) {
+                readback.copy(recorder, *part, list.buffer(), 0);
             }
-            if goal == Goal::Contacts {
-                readback.copy(recorder, parts[parts.len() - 1], buffers.contacts.buffer());
+            match &buffers.order {
+                Some(order) if buffers.to_order > 0 => readback.copy(recorder, *of_contacts, &order.ordered, 0),
+                _ => readback.copy(recorder, *of_contacts, buffers.contacts.buffer(), HEADER_BYTES),
             }
         })?;
         let word = |bytes: &[u8], i: usize| bytes[4 * i..4 * i + 4].iter().rev().fold(0, |w, &b| w << 8 | b as u32);
         let (earliest, sampled, wanted, seconds) = readback
             .with(device, |bytes| {
-                let heads = parts[2..heads.len() + 2].iter().map(|p| p.of(bytes));
+                let heads = of_heads.iter().map(|p| p.of(bytes));
                 let wanted: Vec<u32> = heads.clone().map(|h| word(h, 0)).collect();
-                read_touches(&mut self.touches, parts[parts.len() - 1].of(bytes), wanted[CONTACTS]);
-                let sampled = word(parts[1].of(bytes), 0) as u64 + word(parts[1].of(bytes), 1) as u64;
-                (word(parts[0].of(bytes), 0), sampled, wanted, heads.map(|h| word(h, 1)).collect::<Vec<u32>>())
+                let n = wanted[CONTACTS].min(guess) as usize;
+                tail::take_touches(&of_contacts.of(bytes)[..n * size_of::<Touch>()], &mut report.contacts);
+                let sampled = word(of_sample.of(bytes), 0) as u64 + word(of_sample.of(bytes), 1) as u64;
+                let earliest = word(of_vf.of(bytes), 0).min(word(of_ee.of(bytes), 0));
+                (earliest, sampled, wanted, heads.map(|h| word(h, 1)).collect::<Vec<u32>>())
             })?
             .unwrap_or_default();
         self.stages = bench.times(&stages)?;
@@ -275,6 +291,7 @@ impl Session {
         }
         if grown {
             bench.forget();
+            report.contacts.clear();
             return Ok(None);
         }
         // The lists in the order of `Buffers::lists`: those that a frame ends with, then those of the descent.
@@ -288,23 +305,35 @@ impl Session {
         if goal == Goal::Earliest && found.candidates.total() > sampled * SAMPLE as u64 / 4 {
             self.at_once = AT_ONCE;
         }
-        let open = !wide && u0 + u1 > 0;
-        if goal == Goal::Contacts && n_contacts > guess || open {
-            let sizes = [buffers.contacts.bytes(n_contacts), buffers.undecided[0].bytes(u0), buffers.undecided[1].bytes(u1)];
-            let parts = readback.plan(device, &sizes)?;
-            submit(device, bench, |recorder| {
-                for (part, list) in parts.iter().zip([&buffers.contacts, &buffers.undecided[0], &buffers.undecided[1]]) {
-                    readback.copy(recorder, *part, list.buffer());
-                }
-            })?;
-            let pairs = |bytes: &[u8]| bytemuck::pod_collect_to_vec(&bytes[HEADER_BYTES as usize..]);
-            let open = readback.with(device, |bytes| {
-                read_touches(&mut self.touches, parts[0].of(bytes), n_contacts);
-                [pairs(parts[1].of(bytes)), pairs(parts[2].of(bytes))]
-            })?;
-            found.open = open.unwrap_or_default();
+        let beyond = goal == Goal::Contacts && n_contacts > guess;
+        found.in_order = !beyond && buffers.to_order > 0;
+        if beyond || !wide && u0 + u1 > 0 {
+            self.read_rest(&mut found, if beyond { n_contacts } else { 0 }, [u0, u1])?;
         }
         Ok(Some(found))
+    }
+
+    /// Reads what the frame's own reading left: all contacts, if they were more than expected, and pairs that are left open.
+    fn read_rest(&mut self, found: &mut Found, n_contacts: u32, n_open: [u32; 2]) -> Result<(), Error> {
+        let Self { device, buffers, bench, readback, report, .. } = self;
+        let lists = [&buffers.contacts, &buffers.undecided[0], &buffers.undecided[1]];
+        let sizes = [lists[0].bytes(n_contacts), lists[1].bytes(n_open[0]), lists[2].bytes(n_open[1])];
+        let parts = readback.plan(device, &sizes)?;
+        submit(device, bench, |recorder| {
+            for (part, list) in parts.iter().zip(lists) {
+                readback.copy(recorder, *part, list.buffer(), 0);
+            }
+        })?;
+        let open = readback.with(device, |bytes| {
+            let [contacts, vf, ee] = [0, 1, 2].map(|i| &parts[i].of(bytes)[HEADER_BYTES as usize..]);
+            if n_contacts > 0 {
+                report.contacts.clear();
+                tail::take_touches(contacts, &mut report.contacts);
+            }
+            [bytemuck::pod_collect_to_vec(vf), bytemuck::pod_collect_to_vec(ee)]
+        })?;
+        found.open = open.unwrap_or_default();
+        Ok(())
     }
 
     /// Decides what the device left open, and makes the report.
@@ -314,9 +343,6 @@ impl Session {
         report.candidates = found.candidates;
         report.filtered = found.filtered;
         let contacts = &mut report.contacts;
-        if goal == Goal::Contacts {
-            self.order.sort(&self.touches, &self.mesh, contacts);
-        }
         for (kind, open) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(&found.open) {
             tail::decide(&self.mesh, kind, open, x0, x1, self.options.min_distance, contacts);
         }
@@ -327,8 +353,8 @@ impl Session {
             report.toi = report.toi.into_iter().chain(device).reduce(f64::min);
             contacts.clear();
         }
-        if found.open.iter().any(|open| !open.is_empty()) {
-            contacts.sort_unstable_by_key(|c| (c.kind, c.a, c.b));
+        if !found.in_order || found.open.iter().any(|open| !open.is_empty()) {
+            tail::sort(contacts);
         }
         report.undecided = contacts.iter().filter(|c| c.state == State::Undecided).count() as u64;
     }
@@ -341,18 +367,12 @@ struct Found {
     candidates: PerKind,
     filtered: PerKind,
     open: [Vec<Pair>; 2],
+    /// Whether contacts are in their order already.
+    in_order: bool,
 }
 
 /// Which of `Buffers::lists` holds contacts.
 const CONTACTS: usize = 6;
-
-/// Takes what was read of a list of contacts that has `n`.
-fn read_touches(touches: &mut Vec<Touch>, list: &[u8], n: u32) {
-    let entries = list.get(HEADER_BYTES as usize..).unwrap_or_default();
-    let n = (n as usize).min(entries.len() / size_of::<Touch>());
-    touches.resize(n, Touch::default());
-    bytemuck::cast_slice_mut::<Touch, u8>(touches).copy_from_slice(&entries[..n * size_of::<Touch>()]);
-}
 
 /// If more than a quarter of the candidates is left after paths were cut, so many of the next calls do without: what is cut takes less time than the
 /// sample, the cut and the second fit only where most candidates go.

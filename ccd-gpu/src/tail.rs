@@ -44,47 +44,14 @@ pub fn decide<T: Real + Sync>(
     });
 }
 
-/// Puts contacts in order; buffers are kept.
-#[derive(Debug, Default)]
-pub struct Order {
-    starts: Vec<u32>,
+/// Appends the contacts of a list as a device wrote them, without its header.
+pub fn take_touches(bytes: &[u8], out: &mut Vec<Contact>) {
+    out.extend(bytes.chunks_exact(size_of::<Touch>()).map(|touch| contact(&bytemuck::pod_read_unaligned(touch))));
 }
 
-impl Order {
-    /// Fills `out` with the contacts by kind, `a`, `b`: counted by kind and `a`, then each run by `b`. Runs are short, so this is linear.
-    pub fn sort(&mut self, touches: &[Touch], mesh: &Mesh, out: &mut Vec<Contact>) {
-        out.clear();
-        let n_vertices = mesh.n_vertices();
-        let key = |t: &Touch| if t.kind == 0 { t.a as usize } else { n_vertices + t.a as usize };
-        let n_keys = n_vertices + mesh.edges().len();
-        if touches.len() < n_keys / 16 {
-            out.extend(touches.iter().map(contact));
-            out.sort_unstable_by_key(|c| (c.kind, c.a, c.b));
-            return;
-        }
-        self.starts.clear();
-        self.starts.resize(n_keys + 1, 0);
-        touches.iter().for_each(|t| self.starts[key(t) + 1] += 1);
-        for i in 0..n_keys {
-            self.starts[i + 1] += self.starts[i];
-        }
-        let none = Contact { kind: Kind::VertexFace, state: State::Hit, a: 0, b: 0, toi: 0.0 };
-        out.resize(touches.len(), none);
-        for t in touches {
-            let to = &mut self.starts[key(t)];
-            out[*to as usize] = contact(t);
-            *to += 1;
-        }
-        // Every start has moved to the end of its run.
-        let mut from = 0;
-        for &end in &self.starts[..n_keys] {
-            let end = end as usize;
-            if end > from + 1 {
-                out[from..end].sort_unstable_by_key(|c| c.b);
-            }
-            from = end;
-        }
-    }
+/// Puts contacts in their canonical order.
+pub fn sort(contacts: &mut [Contact]) {
+    contacts.sort_unstable_by_key(|c| (c.kind, c.a, c.b));
 }
 
 fn contact(touch: &Touch) -> Contact {

@@ -5,8 +5,9 @@ use crate::error::Error;
 use crate::levels::Levels;
 use crate::list::List;
 use crate::recorder::Recorder;
+use crate::sort::Sort;
 use ccd_core::Aabb;
-use ccd_core::kernel::{Id, bounds, sort};
+use ccd_core::kernel::{Id, bounds};
 use ccd_core::layout::{Leaf, Params};
 use wgpu::BufferUsages as U;
 
@@ -37,10 +38,7 @@ pub struct Tree {
     pub nodes: wgpu::Buffer,
     pub leaves: wgpu::Buffer,
     bounds: wgpu::Buffer,
-    keys: [wgpu::Buffer; 2],
-    orders: [wgpu::Buffer; 2],
-    table: wgpu::Buffer,
-    n_tiles: u32,
+    sort: Sort,
     /// Most workgroups of a kernel that loops over a list.
     pub groups: u32,
     /// By kind: all pairs of nodes where the descent starts.
@@ -56,8 +54,6 @@ impl Tree {
         let limit = device.info().limits.max_storage_buffer_binding_size;
         let too_large = Error::TooLarge { what: "nodes of the tree", bytes: n * size_of::<Aabb>() as u64, limit };
         let levels = Levels::new(count).ok_or(too_large)?;
-        let n_tiles = n.div_ceil(sort::TILE as u64) as u32;
-        let words = |what, n: u64| device.buffer(what, 4 * n, U::STORAGE | U::COPY_SRC | U::COPY_DST);
         let nodes =
             device.buffer("nodes of the tree", levels.total() as u64 * size_of::<Aabb>() as u64, U::STORAGE | U::COPY_DST | U::COPY_SRC)?;
         // Nodes that only fill up a block stay as they are now.
@@ -79,13 +75,10 @@ impl Tree {
         Ok(Self {
             boxes: device.buffer("boxes", n * size_of::<Aabb>() as u64, U::STORAGE | U::COPY_DST | U::COPY_SRC)?,
             leaves: device.buffer("leaves", levels.padded(0) as u64 * size_of::<Leaf>() as u64, U::STORAGE)?,
-            bounds: words("bounds", 8)?,
-            keys: [words("sort keys", n)?, words("sort keys", n)?],
-            orders: [words("sort values", n)?, words("sort values", n)?],
-            table: words("sort table", (n_tiles as u64 + 1) * sort::DIGITS as u64)?,
+            bounds: device.buffer("bounds", 32, U::STORAGE | U::COPY_DST)?,
+            sort: Sort::new(device, n as u32)?,
             start: [start(0)?, start(1)?],
             pairs: [pairs(0)?, pairs(1)?],
-            n_tiles,
             groups: groups(device),
             levels,
             count,
@@ -121,35 +114,20 @@ impl Tree {
         let n = params.start[3];
         let p = Params { n: n_bounding, ..*params };
         recorder.dispatch(Id::SceneBounds, &p, &[&self.boxes, &self.bounds], n_bounding.div_ceil(256 * bounds::CHUNK as u32));
-        recorder.dispatch(Id::Morton, params, &[&self.boxes, &self.bounds, &self.keys[0], &self.orders[0]], n.div_ceil(256));
+        let [keys, order] = self.sorted();
+        recorder.dispatch(Id::Morton, params, &[&self.boxes, &self.bounds, keys, order], n.div_ceil(256));
         recorder.stage("sort");
-        self.sort_keys(recorder, n);
+        self.sort.run(recorder, n, 32, 0);
     }
 
-    /// Sorts `n` keys with their values; four passes, so the result is where it began.
-    pub fn sort_keys(&self, recorder: &mut Recorder, n: u32) {
-        let (mut from, mut to) = (0, 1);
-        for pass in 0..4 {
-            let p = Params { n, n_tiles: self.n_tiles, shift: 8 * pass, ..Params::default() };
-            recorder.detail("sort_count");
-            recorder.dispatch(Id::SortCount, &p, &[&self.keys[from], &self.table], self.n_tiles);
-            recorder.detail("sort_scan");
-            recorder.dispatch(Id::SortScan, &p, &[&self.table], sort::DIGITS);
-            let buffers = [&self.table, &self.keys[from], &self.orders[from], &self.keys[to], &self.orders[to]];
-            recorder.detail("sort_scatter");
-            recorder.dispatch(Id::SortScatter, &p, &buffers, self.n_tiles);
-            std::mem::swap(&mut from, &mut to);
-        }
-    }
-
-    /// Keys and values that [`Tree::sort_keys`] sorts.
-    pub fn sorted(&self) -> (&wgpu::Buffer, &wgpu::Buffer) {
-        (&self.keys[0], &self.orders[0])
+    /// Keys and numbers of all boxes; four passes of a sort end where they began.
+    pub fn sorted(&self) -> [&wgpu::Buffer; 2] {
+        self.sort.half(0)
     }
 
     /// Boxes of all nodes, in the order of the last sort.
     pub fn fit(&self, recorder: &mut Recorder, params: &Params, edges: &wgpu::Buffer, faces: &wgpu::Buffer) {
-        let buffers = [&self.boxes, &self.orders[0], edges, faces, &self.nodes, &self.leaves];
+        let buffers = [&self.boxes, self.sorted()[1], edges, faces, &self.nodes, &self.leaves];
         recorder.dispatch(Id::FitLeaves, params, &buffers, self.levels.padded(0).div_ceil(256));
         for level in 1..self.levels.top() {
             let p = Params { level, ..*params };
@@ -157,16 +135,17 @@ impl Tree {
         }
     }
 
-    /// Pairs of blocks of one kind that overlap; the result is in [`Tree::block_pairs`].
-    pub fn descend(&self, recorder: &mut Recorder, params: &Params) {
-        let kind = params.kind as usize;
-        let mut input = &self.start[kind];
-        for level in (2..=self.levels.start(params.kind)).rev() {
-            let output = &self.pairs[kind][level as usize - 2];
-            self.each_part(params, level, input, output.room(), 1, |p| {
-                recorder.dispatch(Id::NodePairs, p, &[&self.nodes, input.buffer(), output.buffer()], self.groups.min(input.room()));
-            });
-            input = output;
+    /// Pairs of blocks of these kinds that overlap; the result is in [`Tree::block_pairs`]. Level by level for all kinds, so that a device works on both at once.
+    pub fn descend(&self, recorder: &mut Recorder, params: &Params, kinds: &[u32]) {
+        for level in (2..=self.levels.top()).rev() {
+            for &kind in kinds.iter().filter(|&&kind| level <= self.levels.start(kind)) {
+                let lists = &self.pairs[kind as usize];
+                let input = lists.get(level as usize - 1).unwrap_or(&self.start[kind as usize]);
+                let output = &lists[level as usize - 2];
+                self.each_part(&Params { kind, ..*params }, level, input, output.room(), 1, |p| {
+                    recorder.dispatch(Id::NodePairs, p, &[&self.nodes, input.buffer(), output.buffer()], self.groups.min(input.room()));
+                });
+            }
         }
     }
 

@@ -1,10 +1,10 @@
-//! From the caller's positions to what kernels read: paths in `f32` and, where those are not exact, the exact numbers besides.
+//! From the caller's positions to what kernels read: paths in `f32` and, where those or boxes are rounded, the exact numbers besides.
 
 use crate::device::Device;
 use crate::error::Error;
 use ccd_core::input::{Scan, margin};
 use ccd_core::kernel::{blocks::bound_key, sweep};
-use ccd_core::layout::{Params, Path, WidePath, split};
+use ccd_core::layout::{Params, Path, split};
 use ccd_core::real::Real;
 use ccd_core::{Aabb, error};
 use wgpu::BufferUsages as U;
@@ -12,18 +12,33 @@ use wgpu::BufferUsages as U;
 /// Positions on the device.
 pub struct Positions {
     pub paths: wgpu::Buffer,
+    /// As given, in `f64`: all at the start of the step, then all at its end.
     pub wide: wgpu::Buffer,
     pub keys: wgpu::Buffer,
-    /// Numbers of the last upload.
+    /// How the last upload left boxes of vertices.
+    pub boxes: Boxes,
+    /// Whether paths are exact.
     pub exact: bool,
+    /// What was subtracted from paths, how far they are from the truth, and what follows from that.
+    origin: [f64; 3],
     pub path_error: f32,
-    pub slack: f32,
+    slack: f32,
     /// Greatest absolute coordinate of paths.
     pub reach: f32,
     host_paths: Vec<Path>,
-    host_wide: Vec<WidePath>,
     host_keys: Vec<[[u32; 2]; 6]>,
     host_boxes: Vec<Aabb>,
+}
+
+/// What makes the boxes of vertices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Boxes {
+    /// A kernel, from paths.
+    OfPaths,
+    /// A kernel, from positions in `f64`, from which it makes paths and keys, too.
+    OfPositions,
+    /// The host has sent them.
+    Sent,
 }
 
 impl Positions {
@@ -35,12 +50,13 @@ impl Positions {
             // Made when first needed.
             wide: device.buffer("positions in f64", 0, usage)?,
             keys: device.buffer("keys of exact boxes", 0, usage)?,
+            boxes: Boxes::OfPaths,
             exact: true,
+            origin: [0.0; 3],
             path_error: 0.0,
             slack: 0.0,
             reach: 0.0,
             host_paths: Vec::new(),
-            host_wide: Vec::new(),
             host_keys: Vec::new(),
             host_boxes: Vec::new(),
         })
@@ -66,47 +82,58 @@ impl Positions {
         }
         let table = scan.table(true);
         self.exact = table.error == 0.0;
-        self.path_error = table.error;
-        let wide = |p: &[T; 3]| [p[0].to_f64(), p[1].to_f64(), p[2].to_f64()];
+        (self.origin, self.path_error) = (table.origin, table.error);
+        let reach = if self.exact { scan.greatest() } else { (0..3).fold(0.0, |m: f64, k| m.max(scan.bounds.max[k] - scan.bounds.min[k])) };
+        self.reach = reach.round_up();
+        // Where boxes are not rounded, input is exact in `f32`.
+        let rounded = scan.rounds_boxes::<T>(min_distance);
+        self.slack = if rounded { scan.slack(min_distance) } else { 0.0 };
+        self.boxes = match (rounded, device.info().wide) {
+            (false, _) => Boxes::OfPaths,
+            (true, true) => Boxes::OfPositions,
+            (true, false) => Boxes::Sent,
+        };
+        let queue = device.queue();
+        if self.boxes == Boxes::OfPositions {
+            // Rounded boxes are those of `f64`, which are sent as they are.
+            let bytes = size_of_val(x0) as u64;
+            let replaced = make_room(device, "positions in f64", &mut self.wide, 2 * bytes)?
+                | make_room(device, "keys of exact boxes", &mut self.keys, (x0.len() * size_of::<[[u32; 2]; 6]>()) as u64)?;
+            queue.write_buffer(&self.wide, 0, bytemuck::cast_slice(x0));
+            queue.write_buffer(&self.wide, bytes, bytemuck::cast_slice(x1));
+            return Ok(replaced);
+        }
         let place = |p: &[T; 3]| {
-            let p = table.place(wide(p));
+            let p = table.place([p[0].to_f64(), p[1].to_f64(), p[2].to_f64()]);
             [p[0], p[1], p[2], 0.0]
         };
         self.host_paths.clear();
         self.host_paths.extend(x0.iter().zip(x1).map(|(p, q)| Path { t0: place(p), t1: place(q) }));
-        let reach = if self.exact { scan.greatest() } else { (0..3).fold(0.0, |m: f64, k| m.max(scan.bounds.max[k] - scan.bounds.min[k])) };
-        self.reach = reach.round_up();
-        let queue = device.queue();
         queue.write_buffer(&self.paths, 0, bytemuck::cast_slice(&self.host_paths));
-        // Rounded boxes: by rounding the input, or by growing exact ones.
-        let rounded = scan.rounds_boxes::<T>(min_distance);
-        self.slack = if rounded { scan.slack(min_distance) } else { 0.0 };
-        let mut replaced = false;
-        if !self.exact {
-            self.host_wide.clear();
-            self.host_wide.extend(x0.iter().zip(x1).map(|(p, q)| WidePath { t0: wide(p), t1: wide(q) }));
-            replaced |= fill(device, "positions in f64", &mut self.wide, bytemuck::cast_slice(&self.host_wide))?;
+        if self.boxes == Boxes::OfPaths {
+            return Ok(false);
         }
-        if rounded {
-            let margin: T = margin(min_distance);
-            self.host_keys.clear();
-            self.host_boxes.clear();
-            for (p, q) in x0.iter().zip(x1) {
-                let exact = sweep::swept(*p, *q).inflated(margin);
-                let key = |x: T| bound_key(x.to_f64());
-                let (min, max) = (exact.min, exact.max);
-                self.host_keys.push([key(min[0]), key(min[1]), key(min[2]), key(max[0]), key(max[1]), key(max[2])]);
-                self.host_boxes.push(exact.round_out());
-            }
-            replaced |= fill(device, "keys of exact boxes", &mut self.keys, bytemuck::cast_slice(&self.host_keys))?;
-            queue.write_buffer(boxes, 0, bytemuck::cast_slice(&self.host_boxes));
+        let margin: T = margin(min_distance);
+        self.host_keys.clear();
+        self.host_boxes.clear();
+        for (p, q) in x0.iter().zip(x1) {
+            let exact = sweep::swept(*p, *q).inflated(margin);
+            let key = |x: T| bound_key(x.to_f64());
+            let (min, max) = (exact.min, exact.max);
+            self.host_keys.push([key(min[0]), key(min[1]), key(min[2]), key(max[0]), key(max[1]), key(max[2])]);
+            self.host_boxes.push(exact.round_out());
         }
+        let keys: &[u8] = bytemuck::cast_slice(&self.host_keys);
+        let replaced = make_room(device, "keys of exact boxes", &mut self.keys, keys.len() as u64)?;
+        queue.write_buffer(&self.keys, 0, keys);
+        queue.write_buffer(boxes, 0, bytemuck::cast_slice(&self.host_boxes));
         Ok(replaced)
     }
 
-    /// Whether boxes of vertices were uploaded.
-    pub fn boxes_uploaded(&self) -> bool {
-        self.slack > 0.0
+    /// Takes the paths that are there, which the caller has written, as exact.
+    pub fn take_paths(&mut self) {
+        (self.boxes, self.exact, self.origin) = (Boxes::OfPaths, true, [0.0; 3]);
+        (self.path_error, self.slack) = (0.0, 0.0);
     }
 
     /// Sets what kernels must know of the positions.
@@ -116,17 +143,18 @@ impl Positions {
         params.margin = margin(min_distance);
         params.min_distance = min_distance.round_up();
         params.distance_bits = split(min_distance);
+        params.origin = self.origin.map(split);
+        params.margin_bits = split(margin(min_distance));
         params.flags |= if self.exact { Params::FLAG_EXACT } else { 0 };
         params.flags |= if self.slack > 0.0 { Params::FLAG_CONFIRM } else { 0 };
     }
 }
 
-/// Writes to the front of a buffer, which is replaced if it is too small. Returns whether it was.
-fn fill(device: &Device, what: &'static str, buffer: &mut wgpu::Buffer, bytes: &[u8]) -> Result<bool, Error> {
-    let replaced = buffer.size() < bytes.len() as u64;
-    if replaced {
-        *buffer = device.buffer(what, bytes.len() as u64, U::STORAGE | U::COPY_DST | U::COPY_SRC)?;
+/// Replaces a buffer that is too small. Returns whether it was.
+fn make_room(device: &Device, what: &'static str, buffer: &mut wgpu::Buffer, bytes: u64) -> Result<bool, Error> {
+    let too_small = buffer.size() < bytes;
+    if too_small {
+        *buffer = device.buffer(what, bytes, U::STORAGE | U::COPY_DST | U::COPY_SRC)?;
     }
-    device.queue().write_buffer(buffer, 0, bytes);
-    Ok(replaced)
+    Ok(too_small)
 }

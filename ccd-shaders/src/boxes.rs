@@ -2,7 +2,7 @@
 
 use crate::share::{barrier, get, group, raise, set};
 use ccd_core::Aabb;
-use ccd_core::kernel::{bounds, decide, sweep};
+use ccd_core::kernel::{bounds, decide, place, sweep};
 use ccd_core::layout::{Params, Path};
 use ccd_core::morton::MortonGrid;
 use ccd_core::slice::{at, put};
@@ -10,6 +10,28 @@ use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 
 const THREADS: u32 = 256;
+
+/// Thread `i` makes path and box of vertex `i`, and the keys of its exact box.
+#[spirv(compute(threads(256)))]
+pub fn place_vertices(
+    #[spirv(workgroup_id)] id: UVec3,
+    #[spirv(num_workgroups)] n: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] positions: &[[f64; 3]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] paths: &mut [Path],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] keys: &mut [[[u32; 2]; 6]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] boxes: &mut [Aabb],
+) {
+    let i = group(id, n) * THREADS + lane;
+    if i < params.count[0] {
+        let (p, q) = place::given(i, params, positions);
+        let exact = place::exact_box(p, q, params);
+        put(paths, i as usize, place::path(p, q, params));
+        put(keys, i as usize, place::keys(&exact));
+        put(boxes, i as usize, place::rounded(&exact));
+    }
+}
 
 /// Thread `i` sweeps vertex `i`.
 #[spirv(compute(threads(256)))]
@@ -61,7 +83,7 @@ pub fn sweep_faces(
     }
 }
 
-/// Thread `i` cuts path `i` at the earliest time of impact so far; `time` holds its bits, or a greater number if there is none.
+/// Thread `i` cuts path `i` at the earliest time of impact so far; `of_vf` and `of_ee` hold the bits of those of each kind, or a greater number if there is none.
 #[spirv(compute(threads(256)))]
 pub fn shorten(
     #[spirv(workgroup_id)] id: UVec3,
@@ -69,12 +91,13 @@ pub fn shorten(
     #[spirv(local_invocation_index)] lane: u32,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] paths: &[Path],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] time: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] out: &mut [Path],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] of_vf: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] of_ee: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] out: &mut [Path],
 ) {
     let i = group(id, n) * THREADS + lane;
     if i < params.count[0] {
-        put(out, i as usize, sweep::shorten(&at(paths, i as usize), decide::until(at(time, 0))));
+        put(out, i as usize, sweep::shorten(&at(paths, i as usize), decide::until(at(of_vf, 0).min(at(of_ee, 0)))));
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::share::{add, add_shared, barrier, get, group, length, lower, set};
 use ccd_core::kernel::decide::{self, Verdicts};
-use ccd_core::layout::{LIST_HEADER, Pair, Params, Path, Touch, WidePath};
+use ccd_core::layout::{LIST_HEADER, Pair, Params, Path, TOUCH_WORDS, Touch};
 use ccd_core::slice::{at, put};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
@@ -34,7 +34,7 @@ fn place(lane: u32, has: bool, counters: &mut [u32; 4], list: &mut [u32]) -> u32
 #[inline(always)]
 fn write_touch(list: &mut [u32], room: u32, i: u32, touch: &Touch) {
     if i < room {
-        let to = LIST_HEADER + 6 * i as usize;
+        let to = LIST_HEADER + TOUCH_WORDS * i as usize;
         put(list, to, touch.kind);
         put(list, to + 1, touch.state);
         put(list, to + 2, touch.a);
@@ -61,7 +61,7 @@ macro_rules! decide_wide_entry {
             #[spirv(workgroup)] counters: &mut [u32; 4],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
             #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] paths: &[Path],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] wide: &[WidePath],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] wide: &[[f64; 3]],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] elements: &[$element],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] input: &[u32],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] contacts: &mut [u32],

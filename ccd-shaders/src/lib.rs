@@ -7,7 +7,9 @@
 pub mod boxes;
 pub mod decide;
 pub mod fit;
+pub mod order;
 pub mod pairs;
 pub mod probe;
 mod share;
 pub mod sort;
+pub mod tree;

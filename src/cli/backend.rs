@@ -221,25 +221,21 @@ impl AnySession {
         }
     }
 
-    /// Times stages on the device, or no longer.
-    pub fn time_stages(&mut self, on: bool) -> Result<(), gpu::Error> {
+    /// Sets what is timed on the device, if it is one.
+    pub fn set_timing(&mut self, timing: gpu::Timing) -> Result<(), gpu::Error> {
         match self {
             Self::Cpu(_) => Ok(()),
-            Self::Gpu { session, .. } => session.time_stages(on),
+            Self::Gpu { session, .. } => session.set_timing(timing),
         }
     }
 
-    /// Milliseconds of the last call on the device, if stages are timed.
-    pub fn device_ms(&self) -> Option<f64> {
+    /// What was timed of the last call.
+    pub fn stages(&self) -> &[(&'static str, f64)] {
         match self {
-            Self::Cpu(_) => None,
-            Self::Gpu { session, .. } => sum(session.stages()),
+            Self::Cpu(_) => &[],
+            Self::Gpu { session, .. } => session.stages(),
         }
     }
-}
-
-fn sum(stages: &[(&str, f64)]) -> Option<f64> {
-    (!stages.is_empty()).then(|| stages.iter().map(|s| s.1).sum())
 }
 
 /// A broad phase on either.
@@ -249,12 +245,12 @@ pub enum AnyBroadPhase {
 }
 
 impl AnyBroadPhase {
-    /// `threads`, `method`: of the CPU.
+    /// `threads`: of the CPU.
     pub fn new(choice: &Choice, threads: usize, method: Method) -> Result<Self, Failure> {
         let on_cpu = || Ok(Self::Cpu(Box::new(ccd::BroadPhase::new(threads, method)?)));
         let Some(device) = &choice.device else { return on_cpu() };
         let (adapter, may_fall_back) = (device.info().adapter.name.clone(), choice.may_fall_back);
-        match gpu::BroadPhase::new(device) {
+        match gpu::BroadPhase::new(device, method) {
             Ok(broad) => Ok(Self::Gpu { broad: Box::new(broad), adapter, may_fall_back, threads, method }),
             Err(e) if may_fall_back && is_of_gpu(&e) => {
                 say_fallen_back(&e);
@@ -299,19 +295,19 @@ impl AnyBroadPhase {
         }
     }
 
-    /// Times stages on the device, or no longer.
-    pub fn time_stages(&mut self, on: bool) -> Result<(), gpu::Error> {
+    /// Sets what is timed on the device, if it is one.
+    pub fn set_timing(&mut self, timing: gpu::Timing) -> Result<(), gpu::Error> {
         match self {
             Self::Cpu(_) => Ok(()),
-            Self::Gpu { broad, .. } => broad.time_stages(on),
+            Self::Gpu { broad, .. } => broad.set_timing(timing),
         }
     }
 
-    /// Milliseconds of the last call on the device, if stages are timed.
-    pub fn device_ms(&self) -> Option<f64> {
+    /// What was timed of the last call.
+    pub fn stages(&self) -> &[(&'static str, f64)] {
         match self {
-            Self::Cpu(_) => None,
-            Self::Gpu { broad, .. } => sum(broad.stages()),
+            Self::Cpu(_) => &[],
+            Self::Gpu { broad, .. } => broad.stages(),
         }
     }
 }

@@ -2,7 +2,8 @@
 
 use super::backend::{AnyBroadPhase, AnySession, BackendOptions, Choice};
 use super::{Failure, Outcome, output};
-use ccd::{Aabb, BroadPhase, Mesh, Method, Options, PerKind, TOI_TOLERANCE, gpu};
+use ccd::gpu::{self, Timing};
+use ccd::{Aabb, BroadPhase, Mesh, Method, Options, PerKind, TOI_TOLERANCE};
 use clap::Args;
 use serde::Serialize;
 use std::time::Instant;
@@ -148,16 +149,18 @@ impl Bench {
             None => BroadPhase::new(self.threads, Method::Tree)?.self_pairs(&boxes)?.len(),
         };
         let scene = format!("uniform boxes, {}", output::thousands(n));
-        let mut broad = AnyBroadPhase::new(choice, self.threads, Method::Blocks)?;
-        let timed = self.time(&mut broad, |broad| match broad.count(&boxes, None)? {
-            found if found == want => Ok(format!("{} pairs", output::thousands(found))),
-            found => Err(Failure(format!("{scene}: {found} pairs, right are {want}"))),
-        })?;
-        self.put(rows, &scene, "pairs", timed);
+        for (what, method) in [("by blocks", Method::Blocks), ("by a tree", Method::Tree)] {
+            let mut broad = AnyBroadPhase::new(choice, self.threads, method)?;
+            let timed = self.time(&mut broad, |broad| match broad.count(&boxes, None)? {
+                found if found == want => Ok(format!("{} pairs", output::thousands(found))),
+                found => Err(Failure(format!("{scene}: {found} pairs {what}, right are {want}"))),
+            })?;
+            self.put(rows, &scene, what, timed);
+        }
         Ok(())
     }
 
-    /// Runs once to warm up and `runs` times by the clock, then as often by the device's timestamps, which slow it down a little.
+    /// Runs once to warm up and `runs` times by the clock, then as often by the device's timestamps.
     fn time<S: Stages>(&self, subject: &mut S, mut work: impl FnMut(&mut S) -> Result<String, Failure>) -> Result<Timed, Failure> {
         let answer = work(subject)?;
         let mut times = Vec::new();
@@ -166,16 +169,16 @@ impl Bench {
             work(subject)?;
             times.push(start.elapsed().as_secs_f64() * 1e3);
         }
-        subject.time_stages(true)?;
+        subject.set_timing(Timing::Whole)?;
         let mut device = Vec::new();
         for _ in 0..self.runs {
             work(subject)?;
-            match subject.device_ms() {
-                Some(ms) => device.push(ms),
-                None => break,
+            match subject.stages() {
+                [(_, ms)] => device.push(*ms),
+                _ => break,
             }
         }
-        subject.time_stages(false)?;
+        subject.set_timing(Timing::Off)?;
         let (median_ms, min_ms) = median(times).unwrap_or_default();
         Ok(Timed { answer, median_ms, min_ms, device_ms: median(device).map(|m| m.0) })
     }
@@ -205,25 +208,25 @@ fn median(mut times: Vec<f64>) -> Option<(f64, f64)> {
 
 /// What can be timed on a device.
 trait Stages {
-    fn time_stages(&mut self, on: bool) -> Result<(), gpu::Error>;
-    fn device_ms(&self) -> Option<f64>;
+    fn set_timing(&mut self, timing: Timing) -> Result<(), gpu::Error>;
+    fn stages(&self) -> &[(&'static str, f64)];
 }
 
 impl Stages for AnySession {
-    fn time_stages(&mut self, on: bool) -> Result<(), gpu::Error> {
-        self.time_stages(on)
+    fn set_timing(&mut self, timing: Timing) -> Result<(), gpu::Error> {
+        self.set_timing(timing)
     }
-    fn device_ms(&self) -> Option<f64> {
-        self.device_ms()
+    fn stages(&self) -> &[(&'static str, f64)] {
+        self.stages()
     }
 }
 
 impl Stages for AnyBroadPhase {
-    fn time_stages(&mut self, on: bool) -> Result<(), gpu::Error> {
-        self.time_stages(on)
+    fn set_timing(&mut self, timing: Timing) -> Result<(), gpu::Error> {
+        self.set_timing(timing)
     }
-    fn device_ms(&self) -> Option<f64> {
-        self.device_ms()
+    fn stages(&self) -> &[(&'static str, f64)] {
+        self.stages()
     }
 }
 

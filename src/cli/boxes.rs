@@ -18,7 +18,7 @@ pub struct Boxes {
     b: Option<PathBuf>,
     #[command(flatten)]
     backend: BackendOptions,
-    /// How the CPU finds pairs; all ways find the same
+    /// How pairs are found; all ways find the same
     #[arg(long, value_enum, default_value_t = Way::Blocks)]
     method: Way,
     /// Number of threads on the CPU; 0 means one per processor
@@ -34,9 +34,9 @@ pub struct Boxes {
 
 #[derive(Clone, Copy, ValueEnum)]
 enum Way {
-    /// Blocks of eight boxes in Morton order
+    /// Blocks of neighbouring boxes, of 8 on the CPU and 32 on a GPU
     Blocks,
-    /// A binary radix tree
+    /// A binary radix tree; on a GPU faster where few boxes overlap
     Tree,
 }
 

@@ -3,23 +3,28 @@
 use crate::scenes::check_pairs;
 use crate::twin::{Twin, union};
 use ccd::gpu::{BroadPhase, Device, Sorter, harness};
-use ccd::{Aabb, Pair, Verdict};
+use ccd::{Aabb, Method, Pair, Verdict};
 use ccd_core::kernel::{Id, blocks, bounds, decide, sort};
-use ccd_core::layout::{LIST_HEADER, Leaf, Params, Path};
+use ccd_core::layout::{Branch, LIST_HEADER, Leaf, Node, Params, Path, Touch, split};
 use ccd_testkit::generate::{Random, Step, crumpled_sheet, triangle_soup, uniform_boxes};
 use ccd_testkit::{brute, compare};
 
 pub const TESTS: crate::Tests = &[
+    ("place", check_place),
     ("sweep", check_sweep),
     ("shorten", check_shorten),
     ("bounds_and_codes", check_bounds),
     ("sort", check_sort),
+    ("order_of_contacts", check_order),
     ("fit", check_fit),
+    ("radix_tree", check_radix_tree),
     ("node_pairs", check_node_pairs),
     ("candidates", check_candidates),
     ("filters", check_filters),
     ("folded_grid", check_folded),
-    ("uniform_boxes", check_uniform),
+    ("largest_grid", check_largest_grid),
+    ("uniform_boxes_by_blocks", |device| check_uniform(device, Method::Blocks)),
+    ("uniform_boxes_by_tree", |device| check_uniform(device, Method::Tree)),
 ];
 
 fn bytes<T: bytemuck::Pod>(x: &[T]) -> Vec<u8> {
@@ -67,6 +72,46 @@ fn swept(p: &Path) -> Aabb {
     Aabb { min: std::array::from_fn(|k| clamp(low(p.t0[k], p.t1[k]))), max: std::array::from_fn(|k| clamp(high(p.t0[k], p.t1[k]))) }
 }
 
+/// What a device with `f64` makes of positions is what the host makes for those without, bit for bit; boxes hold the exact ones.
+fn check_place(device: &Device) {
+    if !device.info().wide {
+        return;
+    }
+    let mut random = Random::new(9);
+    let thresholds = [0.0, -0.0, 1e-300, -1e-40, 1e-38, f32::MIN_POSITIVE as f64, 1.0 / 3.0, -1e30, 1e90, -1e100];
+    let mut position = |i: u32| -> [f64; 3] {
+        std::array::from_fn(|_| if i.is_multiple_of(3) { thresholds[random.below(10) as usize] } else { random.unit() * 8.0 - 1.0 })
+    };
+    let n = 1000;
+    let (x0, x1): (Vec<[f64; 3]>, Vec<[f64; 3]>) = (0..n).map(|i| (position(i), position(i))).unzip();
+    for (origin, margin) in [([0.0; 3], 0.0), ([0.7, -1.3, 2e-5], 0.01)] {
+        let params = Params { count: [n, 0, 0], origin: origin.map(split), margin_bits: split(margin), ..Params::default() };
+        let mut buffers = [bytes(&[&x0[..], &x1[..]].concat()), room(0), room(0), room(0)];
+        for (buffer, size) in buffers[1..].iter_mut().zip([32, 48, 24]) {
+            buffer.resize(n as usize * size, 0);
+        }
+        harness::run(device, Id::PlaceVertices, &params, &mut buffers, n.div_ceil(256), 65_535).unwrap();
+        let (paths, keys, boxes) = (read::<Path>(&buffers[1]), read::<[[u32; 2]; 6]>(&buffers[2]), read::<Aabb>(&buffers[3]));
+        for i in 0..n as usize {
+            for (end, given) in [(paths[i].t0, x0[i]), (paths[i].t1, x1[i])] {
+                // What is too large for an `f32` becomes the greatest or infinity: the bound on the error is infinite then.
+                let want = |k: usize| ((given[k] - origin[k]) as f32).clamp(f32::MIN, f32::MAX);
+                assert!((0..3).all(|k| same(end[k].clamp(f32::MIN, f32::MAX), want(k))) && end[3] == 0.0, "{given:?} became {end:?}");
+            }
+            for k in 0..3 {
+                let (low, high) = if x0[i][k] < x1[i][k] { (x0[i][k], x1[i][k]) } else { (x1[i][k], x0[i][k]) };
+                let (low, high) = if margin > 0.0 { ((low - margin).next_down(), (high + margin).next_up()) } else { (low, high) };
+                assert_eq!((keys[i][k], keys[i][3 + k]), (blocks::bound_key(low), blocks::bound_key(high)), "keys of {low:e} to {high:e}");
+                let clamp = |x: f64| x.clamp(-2.9e38, 2.9e38);
+                let (min, max) = (boxes[i].min[k] as f64, boxes[i].max[k] as f64);
+                let tight = |x: f64| clamp(x).abs() * f32::EPSILON as f64 + 2.0 * f32::MIN_POSITIVE as f64;
+                assert!(min <= low.max(-2.9e38 + 1e32) && min >= clamp(low) - tight(low), "min {min:e} for {low:e}");
+                assert!(max >= high.min(2.9e38 - 1e32) && max <= clamp(high) + tight(high), "max {max:e} for {high:e}");
+            }
+        }
+    }
+}
+
 fn check_sweep(device: &Device) {
     for poison in [false, true] {
         let step = triangle_soup(500, 0.3, 1);
@@ -111,9 +156,14 @@ fn check_shorten(device: &Device) {
     let paths = paths(&triangle_soup(200, 0.3, 2), false);
     let params = Params { count: [paths.len() as u32, 0, 0], ..Params::default() };
     for (key, until) in [(0.25f32.to_bits(), 0.25), (0, 0.0), (decide::NEVER, 1.0), (1.0f32.to_bits(), 1.0)] {
-        let mut buffers = [bytes(&paths), bytes(&[key, 0, 0, 0]), vec![0; paths.len() * 32]];
+        // The lesser of the times of both kinds counts.
+        let never = bytes(&[decide::NEVER; 4]);
+        let mut buffers = [bytes(&paths), bytes(&[key, 0, 0, 0]), never, vec![0; paths.len() * 32]];
+        if key == 0 {
+            buffers.swap(1, 2);
+        }
         harness::run(device, Id::Shorten, &params, &mut buffers, params.count[0].div_ceil(256), 65_535).unwrap();
-        for (p, got) in paths.iter().zip(read::<Path>(&buffers[2])) {
+        for (p, got) in paths.iter().zip(read::<Path>(&buffers[3])) {
             for k in 0..3 {
                 let want = p.t0[k] as f64 + (p.t1[k] as f64 - p.t0[k] as f64) * until;
                 assert!(got.t0[k] == p.t0[k] && (got.t1[k] as f64 - want).abs() <= 4e-7 * 2.0, "{p:?} until {until}: {got:?}");
@@ -192,6 +242,115 @@ fn check_sort(device: &Device) {
         want[256 * n_tiles as usize + d] = total;
     }
     assert_eq!(read::<u32>(&table[0]), want);
+}
+
+/// Contacts of a list are sorted by kind, `a`, `b`; what is not a contact stays behind them.
+fn check_order(device: &Device) {
+    let mut random = Random::new(5);
+    let count = [300, 500, 200];
+    for (n, room) in [(0, 40), (1, 40), (5000, 6000), (6000, 6000)] {
+        let touches: Vec<Touch> = (0..n)
+            .map(|i| {
+                let kind = random.below(2);
+                let (a, b) = (random.below(count[kind as usize]), random.below([200, 500][kind as usize]));
+                Touch { kind, state: i % 2, a, b, toi: [i, !i] }
+            })
+            .collect();
+        let mut list = bytes(&[n, 0, 0, 0]);
+        list.extend(bytes(&touches));
+        // What stands behind the last contact is left from another frame.
+        list.resize(16 + room as usize * 24, 0x11);
+        let mut want = touches.clone();
+        want.sort_by_key(|t| (t.kind, t.a, t.b));
+        let mut order: Vec<u32> = Vec::new();
+        for level in [0, 1] {
+            let params = Params { count, n: room, room_in: room, level, ..Params::default() };
+            let mut buffers = [list.clone(), vec![0; room as usize * 4], vec![0; room as usize * 4]];
+            if level == 1 {
+                buffers[2] = bytes(&order);
+            }
+            harness::run(device, Id::ContactKeys, &params, &mut buffers, room.div_ceil(256), 65_535).unwrap();
+            (_, order) = Sorter::new(device, room).unwrap().sort(&read(&buffers[1]), &read(&buffers[2])).unwrap();
+        }
+        let params = Params { count, n: room, room_in: room, ..Params::default() };
+        let mut buffers = [list, bytes(&order), vec![0; room as usize * 24]];
+        harness::run(device, Id::OrderContacts, &params, &mut buffers, room.div_ceil(256), 65_535).unwrap();
+        let ordered: Vec<Touch> = read(&buffers[2]);
+        assert!(ordered[..n as usize] == want, "{n} contacts");
+        assert!(ordered[n as usize..].iter().all(|t| *t == Touch::default()), "written behind the last contact");
+    }
+}
+
+/// Every leaf is below every node that says so, children split the range of their parent, boxes are those of the leaves, no leaf comes twice.
+fn check_tree(nodes: &[Node], branches: &[Branch], twin: &Twin) {
+    let n_internal = branches.len() as u32;
+    let range = |node: u32| match branches.get(node as usize) {
+        Some(branch) => (branch.first, branch.last),
+        None => (node - n_internal, node - n_internal),
+    };
+    let mut seen = vec![false; branches.len() + 1];
+    let mut stack = vec![0u32];
+    while let Some(node) = stack.pop() {
+        let (first, last) = range(node);
+        let want = union((first..=last).map(|leaf| twin.node(0, 1, leaf)));
+        check_boxes("node", &[want], &[nodes[node as usize].aabb()]);
+        match branches.get(node as usize) {
+            Some(branch) => {
+                let (left, right) = (range(branch.left), range(branch.right));
+                assert_eq!((left.0, left.1 + 1, right.1), (first, right.0, last), "children of node {node}");
+                assert_eq!((nodes[node as usize].left, nodes[node as usize].right), (branch.left, branch.right));
+                stack.extend([branch.left, branch.right]);
+            }
+            None => {
+                assert!(nodes[node as usize].is_leaf() && nodes[node as usize].left == twin.order[first as usize]);
+                assert!(!std::mem::replace(&mut seen[first as usize], true), "leaf {first} comes twice");
+            }
+        }
+    }
+    assert!(seen.iter().all(|&s| s), "a leaf is missing");
+}
+
+/// The kernels of the binary tree, one after the other, on boxes in general position and on boxes of which many have one code.
+fn check_radix_tree(device: &Device) {
+    let uniform: Vec<Aabb> = uniform_boxes(5000).iter().map(|b| b.inflated(0.01)).collect();
+    let equal = vec![Aabb { min: [0.0; 3], max: [1.0; 3] }; 70];
+    let mut mixed = uniform[..400].to_vec();
+    mixed.extend(uniform[..400].iter().map(|b| Aabb { min: b.min, max: b.min }));
+    mixed.extend(vec![uniform[7]; 90]);
+    for boxes in [&uniform[..], &uniform[..2], &equal, &mixed] {
+        let twin = Twin::new([&[], boxes, &[]], |_, i| [i; 3]);
+        let n = boxes.len() as u32;
+        let groups = n.div_ceil(256);
+        let mut buffers = [bytes(&twin.keys.iter().map(|_| 0).collect::<Vec<u32>>()), vec![0; (n as usize - 1) * 16]];
+        let sorted: Vec<u32> = twin.order.iter().map(|&i| twin.keys[i as usize]).collect();
+        buffers[0] = bytes(&sorted);
+        harness::run(device, Id::Branches, &twin.params, &mut buffers, groups, 65_535).unwrap();
+        let branches = buffers[1].clone();
+        // The highest level that has more than one node, and one above it, must give the same boxes.
+        for level in [1, 2] {
+            let p = Params { level, ..twin.params };
+            let mut buffers = [branches.clone(), bytes(&twin.nodes), bytes(&twin.leaves), vec![0; (2 * n as usize - 1) * 32]];
+            harness::run(device, Id::BranchBoxes, &p, &mut buffers, groups, 65_535).unwrap();
+            let nodes = buffers[3].clone();
+            check_tree(&read(&nodes), &read(&branches), &twin);
+            let (first, room_out) = (n / 3, 200_000);
+            let all = brute::self_pairs(boxes);
+            let mut found = Vec::new();
+            // In two parts, as a dispatch of many queries is.
+            for (first, n) in [(0, first), (first, n - first)] {
+                let p = Params { first, n, room_out, ..twin.params };
+                let mut buffers = [nodes.clone(), branches.clone(), room(room_out)];
+                harness::run(device, Id::TraverseHalf, &p, &mut buffers, n.div_ceil(128), 65_535).unwrap();
+                found.extend(entries(&buffers[2]));
+            }
+            check_pairs("overlaps by a tree", all, found);
+            let loose: Vec<Aabb> = uniform[1000..1300].iter().map(|b| b.inflated(0.02)).collect();
+            let p = Params { n: 300, room_out, ..twin.params };
+            let mut buffers = [bytes(&loose), nodes.clone(), branches.clone(), room(room_out)];
+            harness::run(device, Id::TraverseAgainst, &p, &mut buffers, 3, 65_535).unwrap();
+            check_pairs("loose boxes", brute::pairs(&loose, boxes), entries(&buffers[3]));
+        }
+    }
 }
 
 fn check_fit(device: &Device) {
@@ -338,12 +497,27 @@ fn check_folded(device: &Device) {
     }
 }
 
-fn check_uniform(device: &Device) {
+/// More workgroups than one row of a grid may have, so that it is folded without being asked to: each writes where no other does.
+fn check_largest_grid(device: &Device) {
+    let n_tiles = 65_536 + 300;
+    let keys: Vec<u32> = (0..5000).collect();
+    let params = Params { n: keys.len() as u32, n_tiles, ..Params::default() };
+    let mut buffers = [bytes(&keys), vec![0xee; (n_tiles as usize + 1) * 1024]];
+    harness::run(device, Id::SortCount, &params, &mut buffers, n_tiles, 65_535).unwrap();
+    let table: Vec<u32> = read(&buffers[1]);
+    for digit in 0..256 {
+        let row = &table[digit * n_tiles as usize..(digit + 1) * n_tiles as usize];
+        assert_eq!(row[..3].iter().sum::<u32>(), keys.iter().filter(|&&k| k as usize % 256 == digit).count() as u32, "digit {digit}");
+        assert!(row[3..].iter().all(|&count| count == 0), "digit {digit}: a workgroup beyond the first row did not write, or elsewhere");
+    }
+}
+
+fn check_uniform(device: &Device, method: Method) {
     let boxes = uniform_boxes(100_000);
-    let mut broad = BroadPhase::new(device).unwrap();
+    let mut broad = BroadPhase::new(device, method).unwrap();
     let pairs = broad.self_pairs(&boxes).unwrap();
     assert_eq!(pairs.len(), 320);
-    let mut cpu = ccd::BroadPhase::new(2, ccd::Method::Blocks).unwrap();
+    let mut cpu = ccd::BroadPhase::new(2, Method::Blocks).unwrap();
     check_pairs("uniform boxes", cpu.self_pairs(&boxes).unwrap().to_vec(), pairs);
     let (a, b) = (&boxes[..3000], &boxes[3000..9000]);
     let grown = |boxes: &[Aabb]| boxes.iter().map(|b| b.inflated(0.02)).collect::<Vec<_>>();

@@ -173,7 +173,7 @@ pub fn check_negative_control() {
 pub fn check_decorations() {
     const MEMBER_DECORATE: u32 = 72;
     const OFFSET: u32 = 35;
-    let want = [0, 12, 16, 32, 36, 40, 44, 48, 56, 60, 64, 68, 72, 76, 80, 84, 88, 92, 96];
+    let want = [0, 12, 16, 32, 36, 40, 44, 48, 56, 60, 64, 68, 72, 76, 80, 84, 88, 92, 96, 120, 128];
     for kernel in TABLE.iter().filter(|k| k.bindings[0] == Access::Params) {
         let path = format!("{}/ccd-gpu/shaders/{}.spv", env!("CARGO_MANIFEST_DIR"), kernel.name);
         let words: Vec<u32> = bytemuck::pod_collect_to_vec(&std::fs::read(&path).expect(&path));
@@ -188,7 +188,7 @@ pub fn check_decorations() {
         }
         assert!(offsets.values().any(|o| o == &want), "{}: no structure with the offsets of Params among {offsets:?}", kernel.name);
     }
-    assert_eq!(MAX_LEVELS * 16 + 96, size_of::<Params>());
+    assert_eq!(MAX_LEVELS * 16 + 128, size_of::<Params>());
 }
 
 /// The manifest of the shaders and the kernel table say the same.

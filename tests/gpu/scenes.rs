@@ -5,7 +5,7 @@ use ccd::io::{Queries, Query, read_queries};
 use ccd::{Bodies, Contact, Kind, Options, Pair, Report, State, Verdict};
 use ccd_core::input::Scan;
 use ccd_core::kernel::Id;
-use ccd_core::layout::{LIST_HEADER, Params, Path as Paths, Touch, WidePath, join, split};
+use ccd_core::layout::{LIST_HEADER, Params, Path as Paths, Touch, join, split};
 use ccd_testkit::data::{self, SCENES, Scene};
 use ccd_testkit::{compare, generate, oracle};
 use std::collections::BTreeSet;
@@ -25,6 +25,7 @@ pub fn tests() -> Vec<(String, Test, bool)> {
     out.push(("min_distance".into(), Box::new(check_min_distance), false));
     out.push(("degenerate".into(), Box::new(check_degenerate), false));
     out.push(("sequence".into(), Box::new(check_sequence), false));
+    out.push(("many_contacts".into(), Box::new(check_many_contacts), false));
     out
 }
 
@@ -150,13 +151,13 @@ fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> {
     let mut verdicts = vec![Verdict::Miss; n];
     let mut scan = Scan::NONE;
     ends.iter().flat_map(|(a, b)| a.iter().chain(b)).for_each(|p| scan.take(*p));
-    let wide: Vec<WidePath> = ends.iter().flat_map(|(a, b)| (0..4).map(|k| WidePath { t0: a[k], t1: b[k] })).collect();
+    let (x0, x1): (Vec<[f64; 3]>, Vec<[f64; 3]>) = ends.iter().flat_map(|(a, b)| (0..4).map(|k| (a[k], b[k]))).unzip();
     let table = scan.table(true);
     let place = |p: [f64; 3]| {
         let p = table.place(p);
         [p[0], p[1], p[2], 0.0]
     };
-    let paths: Vec<Paths> = wide.iter().map(|w| Paths { t0: place(w.t0), t1: place(w.t1) }).collect();
+    let paths: Vec<Paths> = x0.iter().zip(&x1).map(|(p, q)| Paths { t0: place(*p), t1: place(*q) }).collect();
     let mut list = vec![n as u32, 0, 0, 0];
     let elements: Vec<u32> = if is_vf {
         (0..n as u32).for_each(|i| list.extend([4 * i, i]));
@@ -169,6 +170,7 @@ fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> {
     let room = n as u32;
     let flags = Params::FLAG_KEEP | exact;
     let params = Params {
+        count: [4 * n as u32, 0, 0],
         kind: !is_vf as u32,
         flags,
         path_error: table.error,
@@ -184,7 +186,7 @@ fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> {
         let id = if is_vf { Id::DecideVertexFaceWide } else { Id::DecideEdgeEdgeWide };
         let mut buffers = [
             bytemuck::cast_slice(&paths).to_vec(),
-            bytemuck::cast_slice(&wide).to_vec(),
+            bytemuck::cast_slice(&[x0, x1].concat()).to_vec(),
             words(&elements),
             words(&list),
             contacts,
@@ -292,6 +294,26 @@ fn check_sequence(device: &Device) {
     let still = &steps[0].x0;
     let cpu = ccd::step(&steps[0].mesh, still, still, &Options::default()).unwrap();
     check_reports(&cpu, session.step(still, still).unwrap(), false);
+}
+
+/// Contacts that are so many that they are sorted on the device from the second frame on; then fewer, then more than were expected.
+fn check_many_contacts(device: &Device) {
+    let [many, few] = [120, 20].map(|n| generate::crumpled_sheet(n, 2));
+    let mut session = Session::new(device, many.mesh.clone(), Options::default()).unwrap();
+    let cpu = ccd::step(&many.mesh, &many.x0, &many.x1, &Options::default()).unwrap();
+    assert!(cpu.contacts.len() > 5000, "{} contacts", cpu.contacts.len());
+    let same = device.info().path == ShaderPath::Passthrough && device.info().wide;
+    let x0 = &many.x0;
+    // Half of the sheet stands still.
+    let half: Vec<[f64; 3]> = (0..x0.len()).map(|i| if i < x0.len() / 2 { many.x1[i] } else { x0[i] }).collect();
+    let less = ccd::step(&many.mesh, x0, &half, &Options::default()).unwrap();
+    assert!(less.contacts.len() > 4096 / 2 && less.contacts.len() * 5 / 4 + 256 < cpu.contacts.len(), "{} contacts", less.contacts.len());
+    for (x1, want) in [(&many.x1, &cpu), (&many.x1, &cpu), (&half, &less), (&many.x1, &cpu), (&many.x1, &cpu)] {
+        check_reports(want, session.step(x0, x1).unwrap(), same);
+    }
+    let mut session = Session::new(device, few.mesh.clone(), Options::default()).unwrap();
+    let cpu = ccd::step(&few.mesh, &few.x0, &few.x1, &Options::default()).unwrap();
+    check_reports(&cpu, session.step(&few.x0, &few.x1).unwrap(), same);
 }
 
 /// The comparisons fail when they should.

@@ -1,6 +1,7 @@
 //! `cargo xtask report --gpu`: what a GPU needs for each stage, for whole steps, for sorting, and how far that is from the bytes that must move.
 
-use ccd::gpu::{BroadPhase, Device, DeviceOptions, Path as Shaders, Session, Sorter};
+use ccd::gpu::{BroadPhase, Device, DeviceOptions, Path as Shaders, Session, Sorter, Timing};
+use ccd::{Mesh, Method};
 use ccd_testkit::data::{SCENES, Scene, data_dir};
 use ccd_testkit::generate::{pcg, uniform_boxes};
 use std::fmt::Write as _;
@@ -12,14 +13,28 @@ const WARM_UP: Duration = Duration::from_millis(300);
 /// Bytes a second that an NVIDIA H200 copies, as TARGETS of the project state it; floors on other devices do not follow from it.
 const COPY: f64 = 4.3e12;
 
+/// What others need on the same scenes and an NVIDIA H200, in milliseconds, as TARGETS of the project state it.
+struct Peer {
+    scene: &'static str,
+    candidates: &'static str,
+    step: &'static str,
+}
+
+const PEERS: [Peer; 3] = [
+    Peer { scene: "cloth-ball", candidates: "Kitten 2.07, edges alone", step: "Scalable-CCD 138" },
+    Peer { scene: "cloth-funnel", candidates: "Kitten 0.34, edges alone", step: "Scalable-CCD 23" },
+    Peer { scene: "rod-twist", candidates: "Kitten 1.13, edges alone", step: "Scalable-CCD 59" },
+];
+
 type Stages = Vec<(&'static str, f64)>;
 
 /// Measures and writes Markdown to `out`.
 pub fn run(runs: usize, out: &Path) -> Result<(), String> {
     let dir = data_dir()?;
-    let mut text =
-        String::from("# GPU: measured times\n\n`cargo xtask report --gpu`. Milliseconds, medians. Stages by timestamps of the device; ");
-    text.push_str("wall clock with upload, waiting and reading back.\n");
+    let mut text = String::from(
+        "# GPU: measured times\n\n`cargo xtask report --gpu`. Milliseconds, medians. Device: all kernels together, by its timestamps; stages: ",
+    );
+    text.push_str("each by itself, so that none overlaps another. Wall: with upload, waiting and reading back. Floor: bytes that must move, at 4.3 TB/s.\n");
     for path in [Shaders::Passthrough, Shaders::Wgsl] {
         let device = Device::open(&DeviceOptions { path: Some(path), ..DeviceOptions::default() }).map_err(error)?;
         let _ = write!(text, "\n## {} through {path:?}\n\n```\n{}\n```\n", device.info().adapter.name, device.info());
@@ -50,42 +65,64 @@ fn median(values: &mut [f64]) -> f64 {
     values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
 
-/// Medians of the stages and of wall clock, after a warm-up; stages of the same name are numbered.
-fn sample<E>(runs: usize, mut run: impl FnMut(bool) -> Result<Stages, E>) -> Result<(Vec<(String, f64)>, f64), E> {
-    let mut wall = Vec::new();
+/// Medians of what was measured.
+#[derive(Default)]
+struct Measured {
+    /// All kernels together, by the device.
+    device: f64,
+    /// With upload, waiting and reading back.
+    wall: f64,
+    /// Each stage by itself, by the device; those of the same name are numbered.
+    stages: Vec<(String, f64)>,
+}
+
+/// Runs for `runs` times and at least as long as a device needs to reach its clock.
+fn repeat<T, E>(runs: usize, mut run: impl FnMut() -> Result<T, E>) -> Result<Vec<T>, E> {
     let start = Instant::now();
-    run(false)?;
     while start.elapsed() < WARM_UP {
-        run(false)?;
+        run()?;
     }
-    for _ in 0..runs {
+    (0..runs).map(|_| run()).collect()
+}
+
+/// Measures in three ways, one after the other. `run` sets the timing it is told, works, and returns the stages.
+fn sample<E>(runs: usize, mut run: impl FnMut(Timing) -> Result<Stages, E>) -> Result<Measured, E> {
+    run(Timing::Off)?;
+    let mut wall = repeat(runs, || -> Result<f64, E> {
         let start = Instant::now();
-        run(false)?;
-        wall.push(start.elapsed().as_secs_f64() * 1e3);
-    }
-    let mut timed: Vec<Stages> = Vec::new();
-    let start = Instant::now();
-    while timed.len() < runs || start.elapsed() < WARM_UP {
-        timed.push(run(true)?);
-    }
+        run(Timing::Off)?;
+        Ok(start.elapsed().as_secs_f64() * 1e3)
+    })?;
+    let mut device = repeat(runs, || -> Result<f64, E> { Ok(run(Timing::Whole)?.iter().map(|s| s.1).sum()) })?;
+    let mut timed = repeat(runs, || run(Timing::Stages))?;
     // Now and then a call goes another way (the earliest time tries a sample again): the way that most went.
     let usual = |n: usize| timed.iter().filter(|s| s.len() == n).count();
     let n_stages = timed.iter().map(Vec::len).max_by_key(|&n| usual(n)).unwrap_or(0);
     timed.retain(|s| s.len() == n_stages);
-    let mut columns: Vec<(String, f64)> = Vec::new();
+    let mut stages: Vec<(String, f64)> = Vec::new();
     for i in 0..n_stages {
         let name = timed[0][i].0;
         let again = timed[0][..i].iter().filter(|s| s.0 == name).count();
         let name = if again == 0 { name.to_string() } else { format!("{name} {}", again + 1) };
-        columns.push((name, median(&mut timed.iter().map(|s| s[i].1).collect::<Vec<_>>())));
+        stages.push((name, median(&mut timed.iter().map(|s| s[i].1).collect::<Vec<_>>())));
     }
-    Ok((columns, median(&mut wall)))
+    Ok(Measured { device: median(&mut device), wall: median(&mut wall), stages })
 }
 
-fn table(text: &mut String, title: &str, stages: &[(String, f64)], wall: f64, note: &str) {
-    let total: f64 = stages.iter().map(|s| s.1).sum();
-    let parts: Vec<String> = stages.iter().filter(|s| s.1 > 0.0).map(|(name, ms)| format!("{name} {ms:.3}")).collect();
-    let _ = writeln!(text, "| {title} | {total:.3} | {wall:.2} | {} | {note} |", parts.join(", "));
+const HEAD: &str = "| | device | wall | floor | peer | stages | |\n|---|---|---|---|---|---|---|";
+
+/// One line. `bytes`: those that must move; `peer`: what others need for the same.
+fn row(text: &mut String, title: &str, m: &Measured, bytes: f64, peer: &str, note: &str) {
+    let parts: Vec<String> = m.stages.iter().filter(|s| s.1 > 0.0).map(|(name, ms)| format!("{name} {ms:.3}")).collect();
+    let floor = bytes / COPY * 1e3;
+    let _ = writeln!(text, "| {title} | {:.3} | {:.2} | {floor:.3} | {peer} | {} | {note} |", m.device, m.wall, parts.join(", "));
+}
+
+/// Bytes that must move between a device's memory and its processors for boxes, order and trees of a mesh: paths read; boxes written, and read for keys; four passes of a
+/// sort over keys and numbers, read and written, keys once more to be counted; boxes into their order, leaves written.
+fn bytes_of_trees(mesh: &Mesh) -> f64 {
+    let features = (mesh.n_vertices() + mesh.edges().len() + mesh.faces().len()) as f64;
+    32.0 * mesh.n_vertices() as f64 + features * (24.0 + 24.0 + 4.0 * 20.0 + 24.0 + 24.0 + 16.0)
 }
 
 fn measure_scene(device: &Device, scene: &Scene, dir: &Path, runs: usize, text: &mut String) -> Result<(), ccd::gpu::Error> {
@@ -93,34 +130,43 @@ fn measure_scene(device: &Device, scene: &Scene, dir: &Path, runs: usize, text: 
     let mesh = t0.mesh().map_err(ccd::gpu::Error::Input)?;
     let (x0, x1) = (&t0.positions, &t1.positions);
     let want = ccd::step(&mesh, x0, x1, &ccd::Options::default())?;
+    let trees = bytes_of_trees(&mesh);
     let mut session = Session::new(device, mesh, ccd::Options::default())?;
-    let _ = writeln!(text, "\n### {}\n\n| | device | wall | stages | |\n|---|---|---|---|---|", scene.name);
-    let (stages, wall) = sample(runs, |timed| -> Result<Stages, ccd::gpu::Error> {
-        session.time_stages(timed)?;
+    let _ = writeln!(text, "\n### {}\n\n{HEAD}", scene.name);
+    let peer = PEERS.iter().find(|p| p.scene == scene.name);
+    let measured = sample(runs, |timing| -> Result<Stages, ccd::gpu::Error> {
+        session.set_timing(timing)?;
         session.candidates_on_device(x0, x1)?;
         Ok(session.stages().to_vec())
     })?;
     assert_eq!(session.report().candidates, want.candidates, "candidates of {}", scene.name);
     let c = want.candidates;
-    table(text, "candidates, listed on the device", &stages, wall, &format!("{} vertex-face, {} edge-edge", c.vf, c.ee));
-    let (stages, wall) = sample(runs, |timed| -> Result<Stages, ccd::gpu::Error> {
-        session.time_stages(timed)?;
-        session.step(x0, x1)?;
-        Ok(session.stages().to_vec())
-    })?;
-    let report = session.report();
+    let note = format!("{} vertex-face, {} edge-edge", c.vf, c.ee);
+    row(text, "candidates", &measured, trees + 8.0 * c.total() as f64, peer.map_or("", |p| p.candidates), &note);
+    // The next two in turns, because a clock that changes between them would be taken for a difference.
+    let mut steps = Measured::default();
+    let mut earliest = Measured::default();
+    let mut report = ccd::Report::default();
+    for _ in 0..2 {
+        steps = sample(runs, |timing| -> Result<Stages, ccd::gpu::Error> {
+            session.set_timing(timing)?;
+            session.step(x0, x1)?;
+            Ok(session.stages().to_vec())
+        })?;
+        report = session.report().clone();
+        earliest = sample(runs, |timing| -> Result<Stages, ccd::gpu::Error> {
+            session.set_timing(timing)?;
+            session.earliest_toi(x0, x1)?;
+            Ok(session.stages().to_vec())
+        })?;
+    }
     assert_eq!(report.n_contacts(), want.n_contacts(), "contacts of {}", scene.name);
     let (f, n) = (report.filtered, report.n_contacts());
     let note = format!("filtered {} + {}, contacts {} + {}, {} undecided", f.vf, f.ee, n.vf, n.ee, report.undecided);
-    table(text, "step, all contacts", &stages, wall, &note);
-    let (stages, wall) = sample(runs, |timed| -> Result<Stages, ccd::gpu::Error> {
-        session.time_stages(timed)?;
-        session.earliest_toi(x0, x1)?;
-        Ok(session.stages().to_vec())
-    })?;
+    row(text, "step, all contacts", &steps, trees + 24.0 * n.total() as f64, peer.map_or("", |p| p.step), &note);
     let (toi, exact) = (session.report().toi, want.toi);
     assert!(toi.is_some() == exact.is_some() && toi <= exact, "earliest {toi:?}, want {exact:?}");
-    table(text, "earliest time of impact", &stages, wall, &format!("{toi:?}"));
+    row(text, "earliest time of impact", &earliest, trees, "", &toi.map_or("none".into(), |t| format!("{t:e}")));
     Ok(())
 }
 
@@ -129,7 +175,12 @@ fn measure_narrow(device: &Device, scene: &Scene, dir: &Path, runs: usize, text:
     let [t0, t1] = scene.load(dir);
     let mesh = t0.mesh().map_err(ccd::gpu::Error::Input)?;
     let mut session = Session::new(device, mesh, ccd::Options::default())?;
-    let (_, wall) = sample(runs, |_| session.step(&t0.positions, &t1.positions).map(|_| Stages::new()))?;
+    let mut wall = repeat(runs, || -> Result<f64, ccd::gpu::Error> {
+        let start = Instant::now();
+        session.step(&t0.positions, &t1.positions)?;
+        Ok(start.elapsed().as_secs_f64() * 1e3)
+    })?;
+    let wall = median(&mut wall);
     let (report, open) = (session.report(), session.left_open());
     let (c, f, n) = (report.candidates, report.filtered, report.n_contacts());
     let _ = writeln!(
@@ -141,29 +192,32 @@ fn measure_narrow(device: &Device, scene: &Scene, dir: &Path, runs: usize, text:
 }
 
 fn measure_boxes(device: &Device, runs: usize, text: &mut String) -> Result<(), ccd::gpu::Error> {
-    let _ = writeln!(
-        text,
-        "\n### Uniform boxes against themselves, boxes on the device\n\n| | device | wall | stages | |\n|---|---|---|---|---|"
-    );
-    for (n, pairs) in [(100_000, 320), (1_000_000, 25_417), (10_000_000, 255_457)] {
-        let mut broad = BroadPhase::new(device)?;
-        let found = match broad.self_pairs_on_device(&uniform_boxes(n)) {
-            Ok((found, _)) => found,
-            Err(e @ (ccd::gpu::Error::TooLarge { .. } | ccd::gpu::Error::OutOfMemory { .. })) => {
-                let _ = writeln!(text, "| {n} | | | | {e} |");
-                continue;
-            }
-            Err(e) => return Err(e),
-        };
-        assert_eq!(found, pairs, "pairs of {n} boxes");
-        let (stages, wall) = sample(runs, |timed| -> Result<Stages, ccd::gpu::Error> {
-            broad.time_stages(timed)?;
-            broad.again()?;
-            Ok(broad.stages().to_vec())
-        })?;
-        // Each box once for its bounds and its code, once into the leaves; the sort as below.
-        let floor = n as f64 * (24.0 * 3.0 + 16.0 + 80.0) / COPY * 1e3;
-        table(text, &n.to_string(), &stages, wall, &format!("{pairs} pairs; bytes alone {floor:.3} at 4.3 TB/s"));
+    let _ = writeln!(text, "\n### Uniform boxes against themselves, boxes on the device\n\n{HEAD}");
+    for (n, pairs, peer) in
+        [(100_000, 320, "Kitten 0.25"), (1_000_000, 25_417, "Kitten 0.67"), (10_000_000, 255_457, "Kitten 4.14"), (20_000_000, 512_281, "")]
+    {
+        let boxes = uniform_boxes(n);
+        for (name, method) in [("blocks", Method::Blocks), ("tree", Method::Tree)] {
+            let title = format!("{n}, {name}");
+            let mut broad = BroadPhase::new(device, method)?;
+            let found = match broad.self_pairs_on_device(&boxes) {
+                Ok((found, _)) => found,
+                Err(e @ (ccd::gpu::Error::TooLarge { .. } | ccd::gpu::Error::OutOfMemory { .. })) => {
+                    let _ = writeln!(text, "| {title} | | | | | | {e} |");
+                    continue;
+                }
+                Err(e) => return Err(e),
+            };
+            assert_eq!(found, pairs, "pairs of {n} boxes by {name}");
+            let measured = sample(runs, |timing| -> Result<Stages, ccd::gpu::Error> {
+                broad.set_timing(timing)?;
+                broad.again()?;
+                Ok(broad.stages().to_vec())
+            })?;
+            // Each box once for its bounds and its code, once into the leaves; the sort as below.
+            let bytes = n as f64 * (24.0 * 3.0 + 16.0 + 80.0);
+            row(text, &title, &measured, bytes, peer, &format!("{pairs} pairs"));
+        }
     }
     Ok(())
 }
@@ -179,7 +233,10 @@ fn measure_sort(device: &Device, runs: usize, text: &mut String) -> Result<(), c
         let mut sorter = Sorter::new(device, n)?;
         let (sorted, order) = sorter.sort(&keys, &values)?;
         assert!(sorted.is_sorted() && order.iter().zip(&sorted).all(|(&i, &k)| keys[i as usize] == k), "not sorted");
-        let (stages, _) = sample(runs, |_| sorter.again())?;
+        let kernels = repeat(runs, || sorter.again())?;
+        let names: Vec<&str> = kernels[0].iter().map(|s| s.0).collect();
+        let stages: Vec<(&str, f64)> =
+            (0..names.len()).map(|i| (names[i], median(&mut kernels.iter().map(|k| k[i].1).collect::<Vec<_>>()))).collect();
         let total: f64 = stages.iter().map(|s| s.1).sum();
         let of = |name: &str| stages.iter().filter(|s| s.0.starts_with(name)).map(|s| s.1).sum::<f64>();
         let parts = format!("{:.3}, {:.3}, {:.3}", of("sort_count"), of("sort_scan"), of("sort_scatter"));

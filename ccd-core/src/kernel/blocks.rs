@@ -5,7 +5,7 @@
 //! whole blocks; the levels above the boxes hold a thirty-second of the nodes each (see "Blocks" in ARCHITECTURE.md).
 
 use crate::aabb::Aabb;
-use crate::layout::{Leaf, Params};
+use crate::layout::{Leaf, MAX_LEVELS, Params, split};
 use crate::slice::at;
 
 /// Children of a node.
@@ -41,6 +41,29 @@ pub fn set_of(first: &[u32; 4], i: u32) -> usize {
     } else {
         0
     }
+}
+
+/// The box of leaves `first ..= last` of a set: of those at either end one by one, between them by whole blocks, and so on up to `params.level`.
+///
+/// At most 62 nodes a level, and all of that level's.
+#[inline(always)]
+pub fn range_box(params: &Params, set: usize, first: u32, last: u32, nodes: &[Aabb<f32>]) -> Aabb<f32> {
+    let mut out = Aabb::EMPTY;
+    let (mut from, mut to) = (first, last + 1);
+    for level in 0..MAX_LEVELS as u32 {
+        let (up, down) = (from.next_multiple_of(WIDTH), to / WIDTH * WIDTH);
+        let goes_on = up < down && level < params.level;
+        let (end, begin) = if goes_on { (up, down) } else { (to, to) };
+        for i in from..end {
+            out = out.union(&at(nodes, slot(params, level, set, i)));
+        }
+        for i in begin..to {
+            out = out.union(&at(nodes, slot(params, level, set, i)));
+        }
+        from = if goes_on { up / WIDTH } else { 0 };
+        to = if goes_on { down / WIDTH } else { 0 };
+    }
+    out
 }
 
 /// A hit in one word: which pair of nodes, which child of either side.
@@ -152,12 +175,16 @@ fn greatest(vertices: &[u32; 3], keys: &[[[u32; 2]; 6]], axis: usize) -> [u32; 2
     out
 }
 
-/// A bound as two words, low first, whose order as integers is that of the numbers: exact comparisons on devices without `f64`. For hosts.
+/// A bound as two words, low first, whose order as integers is that of the numbers: exact comparisons on devices without `f64`.
+#[inline(always)]
 pub fn bound_key(x: f64) -> [u32; 2] {
-    // Adding zero makes -0 to 0: they are equal as bounds.
-    let bits = (x + 0.0).to_bits();
-    let key = if bits >> 63 == 1 { !bits } else { bits | 1 << 63 };
-    [key as u32, (key >> 32) as u32]
+    let [low, high] = split(x);
+    if high >> 31 == 0 || (high == 1 << 31 && low == 0) {
+        // Both zeros are equal as bounds.
+        [low, high | 1 << 31]
+    } else {
+        [!low, !high]
+    }
 }
 
 #[cfg(test)]

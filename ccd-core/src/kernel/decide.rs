@@ -2,10 +2,10 @@
 
 use super::filter::ends;
 use super::narrow::{edge_edge_ids, vertex_face_ids};
-use crate::layout::{Pair, Params, Path, WidePath, join, split};
+use super::place::given;
+use crate::layout::{Pair, Params, Path, join, split};
 use crate::motion::{Motion, Patch};
 use crate::query::{Verdict, solve};
-use crate::slice::at;
 
 /// A verdict in words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,21 +82,21 @@ pub fn edge_edge(pair: Pair, params: &Params, paths: &[Path], edges: &[[u32; 2]]
 
 /// Decides vertex `pair.a` against face `pair.b` in `f64`.
 #[inline(always)]
-pub fn vertex_face_wide(pair: Pair, params: &Params, paths: &[Path], wide_paths: &[WidePath], faces: &[[u32; 3]]) -> Verdicts {
-    let (x0, x1) = wide_ends(vertex_face_ids(pair, faces), params, paths, wide_paths);
+pub fn vertex_face_wide(pair: Pair, params: &Params, paths: &[Path], wide: &[[f64; 3]], faces: &[[u32; 3]]) -> Verdicts {
+    let (x0, x1) = wide_ends(vertex_face_ids(pair, faces), params, paths, wide);
     verdicts(solve(&Motion::vertex_face(&x0, &x1, 0.0), Patch::Triangle, join(params.distance_bits)), split)
 }
 
 /// Decides edges `pair.a` and `pair.b` in `f64`.
 #[inline(always)]
-pub fn edge_edge_wide(pair: Pair, params: &Params, paths: &[Path], wide_paths: &[WidePath], edges: &[[u32; 2]]) -> Verdicts {
-    let (x0, x1) = wide_ends(edge_edge_ids(pair, edges), params, paths, wide_paths);
+pub fn edge_edge_wide(pair: Pair, params: &Params, paths: &[Path], wide: &[[f64; 3]], edges: &[[u32; 2]]) -> Verdicts {
+    let (x0, x1) = wide_ends(edge_edge_ids(pair, edges), params, paths, wide);
     verdicts(solve(&Motion::edge_edge(&x0, &x1, 0.0), Patch::Parallelogram, join(params.distance_bits)), split)
 }
 
 /// Positions as given: in `f32` if those are exact.
 #[inline(always)]
-fn wide_ends(ids: [u32; 4], params: &Params, paths: &[Path], wide_paths: &[WidePath]) -> ([[f64; 3]; 4], [[f64; 3]; 4]) {
+fn wide_ends(ids: [u32; 4], params: &Params, paths: &[Path], wide: &[[f64; 3]]) -> ([[f64; 3]; 4], [[f64; 3]; 4]) {
     let mut x0 = [[0.0; 3]; 4];
     let mut x1 = [[0.0; 3]; 4];
     if params.has(Params::FLAG_EXACT) {
@@ -109,9 +109,7 @@ fn wide_ends(ids: [u32; 4], params: &Params, paths: &[Path], wide_paths: &[WideP
         }
     } else {
         for i in 0..4 {
-            let path = at(wide_paths, ids[i] as usize);
-            x0[i] = path.t0;
-            x1[i] = path.t1;
+            (x0[i], x1[i]) = given(ids[i], params, wide);
         }
     }
     (x0, x1)

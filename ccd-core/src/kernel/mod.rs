@@ -1,7 +1,7 @@
 //! Kernel bodies: one pure function per stage, called once per thread, the same on a CPU and on a GPU.
 //!
 //! Three shapes: *map* (thread `i` returns what it owns), *meet* (threads share words, through [`Words`]) and *emit* (an unknown number
-//! of results, into a [`Sink`]). [`TABLE`] lists them.
+//! of results: the body says which there are, its caller appends them to a list that counts also those for which it has no room). [`TABLE`] lists them.
 
 pub mod blocks;
 pub mod bounds;
@@ -9,6 +9,8 @@ pub mod build;
 pub mod decide;
 pub mod filter;
 pub mod narrow;
+pub mod order;
+pub mod place;
 pub mod probe;
 pub mod refit;
 pub mod sort;
@@ -24,14 +26,6 @@ pub trait Words {
     /// Adds and returns the old value; acquires what others released by this call on the same word, releases what this thread
     /// stored before.
     fn add_acquire_release(&self, i: usize, value: u32) -> u32;
-}
-
-/// Takes results of which a kernel does not know the number in advance.
-///
-/// An implementation counts every call, also those for which it has no room: nothing is dropped silently.
-pub trait Sink<T> {
-    /// Takes one result.
-    fn push(&mut self, item: T);
 }
 
 /// How results of two backends must compare.
@@ -87,14 +81,16 @@ macro_rules! table {
 }
 
 table! {
+    /// Vertices in `f64`: params, positions; paths, keys, boxes.
+    PlaceVertices "place_vertices" 256 [Params Read Write Write Write] Exact true;
     /// Boxes of vertices: params, paths; boxes.
     SweepVertices "sweep_vertices" 256 [Params Read Write] Exact false;
     /// Boxes of edges: params, edges; boxes.
     SweepEdges "sweep_edges" 256 [Params Read Write] Exact false;
     /// Boxes of faces: params, faces; boxes.
     SweepFaces "sweep_faces" 256 [Params Read Write] Exact false;
-    /// Paths up to the earliest time of impact so far: params, paths, time; paths.
-    Shorten "shorten" 256 [Params Read Read Write] NotLater false;
+    /// Paths up to the earliest time of impact so far: params, paths, time by kind; paths.
+    Shorten "shorten" 256 [Params Read Read Read Write] NotLater false;
     /// Bounds of all boxes: params, boxes; six words.
     SceneBounds "scene_bounds" 256 [Params Read Write] Exact false;
     /// Sort keys: params, boxes, bounds; keys, values.
@@ -109,6 +105,14 @@ table! {
     FitLeaves "fit_leaves" 256 [Params Read Read Read Read Write Write] Exact false;
     /// Nodes of the next level: params; nodes.
     FitLevel "fit_level" 256 [Params Write] Exact false;
+    /// Internal nodes of a binary tree over the first set: params, keys; branches.
+    Branches "branches" 256 [Params Read Write] Exact false;
+    /// Boxes of a binary tree: params, branches, block nodes, leaves; nodes.
+    BranchBoxes "branch_boxes" 256 [Params Read Read Read Write] Exact false;
+    /// Leaves of a binary tree that overlap each other: params, nodes, branches; pairs.
+    TraverseHalf "traverse_half" 128 [Params Read Read Write] ExactSet false;
+    /// Loose boxes that overlap leaves of a binary tree: params, boxes, nodes, branches; pairs.
+    TraverseAgainst "traverse_against" 128 [Params Read Read Read Write] ExactSet false;
     /// Pairs of nodes to pairs of their children: params, nodes, pairs; pairs.
     NodePairs "node_pairs" 128 [Params Read Read Write] ExactSet false;
     /// Pairs of blocks to candidates: params, nodes, leaves, bodies, keys, pairs; pairs.
@@ -125,6 +129,10 @@ table! {
     DecideVertexFaceWide "decide_vertex_face_wide" 64 [Params Read Read Read Read Write Write] NotLater true;
     /// Verdicts in `f64`: params, paths, wide paths, edges, pairs; contacts, time.
     DecideEdgeEdgeWide "decide_edge_edge_wide" 64 [Params Read Read Read Read Write Write] NotLater true;
+    /// Keys of contacts, and their numbers in the first of two sorts: params, contacts; keys, order.
+    ContactKeys "contact_keys" 256 [Params Read Write Write] Exact false;
+    /// Contacts in order: params, contacts, order; contacts.
+    OrderContacts "order_contacts" 256 [Params Read Read Write] Exact false;
     /// For tests: fields of records: params, paths, leaves, contacts, pairs; words.
     ProbeLayout "probe_layout" 64 [Params Read Read Read Read Write] Exact false;
     /// For tests: scalar operations: inputs; results.

@@ -6,7 +6,7 @@ use crate::real::{Num, Real};
 use crate::slice::put;
 
 /// Words that [`params`] writes.
-pub const PARAMS_WORDS: usize = 24 + 4 * MAX_LEVELS;
+pub const PARAMS_WORDS: usize = 32 + 4 * MAX_LEVELS;
 /// Words that [`params`] and [`records`] write.
 pub const WORDS: usize = PARAMS_WORDS + 8 + 4 + 6 + 2;
 
@@ -36,9 +36,15 @@ pub fn params(p: &Params, out: &mut [u32]) {
     put(out, 21, p.room_in);
     put(out, 22, p.room_out);
     put(out, 23, p.n);
+    for k in 0..3 {
+        put(out, 24 + 2 * k, p.origin[k][0]);
+        put(out, 25 + 2 * k, p.origin[k][1]);
+    }
+    put(out, 30, p.margin_bits[0]);
+    put(out, 31, p.margin_bits[1]);
     for level in 0..MAX_LEVELS {
         for k in 0..4 {
-            put(out, 24 + 4 * level + k, p.slots[level][k]);
+            put(out, 32 + 4 * level + k, p.slots[level][k]);
         }
     }
 }

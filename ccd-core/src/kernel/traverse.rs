@@ -1,66 +1,70 @@
-//! Emit: overlapping pairs by independent traversal with an explicit stack (Thinking Parallel 2).
+//! Emit: overlapping pairs by independent traversal with an explicit stack (Thinking Parallel 2), one node a step.
 //!
 //! Within one set, queries go in leaf order and each looks only at leaves after its own, so that every pair is found once.
 
-use super::{Sink, build::MAX_DEPTH};
+use super::build::MAX_DEPTH;
 use crate::aabb::Aabb;
-use crate::layout::{Branch, Node, Pair};
+use crate::layout::{Branch, Node};
+use crate::slice::at;
 
-/// All leaves of the tree that overlap `query`, as their ids.
-///
-/// `skip_until`: leaves up to and including this number are left out (`None`: none are). The loop visits every node at most once; the
-/// stack holds at most one node per level, see [`MAX_DEPTH`].
-#[inline]
-fn visit(query: &Aabb<f32>, nodes: &[Node], branches: &[Branch], skip_until: Option<u32>, mut found: impl FnMut(u32)) {
-    let n_internal = branches.len() as u32;
-    let mut stack = [0u32; MAX_DEPTH];
-    let mut height = 0usize;
-    let mut node = 0u32;
-    for _ in 0..nodes.len() {
-        let branch = &branches[node as usize];
-        let mut next = [Node::LEAF; 2];
-        let mut n_next = 0;
-        for child in [branch.right, branch.left] {
-            let last = if child >= n_internal { child - n_internal } else { branches[child as usize].last };
-            let late_enough = match skip_until {
-                Some(leaf) => last > leaf,
-                None => true,
-            };
-            let c = &nodes[child as usize];
-            if late_enough && c.aabb().overlaps(query) {
-                if c.is_leaf() {
-                    found(c.left);
-                } else {
-                    next[n_next] = child;
-                    n_next += 1;
-                }
+/// A traversal between two of its steps.
+#[derive(Clone, Copy, Debug)]
+pub struct Walk {
+    stack: [u32; MAX_DEPTH],
+    height: u32,
+    node: u32,
+    /// Whether nodes are left.
+    pub goes_on: bool,
+}
+
+/// Leaves that a step found: the ids of their boxes, [`NONE`] where there is none.
+pub type Found = [u32; 2];
+
+/// In [`Found`]: no leaf.
+pub const NONE: u32 = u32::MAX;
+
+impl Walk {
+    /// At the root of a tree of at least two leaves.
+    #[inline(always)]
+    pub fn new() -> Self {
+        Self { stack: [0; MAX_DEPTH], height: 0, node: 0, goes_on: true }
+    }
+
+    /// Visits one internal node and returns those of its children that are leaves and overlap `query`. `nodes` as in [`Node`], of which the first `n_internal` are
+    /// internal.
+    ///
+    /// `after`: leaves up to and including this number are left out; [`NONE`]: none are. Every node is visited at most once, so there are at most `n_internal`
+    /// steps; the stack holds at most one node per level, see [`MAX_DEPTH`].
+    #[inline(always)]
+    pub fn step(&mut self, query: &Aabb<f32>, nodes: &[Node], branches: &[Branch], n_internal: u32, after: u32) -> Found {
+        let branch = at(branches, self.node as usize);
+        // The last leaf below the left child, which Karras' numbering tells: an internal left child has the number of its last leaf.
+        let last_of_left = if branch.left >= n_internal { branch.left - n_internal } else { branch.left };
+        let (left, right) = (at(nodes, branch.left as usize), at(nodes, branch.right as usize));
+        let to_left = (after == NONE || last_of_left > after) && left.aabb().overlaps(query);
+        let to_right = (after == NONE || branch.last > after) && right.aabb().overlaps(query);
+        let found = [if to_left && left.is_leaf() { left.left } else { NONE }, if to_right && right.is_leaf() { right.left } else { NONE }];
+        let (down_left, down_right) = (to_left && !left.is_leaf(), to_right && !right.is_leaf());
+        if down_left {
+            self.node = branch.left;
+            if down_right {
+                self.stack[self.height as usize] = branch.right;
+                self.height += 1;
             }
-        }
-        if n_next == 0 {
-            if height == 0 {
-                return;
-            }
-            height -= 1;
-            node = stack[height];
+        } else if down_right {
+            self.node = branch.right;
+        } else if self.height > 0 {
+            self.height -= 1;
+            self.node = self.stack[self.height as usize];
         } else {
-            // The left child, last in `next` if both are to be visited, comes first.
-            node = next[n_next - 1];
-            if n_next == 2 {
-                stack[height] = next[0];
-                height += 1;
-            }
+            self.goes_on = false;
         }
+        found
     }
 }
 
-/// Pairs of leaf `i` with later leaves, lesser id first; `nodes` as in [`Node`], at least two leaves.
-pub fn half(i: usize, nodes: &[Node], branches: &[Branch], sink: &mut impl Sink<Pair>) {
-    let leaf = &nodes[branches.len() + i];
-    let id = leaf.left;
-    visit(&leaf.aabb(), nodes, branches, Some(i as u32), |other| sink.push(Pair::ordered(id, other)));
-}
-
-/// Pairs of one loose box with all leaves of a tree: `a` is `id`, `b` the leaf's id (Tian and Wan, section 1.2). At least two leaves.
-pub fn against(id: u32, query: &Aabb<f32>, nodes: &[Node], branches: &[Branch], sink: &mut impl Sink<Pair>) {
-    visit(query, nodes, branches, None, |other| sink.push(Pair { a: id, b: other }));
+impl Default for Walk {
+    fn default() -> Self {
+        Self::new()
+    }
 }

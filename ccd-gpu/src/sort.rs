@@ -1,0 +1,108 @@
+//! The radix sort on the device: buffers, and the dispatches of as many passes as keys have bytes.
+
+use crate::device::Device;
+use crate::error::Error;
+use crate::readback::Readback;
+use crate::recorder::{Bench, Recorder, Timing, submit};
+use ccd_core::kernel::{Id, sort};
+use ccd_core::layout::Params;
+use wgpu::BufferUsages as U;
+
+/// Keys with values, twice, and the table of digits.
+pub struct Sort {
+    keys: [wgpu::Buffer; 2],
+    values: [wgpu::Buffer; 2],
+    table: wgpu::Buffer,
+    room: u32,
+}
+
+impl Sort {
+    /// Room for `n` pairs.
+    pub fn new(device: &Device, n: u32) -> Result<Self, Error> {
+        let words = |what, n: u64| device.buffer(what, 4 * n, U::STORAGE | U::COPY_SRC | U::COPY_DST);
+        let (n_tiles, n) = (n.div_ceil(sort::TILE) as u64, n as u64);
+        Ok(Self {
+            keys: [words("sort keys", n)?, words("sort keys", n)?],
+            values: [words("sort values", n)?, words("sort values", n)?],
+            table: words("sort table", (n_tiles + 1) * sort::DIGITS as u64)?,
+            room: n as u32,
+        })
+    }
+
+    /// Pairs for which there is room.
+    pub fn room(&self) -> u32 {
+        self.room
+    }
+
+    /// Keys and values of one of both halves.
+    pub fn half(&self, half: usize) -> [&wgpu::Buffer; 2] {
+        [&self.keys[half], &self.values[half]]
+    }
+
+    /// Sorts the first `n` pairs of half `from` by the lowest `bits` bits of their keys, stable. Returns the half that holds the result.
+    pub fn run(&self, recorder: &mut Recorder, n: u32, bits: u32, mut from: usize) -> usize {
+        let n_tiles = n.div_ceil(sort::TILE);
+        for pass in 0..bits.div_ceil(8) {
+            let p = Params { n, n_tiles, shift: 8 * pass, ..Params::default() };
+            let ([keys, values], [keys_out, values_out]) = (self.half(from), self.half(1 - from));
+            recorder.detail("sort_count");
+            recorder.dispatch(Id::SortCount, &p, &[keys, &self.table], n_tiles);
+            recorder.detail("sort_scan");
+            recorder.dispatch(Id::SortScan, &p, &[&self.table], sort::DIGITS);
+            recorder.detail("sort_scatter");
+            recorder.dispatch(Id::SortScatter, &p, &[&self.table, keys, values, keys_out, values_out], n_tiles);
+            from = 1 - from;
+        }
+        from
+    }
+}
+
+/// Sorts keys with their values on a device, for tests and benches.
+pub struct Sorter {
+    device: Device,
+    bench: Bench,
+    sort: Sort,
+    source: [wgpu::Buffer; 2],
+    n: u32,
+}
+
+impl Sorter {
+    /// Room for `n` pairs.
+    pub fn new(device: &Device, n: u32) -> Result<Self, Error> {
+        let source = |what| device.buffer(what, 4 * n as u64, U::STORAGE | U::COPY_SRC | U::COPY_DST);
+        let mut bench = Bench::new(device)?;
+        bench.set_timing(Timing::Kernels)?;
+        Ok(Self { bench, sort: Sort::new(device, n)?, source: [source("keys")?, source("values")?], device: device.clone(), n })
+    }
+
+    /// Sorts; returns the sorted keys and values.
+    pub fn sort(&mut self, keys: &[u32], values: &[u32]) -> Result<(Vec<u32>, Vec<u32>), Error> {
+        assert!(keys.len() == self.n as usize && values.len() == keys.len(), "another number of pairs than room was made for");
+        self.device.queue().write_buffer(&self.source[0], 0, bytemuck::cast_slice(keys));
+        self.device.queue().write_buffer(&self.source[1], 0, bytemuck::cast_slice(values));
+        self.again()?;
+        let mut readback = Readback::new();
+        let parts = readback.plan(&self.device, &[4 * self.n as u64; 2])?;
+        // Four passes end where they began.
+        let [keys, values] = self.sort.half(0);
+        submit(&self.device, &mut self.bench, |recorder| {
+            readback.copy(recorder, parts[0], keys, 0);
+            readback.copy(recorder, parts[1], values, 0);
+        })?;
+        let mut read = readback.read(&self.device, &parts)?.into_iter().map(|b| bytemuck::pod_collect_to_vec(&b));
+        Ok((read.next().unwrap_or_default(), read.next().unwrap_or_default()))
+    }
+
+    /// Sorts the last input once more; milliseconds by kernel, if the device has timestamps.
+    pub fn again(&mut self) -> Result<Vec<(&'static str, f64)>, Error> {
+        let Self { device, bench, sort, source, n } = self;
+        let [keys, values] = sort.half(0);
+        let stages = submit(device, bench, |recorder| {
+            recorder.copy(&source[0], 0, keys, 0, 4 * *n as u64);
+            recorder.copy(&source[1], 0, values, 0, 4 * *n as u64);
+            sort.run(recorder, *n, 32, 0);
+        })?;
+        device.wait()?;
+        bench.times(&stages)
+    }
+}
