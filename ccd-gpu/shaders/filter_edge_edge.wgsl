@@ -246,467 +246,467 @@ fn function_() {
     var phi_1819_: bool;
     var phi_1823_: bool;
     var phi_1843_: type_36;
-    var phi_1870_: u32;
-    var phi_1871_: bool;
+    var phi_1888_: u32;
+    var phi_1889_: bool;
     var phi_816_: u32;
-    var phi_1872_: bool;
-    var phi_1879_: u32;
-    var phi_1882_: type_36;
-    var phi_1883_: type_36;
-    var phi_1906_: type_36;
-    var phi_2060_: bool;
-    var phi_2061_: bool;
-    var phi_2062_: bool;
-    var phi_2063_: bool;
-    var phi_2064_: bool;
-    var phi_2068_: bool;
-    var phi_2024_: bool;
-    var phi_2025_: bool;
-    var phi_2026_: bool;
-    var phi_2030_: bool;
-    var phi_2069_: bool;
-    var phi_2073_: bool;
-    var phi_2074_: bool;
-    var phi_2120_: bool;
-    var phi_2130_: bool;
-    var phi_2131_: bool;
-    var phi_2135_: bool;
-    var phi_2136_: bool;
-    var phi_2185_: type_36;
-    var phi_2188_: bool;
-    var phi_2186_: type_36;
-    var phi_2211_: type_36;
-    var phi_2268_: type_36;
-    var phi_2271_: array<u32, 2>;
-    var phi_2269_: type_36;
-    var phi_2294_: type_36;
-    var phi_2369_: bool;
-    var phi_2370_: bool;
-    var phi_2374_: array<u32, 2>;
-    var phi_2272_: array<u32, 2>;
-    var phi_2425_: type_36;
-    var phi_2428_: array<u32, 2>;
-    var phi_2426_: type_36;
-    var phi_2451_: type_36;
-    var phi_2527_: bool;
-    var phi_2528_: bool;
-    var phi_2532_: array<u32, 2>;
-    var phi_2429_: array<u32, 2>;
+    var phi_1890_: bool;
+    var phi_1897_: u32;
+    var phi_1900_: type_36;
+    var phi_1901_: type_36;
+    var phi_1924_: type_36;
+    var phi_2078_: bool;
+    var phi_2079_: bool;
+    var phi_2080_: bool;
+    var phi_2081_: bool;
+    var phi_2082_: bool;
+    var phi_2086_: bool;
+    var phi_2042_: bool;
+    var phi_2043_: bool;
+    var phi_2044_: bool;
+    var phi_2048_: bool;
+    var phi_2087_: bool;
+    var phi_2091_: bool;
+    var phi_2092_: bool;
+    var phi_2138_: bool;
+    var phi_2148_: bool;
+    var phi_2149_: bool;
+    var phi_2153_: bool;
+    var phi_2154_: bool;
+    var phi_2203_: type_36;
+    var phi_2206_: bool;
+    var phi_2204_: type_36;
+    var phi_2229_: type_36;
+    var phi_2286_: type_36;
+    var phi_2289_: array<u32, 2>;
+    var phi_2287_: type_36;
+    var phi_2312_: type_36;
+    var phi_2387_: bool;
+    var phi_2388_: bool;
+    var phi_2392_: array<u32, 2>;
+    var phi_2290_: array<u32, 2>;
+    var phi_2443_: type_36;
+    var phi_2446_: array<u32, 2>;
+    var phi_2444_: type_36;
+    var phi_2469_: type_36;
+    var phi_2545_: bool;
+    var phi_2546_: bool;
+    var phi_2550_: array<u32, 2>;
+    var phi_2447_: array<u32, 2>;
     var local_40: array<u32, 2>;
     var local_41: array<u32, 2>;
     var local_42: array<u32, 2>;
     var local_43: array<u32, 2>;
     var local_44: array<u32, 2>;
     var local_45: array<u32, 2>;
-    var phi_2548_: bool;
-    var phi_2549_: bool;
-    var phi_2600_: type_36;
-    var phi_2603_: array<u32, 2>;
-    var phi_2601_: type_36;
-    var phi_2626_: type_36;
-    var phi_2701_: bool;
-    var phi_2702_: bool;
-    var phi_2706_: array<u32, 2>;
-    var phi_2604_: array<u32, 2>;
-    var phi_2757_: type_36;
-    var phi_2760_: array<u32, 2>;
-    var phi_2758_: type_36;
-    var phi_2783_: type_36;
-    var phi_2859_: bool;
-    var phi_2860_: bool;
-    var phi_2864_: array<u32, 2>;
-    var phi_2761_: array<u32, 2>;
+    var phi_2566_: bool;
+    var phi_2567_: bool;
+    var phi_2618_: type_36;
+    var phi_2621_: array<u32, 2>;
+    var phi_2619_: type_36;
+    var phi_2644_: type_36;
+    var phi_2719_: bool;
+    var phi_2720_: bool;
+    var phi_2724_: array<u32, 2>;
+    var phi_2622_: array<u32, 2>;
+    var phi_2775_: type_36;
+    var phi_2778_: array<u32, 2>;
+    var phi_2776_: type_36;
+    var phi_2801_: type_36;
+    var phi_2877_: bool;
+    var phi_2878_: bool;
+    var phi_2882_: array<u32, 2>;
+    var phi_2779_: array<u32, 2>;
     var local_46: array<u32, 2>;
     var local_47: array<u32, 2>;
     var local_48: array<u32, 2>;
     var local_49: array<u32, 2>;
     var local_50: array<u32, 2>;
     var local_51: array<u32, 2>;
-    var phi_2880_: bool;
-    var phi_2881_: bool;
-    var phi_2189_: bool;
-    var phi_2885_: bool;
-    var phi_2886_: bool;
-    var phi_2887_: bool;
-    var phi_2891_: bool;
-    var phi_2892_: bool;
-    var phi_2893_: bool;
-    var phi_2894_: bool;
-    var phi_2895_: bool;
+    var phi_2898_: bool;
     var phi_2899_: bool;
-    var phi_2945_: type_24;
-    var phi_2946_: type_24;
-    var phi_3335_: f32;
-    var phi_3342_: f32;
-    var phi_3347_: f32;
-    var phi_3354_: f32;
-    var phi_3359_: f32;
+    var phi_2207_: bool;
+    var phi_2903_: bool;
+    var phi_2904_: bool;
+    var phi_2905_: bool;
+    var phi_2909_: bool;
+    var phi_2910_: bool;
+    var phi_2911_: bool;
+    var phi_2912_: bool;
+    var phi_2913_: bool;
+    var phi_2917_: bool;
+    var phi_2963_: type_24;
+    var phi_2964_: type_24;
+    var phi_3353_: f32;
+    var phi_3360_: f32;
+    var phi_3365_: f32;
     var phi_3372_: f32;
-    var phi_3379_: f32;
-    var phi_3384_: f32;
-    var phi_3391_: f32;
-    var phi_3396_: f32;
-    var phi_3401_: f32;
-    var phi_3418_: f32;
-    var phi_3425_: f32;
-    var phi_3430_: f32;
-    var phi_3437_: f32;
-    var phi_3442_: f32;
-    var phi_3456_: f32;
-    var phi_3463_: f32;
-    var phi_3468_: f32;
-    var phi_3475_: f32;
-    var phi_3480_: f32;
-    var phi_3485_: f32;
-    var phi_3502_: f32;
-    var phi_3509_: f32;
-    var phi_3514_: f32;
-    var phi_3521_: f32;
-    var phi_3526_: f32;
-    var phi_3540_: f32;
-    var phi_3547_: f32;
-    var phi_3552_: f32;
-    var phi_3559_: f32;
-    var phi_3564_: f32;
-    var phi_3569_: f32;
-    var phi_3600_: f32;
-    var phi_3606_: f32;
-    var phi_3613_: f32;
-    var phi_3620_: f32;
-    var phi_3626_: f32;
-    var phi_3633_: f32;
-    var phi_3639_: f32;
-    var phi_3645_: f32;
+    var phi_3377_: f32;
+    var phi_3390_: f32;
+    var phi_3397_: f32;
+    var phi_3402_: f32;
+    var phi_3409_: f32;
+    var phi_3414_: f32;
+    var phi_3419_: f32;
+    var phi_3436_: f32;
+    var phi_3443_: f32;
+    var phi_3448_: f32;
+    var phi_3455_: f32;
+    var phi_3460_: f32;
+    var phi_3474_: f32;
+    var phi_3481_: f32;
+    var phi_3486_: f32;
+    var phi_3493_: f32;
+    var phi_3498_: f32;
+    var phi_3503_: f32;
+    var phi_3520_: f32;
+    var phi_3527_: f32;
+    var phi_3532_: f32;
+    var phi_3539_: f32;
+    var phi_3544_: f32;
+    var phi_3558_: f32;
+    var phi_3565_: f32;
+    var phi_3570_: f32;
+    var phi_3577_: f32;
+    var phi_3582_: f32;
+    var phi_3587_: f32;
+    var phi_3618_: f32;
+    var phi_3624_: f32;
+    var phi_3631_: f32;
+    var phi_3638_: f32;
+    var phi_3644_: f32;
     var phi_3651_: f32;
-    var phi_3658_: f32;
-    var phi_3665_: f32;
-    var phi_3689_: f32;
-    var phi_3694_: f32;
-    var phi_3699_: f32;
-    var phi_3704_: f32;
-    var phi_3709_: f32;
-    var phi_3714_: f32;
-    var phi_3724_: f32;
-    var phi_3975_: f32;
-    var phi_3982_: f32;
-    var phi_3987_: f32;
-    var phi_3994_: f32;
-    var phi_3999_: f32;
+    var phi_3657_: f32;
+    var phi_3663_: f32;
+    var phi_3669_: f32;
+    var phi_3676_: f32;
+    var phi_3683_: f32;
+    var phi_3707_: f32;
+    var phi_3712_: f32;
+    var phi_3717_: f32;
+    var phi_3722_: f32;
+    var phi_3727_: f32;
+    var phi_3732_: f32;
+    var phi_3742_: f32;
+    var phi_3993_: f32;
+    var phi_4000_: f32;
+    var phi_4005_: f32;
     var phi_4012_: f32;
-    var phi_4019_: f32;
-    var phi_4024_: f32;
-    var phi_4031_: f32;
-    var phi_4036_: f32;
-    var phi_4041_: f32;
-    var phi_4058_: f32;
-    var phi_4065_: f32;
-    var phi_4070_: f32;
-    var phi_4077_: f32;
-    var phi_4082_: f32;
-    var phi_4096_: f32;
-    var phi_4103_: f32;
-    var phi_4108_: f32;
-    var phi_4115_: f32;
-    var phi_4120_: f32;
-    var phi_4125_: f32;
-    var phi_4142_: f32;
-    var phi_4149_: f32;
-    var phi_4154_: f32;
-    var phi_4161_: f32;
-    var phi_4166_: f32;
-    var phi_4180_: f32;
-    var phi_4187_: f32;
-    var phi_4192_: f32;
-    var phi_4199_: f32;
-    var phi_4204_: f32;
-    var phi_4209_: f32;
-    var phi_4247_: type_36;
-    var phi_4250_: f32;
-    var phi_4252_: f32;
-    var phi_4248_: type_36;
-    var phi_4275_: type_36;
-    var phi_4325_: f32;
-    var phi_4330_: f32;
-    var phi_4335_: f32;
-    var phi_4340_: f32;
-    var phi_4251_: f32;
-    var phi_4253_: f32;
-    var phi_4346_: f32;
-    var phi_4352_: f32;
-    var phi_4359_: f32;
+    var phi_4017_: f32;
+    var phi_4030_: f32;
+    var phi_4037_: f32;
+    var phi_4042_: f32;
+    var phi_4049_: f32;
+    var phi_4054_: f32;
+    var phi_4059_: f32;
+    var phi_4076_: f32;
+    var phi_4083_: f32;
+    var phi_4088_: f32;
+    var phi_4095_: f32;
+    var phi_4100_: f32;
+    var phi_4114_: f32;
+    var phi_4121_: f32;
+    var phi_4126_: f32;
+    var phi_4133_: f32;
+    var phi_4138_: f32;
+    var phi_4143_: f32;
+    var phi_4160_: f32;
+    var phi_4167_: f32;
+    var phi_4172_: f32;
+    var phi_4179_: f32;
+    var phi_4184_: f32;
+    var phi_4198_: f32;
+    var phi_4205_: f32;
+    var phi_4210_: f32;
+    var phi_4217_: f32;
+    var phi_4222_: f32;
+    var phi_4227_: f32;
+    var phi_4265_: type_36;
+    var phi_4268_: f32;
+    var phi_4270_: f32;
+    var phi_4266_: type_36;
+    var phi_4293_: type_36;
+    var phi_4343_: f32;
+    var phi_4348_: f32;
+    var phi_4353_: f32;
+    var phi_4358_: f32;
+    var phi_4269_: f32;
+    var phi_4271_: f32;
+    var phi_4364_: f32;
+    var phi_4370_: f32;
+    var phi_4377_: f32;
     var local_52: f32;
     var local_53: f32;
-    var phi_4369_: f32;
-    var phi_4400_: type_36;
-    var phi_4403_: f32;
-    var phi_4405_: f32;
-    var phi_4401_: type_36;
-    var phi_4428_: type_36;
-    var phi_4478_: f32;
-    var phi_4483_: f32;
-    var phi_4488_: f32;
-    var phi_4493_: f32;
-    var phi_4404_: f32;
-    var phi_4406_: f32;
-    var phi_4499_: f32;
-    var phi_4505_: f32;
-    var phi_4512_: f32;
+    var phi_4387_: f32;
+    var phi_4418_: type_36;
+    var phi_4421_: f32;
+    var phi_4423_: f32;
+    var phi_4419_: type_36;
+    var phi_4446_: type_36;
+    var phi_4496_: f32;
+    var phi_4501_: f32;
+    var phi_4506_: f32;
+    var phi_4511_: f32;
+    var phi_4422_: f32;
+    var phi_4424_: f32;
+    var phi_4517_: f32;
+    var phi_4523_: f32;
+    var phi_4530_: f32;
     var local_54: f32;
     var local_55: f32;
-    var phi_4522_: f32;
-    var phi_4532_: f32;
-    var phi_4700_: bool;
-    var phi_5157_: f32;
-    var phi_5164_: f32;
-    var phi_5169_: f32;
-    var phi_5176_: f32;
-    var phi_5181_: f32;
+    var phi_4540_: f32;
+    var phi_4550_: f32;
+    var phi_4718_: bool;
+    var phi_5175_: f32;
+    var phi_5182_: f32;
+    var phi_5187_: f32;
     var phi_5194_: f32;
-    var phi_5201_: f32;
-    var phi_5206_: f32;
-    var phi_5213_: f32;
-    var phi_5218_: f32;
-    var phi_5223_: f32;
-    var phi_5240_: f32;
-    var phi_5247_: f32;
-    var phi_5252_: f32;
-    var phi_5259_: f32;
-    var phi_5264_: f32;
-    var phi_5278_: f32;
-    var phi_5285_: f32;
-    var phi_5290_: f32;
-    var phi_5297_: f32;
-    var phi_5302_: f32;
-    var phi_5307_: f32;
-    var phi_5324_: f32;
-    var phi_5331_: f32;
-    var phi_5336_: f32;
-    var phi_5343_: f32;
-    var phi_5348_: f32;
-    var phi_5362_: f32;
-    var phi_5369_: f32;
-    var phi_5374_: f32;
-    var phi_5381_: f32;
-    var phi_5386_: f32;
-    var phi_5391_: f32;
-    var phi_5422_: f32;
-    var phi_5428_: f32;
-    var phi_5435_: f32;
-    var phi_5442_: f32;
-    var phi_5448_: f32;
-    var phi_5455_: f32;
-    var phi_5461_: f32;
-    var phi_5467_: f32;
+    var phi_5199_: f32;
+    var phi_5212_: f32;
+    var phi_5219_: f32;
+    var phi_5224_: f32;
+    var phi_5231_: f32;
+    var phi_5236_: f32;
+    var phi_5241_: f32;
+    var phi_5258_: f32;
+    var phi_5265_: f32;
+    var phi_5270_: f32;
+    var phi_5277_: f32;
+    var phi_5282_: f32;
+    var phi_5296_: f32;
+    var phi_5303_: f32;
+    var phi_5308_: f32;
+    var phi_5315_: f32;
+    var phi_5320_: f32;
+    var phi_5325_: f32;
+    var phi_5342_: f32;
+    var phi_5349_: f32;
+    var phi_5354_: f32;
+    var phi_5361_: f32;
+    var phi_5366_: f32;
+    var phi_5380_: f32;
+    var phi_5387_: f32;
+    var phi_5392_: f32;
+    var phi_5399_: f32;
+    var phi_5404_: f32;
+    var phi_5409_: f32;
+    var phi_5440_: f32;
+    var phi_5446_: f32;
+    var phi_5453_: f32;
+    var phi_5460_: f32;
+    var phi_5466_: f32;
     var phi_5473_: f32;
-    var phi_5480_: f32;
-    var phi_5487_: f32;
-    var phi_5511_: f32;
-    var phi_5516_: f32;
-    var phi_5521_: f32;
-    var phi_5526_: f32;
-    var phi_5531_: f32;
-    var phi_5536_: f32;
-    var phi_5546_: f32;
-    var phi_5797_: f32;
-    var phi_5804_: f32;
-    var phi_5809_: f32;
-    var phi_5816_: f32;
-    var phi_5821_: f32;
+    var phi_5479_: f32;
+    var phi_5485_: f32;
+    var phi_5491_: f32;
+    var phi_5498_: f32;
+    var phi_5505_: f32;
+    var phi_5529_: f32;
+    var phi_5534_: f32;
+    var phi_5539_: f32;
+    var phi_5544_: f32;
+    var phi_5549_: f32;
+    var phi_5554_: f32;
+    var phi_5564_: f32;
+    var phi_5815_: f32;
+    var phi_5822_: f32;
+    var phi_5827_: f32;
     var phi_5834_: f32;
-    var phi_5841_: f32;
-    var phi_5846_: f32;
-    var phi_5853_: f32;
-    var phi_5858_: f32;
-    var phi_5863_: f32;
-    var phi_5880_: f32;
-    var phi_5887_: f32;
-    var phi_5892_: f32;
-    var phi_5899_: f32;
-    var phi_5904_: f32;
-    var phi_5918_: f32;
-    var phi_5925_: f32;
-    var phi_5930_: f32;
-    var phi_5937_: f32;
-    var phi_5942_: f32;
-    var phi_5947_: f32;
-    var phi_5964_: f32;
-    var phi_5971_: f32;
-    var phi_5976_: f32;
-    var phi_5983_: f32;
-    var phi_5988_: f32;
-    var phi_6002_: f32;
-    var phi_6009_: f32;
-    var phi_6014_: f32;
-    var phi_6021_: f32;
-    var phi_6026_: f32;
-    var phi_6031_: f32;
-    var phi_6069_: type_36;
-    var phi_6072_: f32;
-    var phi_6074_: f32;
-    var phi_6070_: type_36;
-    var phi_6097_: type_36;
-    var phi_6147_: f32;
-    var phi_6152_: f32;
-    var phi_6157_: f32;
-    var phi_6162_: f32;
-    var phi_6073_: f32;
-    var phi_6075_: f32;
-    var phi_6168_: f32;
-    var phi_6174_: f32;
-    var phi_6181_: f32;
+    var phi_5839_: f32;
+    var phi_5852_: f32;
+    var phi_5859_: f32;
+    var phi_5864_: f32;
+    var phi_5871_: f32;
+    var phi_5876_: f32;
+    var phi_5881_: f32;
+    var phi_5898_: f32;
+    var phi_5905_: f32;
+    var phi_5910_: f32;
+    var phi_5917_: f32;
+    var phi_5922_: f32;
+    var phi_5936_: f32;
+    var phi_5943_: f32;
+    var phi_5948_: f32;
+    var phi_5955_: f32;
+    var phi_5960_: f32;
+    var phi_5965_: f32;
+    var phi_5982_: f32;
+    var phi_5989_: f32;
+    var phi_5994_: f32;
+    var phi_6001_: f32;
+    var phi_6006_: f32;
+    var phi_6020_: f32;
+    var phi_6027_: f32;
+    var phi_6032_: f32;
+    var phi_6039_: f32;
+    var phi_6044_: f32;
+    var phi_6049_: f32;
+    var phi_6087_: type_36;
+    var phi_6090_: f32;
+    var phi_6092_: f32;
+    var phi_6088_: type_36;
+    var phi_6115_: type_36;
+    var phi_6165_: f32;
+    var phi_6170_: f32;
+    var phi_6175_: f32;
+    var phi_6180_: f32;
+    var phi_6091_: f32;
+    var phi_6093_: f32;
+    var phi_6186_: f32;
+    var phi_6192_: f32;
+    var phi_6199_: f32;
     var local_56: f32;
     var local_57: f32;
-    var phi_6191_: f32;
-    var phi_6222_: type_36;
-    var phi_6225_: f32;
-    var phi_6227_: f32;
-    var phi_6223_: type_36;
-    var phi_6250_: type_36;
-    var phi_6300_: f32;
-    var phi_6305_: f32;
-    var phi_6310_: f32;
-    var phi_6315_: f32;
-    var phi_6226_: f32;
-    var phi_6228_: f32;
-    var phi_6321_: f32;
-    var phi_6327_: f32;
-    var phi_6334_: f32;
+    var phi_6209_: f32;
+    var phi_6240_: type_36;
+    var phi_6243_: f32;
+    var phi_6245_: f32;
+    var phi_6241_: type_36;
+    var phi_6268_: type_36;
+    var phi_6318_: f32;
+    var phi_6323_: f32;
+    var phi_6328_: f32;
+    var phi_6333_: f32;
+    var phi_6244_: f32;
+    var phi_6246_: f32;
+    var phi_6339_: f32;
+    var phi_6345_: f32;
+    var phi_6352_: f32;
     var local_58: f32;
     var local_59: f32;
-    var phi_6344_: f32;
-    var phi_6354_: f32;
-    var phi_6522_: bool;
-    var phi_6768_: f32;
-    var phi_6775_: f32;
-    var phi_6780_: f32;
-    var phi_6787_: f32;
-    var phi_6792_: f32;
+    var phi_6362_: f32;
+    var phi_6372_: f32;
+    var phi_6540_: bool;
+    var phi_6786_: f32;
+    var phi_6793_: f32;
+    var phi_6798_: f32;
     var phi_6805_: f32;
-    var phi_6812_: f32;
-    var phi_6817_: f32;
-    var phi_6824_: f32;
-    var phi_6829_: f32;
-    var phi_6834_: f32;
-    var phi_6851_: f32;
-    var phi_6858_: f32;
-    var phi_6863_: f32;
-    var phi_6870_: f32;
-    var phi_6875_: f32;
-    var phi_6889_: f32;
-    var phi_6896_: f32;
-    var phi_6901_: f32;
-    var phi_6908_: f32;
-    var phi_6913_: f32;
-    var phi_6918_: f32;
-    var phi_6935_: f32;
-    var phi_6942_: f32;
-    var phi_6947_: f32;
-    var phi_6954_: f32;
-    var phi_6959_: f32;
-    var phi_6973_: f32;
-    var phi_6980_: f32;
-    var phi_6985_: f32;
-    var phi_6992_: f32;
-    var phi_6997_: f32;
-    var phi_7002_: f32;
-    var phi_7033_: f32;
-    var phi_7039_: f32;
-    var phi_7046_: f32;
-    var phi_7053_: f32;
-    var phi_7059_: f32;
-    var phi_7066_: f32;
-    var phi_7072_: f32;
-    var phi_7078_: f32;
+    var phi_6810_: f32;
+    var phi_6823_: f32;
+    var phi_6830_: f32;
+    var phi_6835_: f32;
+    var phi_6842_: f32;
+    var phi_6847_: f32;
+    var phi_6852_: f32;
+    var phi_6869_: f32;
+    var phi_6876_: f32;
+    var phi_6881_: f32;
+    var phi_6888_: f32;
+    var phi_6893_: f32;
+    var phi_6907_: f32;
+    var phi_6914_: f32;
+    var phi_6919_: f32;
+    var phi_6926_: f32;
+    var phi_6931_: f32;
+    var phi_6936_: f32;
+    var phi_6953_: f32;
+    var phi_6960_: f32;
+    var phi_6965_: f32;
+    var phi_6972_: f32;
+    var phi_6977_: f32;
+    var phi_6991_: f32;
+    var phi_6998_: f32;
+    var phi_7003_: f32;
+    var phi_7010_: f32;
+    var phi_7015_: f32;
+    var phi_7020_: f32;
+    var phi_7051_: f32;
+    var phi_7057_: f32;
+    var phi_7064_: f32;
+    var phi_7071_: f32;
+    var phi_7077_: f32;
     var phi_7084_: f32;
-    var phi_7091_: f32;
-    var phi_7098_: f32;
-    var phi_7122_: f32;
-    var phi_7127_: f32;
-    var phi_7132_: f32;
-    var phi_7137_: f32;
-    var phi_7142_: f32;
-    var phi_7147_: f32;
-    var phi_7157_: f32;
-    var phi_7408_: f32;
-    var phi_7415_: f32;
-    var phi_7420_: f32;
-    var phi_7427_: f32;
-    var phi_7432_: f32;
+    var phi_7090_: f32;
+    var phi_7096_: f32;
+    var phi_7102_: f32;
+    var phi_7109_: f32;
+    var phi_7116_: f32;
+    var phi_7140_: f32;
+    var phi_7145_: f32;
+    var phi_7150_: f32;
+    var phi_7155_: f32;
+    var phi_7160_: f32;
+    var phi_7165_: f32;
+    var phi_7175_: f32;
+    var phi_7426_: f32;
+    var phi_7433_: f32;
+    var phi_7438_: f32;
     var phi_7445_: f32;
-    var phi_7452_: f32;
-    var phi_7457_: f32;
-    var phi_7464_: f32;
-    var phi_7469_: f32;
-    var phi_7474_: f32;
-    var phi_7491_: f32;
-    var phi_7498_: f32;
-    var phi_7503_: f32;
-    var phi_7510_: f32;
-    var phi_7515_: f32;
-    var phi_7529_: f32;
-    var phi_7536_: f32;
-    var phi_7541_: f32;
-    var phi_7548_: f32;
-    var phi_7553_: f32;
-    var phi_7558_: f32;
-    var phi_7575_: f32;
-    var phi_7582_: f32;
-    var phi_7587_: f32;
-    var phi_7594_: f32;
-    var phi_7599_: f32;
-    var phi_7613_: f32;
-    var phi_7620_: f32;
-    var phi_7625_: f32;
-    var phi_7632_: f32;
-    var phi_7637_: f32;
-    var phi_7642_: f32;
-    var phi_7680_: type_36;
-    var phi_7683_: f32;
-    var phi_7685_: f32;
-    var phi_7681_: type_36;
-    var phi_7708_: type_36;
-    var phi_7758_: f32;
-    var phi_7763_: f32;
-    var phi_7768_: f32;
-    var phi_7773_: f32;
-    var phi_7684_: f32;
-    var phi_7686_: f32;
-    var phi_7779_: f32;
-    var phi_7785_: f32;
-    var phi_7792_: f32;
+    var phi_7450_: f32;
+    var phi_7463_: f32;
+    var phi_7470_: f32;
+    var phi_7475_: f32;
+    var phi_7482_: f32;
+    var phi_7487_: f32;
+    var phi_7492_: f32;
+    var phi_7509_: f32;
+    var phi_7516_: f32;
+    var phi_7521_: f32;
+    var phi_7528_: f32;
+    var phi_7533_: f32;
+    var phi_7547_: f32;
+    var phi_7554_: f32;
+    var phi_7559_: f32;
+    var phi_7566_: f32;
+    var phi_7571_: f32;
+    var phi_7576_: f32;
+    var phi_7593_: f32;
+    var phi_7600_: f32;
+    var phi_7605_: f32;
+    var phi_7612_: f32;
+    var phi_7617_: f32;
+    var phi_7631_: f32;
+    var phi_7638_: f32;
+    var phi_7643_: f32;
+    var phi_7650_: f32;
+    var phi_7655_: f32;
+    var phi_7660_: f32;
+    var phi_7698_: type_36;
+    var phi_7701_: f32;
+    var phi_7703_: f32;
+    var phi_7699_: type_36;
+    var phi_7726_: type_36;
+    var phi_7776_: f32;
+    var phi_7781_: f32;
+    var phi_7786_: f32;
+    var phi_7791_: f32;
+    var phi_7702_: f32;
+    var phi_7704_: f32;
+    var phi_7797_: f32;
+    var phi_7803_: f32;
+    var phi_7810_: f32;
     var local_60: f32;
     var local_61: f32;
-    var phi_7802_: f32;
-    var phi_7833_: type_36;
-    var phi_7836_: f32;
-    var phi_7838_: f32;
-    var phi_7834_: type_36;
-    var phi_7861_: type_36;
-    var phi_7911_: f32;
-    var phi_7916_: f32;
-    var phi_7921_: f32;
-    var phi_7926_: f32;
-    var phi_7837_: f32;
-    var phi_7839_: f32;
-    var phi_7932_: f32;
-    var phi_7938_: f32;
-    var phi_7945_: f32;
+    var phi_7820_: f32;
+    var phi_7851_: type_36;
+    var phi_7854_: f32;
+    var phi_7856_: f32;
+    var phi_7852_: type_36;
+    var phi_7879_: type_36;
+    var phi_7929_: f32;
+    var phi_7934_: f32;
+    var phi_7939_: f32;
+    var phi_7944_: f32;
+    var phi_7855_: f32;
+    var phi_7857_: f32;
+    var phi_7950_: f32;
+    var phi_7956_: f32;
+    var phi_7963_: f32;
     var local_62: f32;
     var local_63: f32;
-    var phi_7955_: f32;
-    var phi_7965_: f32;
-    var phi_8133_: bool;
-    var phi_8134_: bool;
-    var phi_8136_: bool;
-    var phi_8146_: bool;
-    var phi_8147_: bool;
-    var phi_8179_: type_36;
-    var phi_8180_: type_36;
-    var phi_8203_: type_36;
-    var phi_8226_: u32;
-    var phi_8280_: type_36;
-    var phi_8301_: bool;
-    var phi_8302_: bool;
+    var phi_7973_: f32;
+    var phi_7983_: f32;
+    var phi_8151_: bool;
+    var phi_8152_: bool;
+    var phi_8154_: bool;
+    var phi_8164_: bool;
+    var phi_8165_: bool;
+    var phi_8215_: type_36;
+    var phi_8216_: type_36;
+    var phi_8239_: type_36;
+    var phi_8262_: u32;
+    var phi_8316_: type_36;
+    var phi_8337_: bool;
+    var phi_8338_: bool;
     var local_64: u32;
     var local_65: bool;
     var local_66: bool;
@@ -1017,8 +1017,8 @@ fn function_() {
                 }
             }
             phi_812_ = type_36(0u, 32u);
-            let _e5247 = local_64;
-            phi_815_ = _e5247;
+            let _e5263 = local_64;
+            phi_815_ = _e5263;
             loop {
                 let _e517 = phi_812_;
                 let _e519 = phi_815_;
@@ -1033,8 +1033,8 @@ fn function_() {
                 let _e535 = phi_838_;
                 if (bitcast<i32>(_e535.member) != 0i) {
                     if (_e519 == 0u) {
-                        phi_1870_ = u32();
-                        phi_1871_ = false;
+                        phi_1888_ = u32();
+                        phi_1889_ = false;
                     } else {
                         let _e546 = names[((_e134 * 32u) + select(firstTrailingBit(_e519), 32u, (_e519 == 0u)))];
                         let _e549 = (_e250 + _e135);
@@ -1522,8 +1522,8 @@ fn function_() {
                                                 break if !(_e762);
                                             }
                                         }
-                                        let _e5323 = local_65;
-                                        phi_1809_ = _e5323;
+                                        let _e5339 = local_65;
+                                        phi_1809_ = _e5339;
                                     }
                                     let _e1265 = phi_1809_;
                                     phi_1810_ = _e1265;
@@ -1573,3183 +1573,3195 @@ fn function_() {
                             }
                             let _e1292 = phi_1843_;
                             let _e1296 = atomicAdd((&output.member[0u]), 1u);
+                            if ((_e1296 + 1u) < _e1296) {
+                                let _e1300 = atomicAdd((&output.member[2u]), 1u);
+                            }
                             if (_e1296 < _e1283) {
                                 atomicStore((&output.member[(4u + (2u * _e1296))]), _e1292.member);
                                 atomicStore((&output.member[((2u * _e1296) + 5u)]), _e1292.member_1);
                             }
-                            let _e1305 = atomicAdd((&output.member[1u]), 1u);
+                            let _e1309 = atomicAdd((&output.member[1u]), 1u);
+                            if ((_e1309 + 1u) < _e1309) {
+                                let _e1313 = atomicAdd((&output.member[3u]), 1u);
+                            }
                         }
-                        phi_1870_ = (_e519 & (_e519 - 1u));
-                        phi_1871_ = true;
+                        phi_1888_ = (_e519 & (_e519 - 1u));
+                        phi_1889_ = true;
                     }
-                    let _e1307 = phi_1870_;
-                    let _e1309 = phi_1871_;
-                    phi_816_ = _e1307;
-                    phi_1872_ = _e1309;
+                    let _e1315 = phi_1888_;
+                    let _e1317 = phi_1889_;
+                    phi_816_ = _e1315;
+                    phi_1890_ = _e1317;
                 } else {
                     phi_816_ = u32();
-                    phi_1872_ = false;
+                    phi_1890_ = false;
                 }
-                let _e1311 = phi_816_;
-                let _e1313 = phi_1872_;
+                let _e1319 = phi_816_;
+                let _e1321 = phi_1890_;
                 continue;
                 continuing {
                     phi_812_ = _e533;
-                    phi_815_ = _e1311;
-                    break if !(_e1313);
+                    phi_815_ = _e1319;
+                    break if !(_e1321);
                 }
             }
             workgroupBarrier();
-            let _e1316 = atomicLoad((&counters[4u]));
-            if (2048u < _e1316) {
-                phi_1879_ = 2048u;
+            let _e1324 = atomicLoad((&counters[4u]));
+            if (2048u < _e1324) {
+                phi_1897_ = 2048u;
             } else {
-                phi_1879_ = _e1316;
+                phi_1897_ = _e1324;
             }
-            let _e1319 = phi_1879_;
-            phi_1882_ = type_36(0u, 16u);
+            let _e1327 = phi_1897_;
+            phi_1900_ = type_36(0u, 16u);
             loop {
-                let _e1321 = phi_1882_;
-                if (_e1321.member < _e1321.member_1) {
-                    phi_1883_ = type_36((_e1321.member + 1u), _e1321.member_1);
-                    phi_1906_ = type_36(1u, _e1321.member);
+                let _e1329 = phi_1900_;
+                if (_e1329.member < _e1329.member_1) {
+                    phi_1901_ = type_36((_e1329.member + 1u), _e1329.member_1);
+                    phi_1924_ = type_36(1u, _e1329.member);
                 } else {
-                    phi_1883_ = _e1321;
-                    phi_1906_ = type_36(0u, type_36().member_1);
+                    phi_1901_ = _e1329;
+                    phi_1924_ = type_36(0u, type_36().member_1);
                 }
-                let _e1335 = phi_1883_;
-                let _e1337 = phi_1906_;
-                if (bitcast<i32>(_e1337.member) != 0i) {
-                    let _e1343 = (_e110 + (_e1337.member_1 * 128u));
-                    if (_e1343 >= _e1319) {
-                        phi_8146_ = false;
+                let _e1343 = phi_1901_;
+                let _e1345 = phi_1924_;
+                if (bitcast<i32>(_e1345.member) != 0i) {
+                    let _e1351 = (_e110 + (_e1345.member_1 * 128u));
+                    if (_e1351 >= _e1327) {
+                        phi_8164_ = false;
                     } else {
-                        let _e1346 = hits[_e1343];
-                        let _e1349 = ((_e1346 >> bitcast<u32>(10i)) & 3u);
-                        let _e1356 = firsts[(2u * _e1349)];
-                        let _e1357 = (_e1356 + ((_e1346 >> bitcast<u32>(5i)) & 31u));
-                        let _e1361 = firsts[((2u * _e1349) + 1u)];
-                        let _e1362 = (_e1361 + (_e1346 & 31u));
-                        let _e1364 = leaves.member[_e1357];
-                        let _e1366 = leaves.member[_e1362];
-                        local_26 = type_24(array<u32, 3>(_e1364.member[0], _e1364.member[1], _e1364.member[2]), _e1364.member_1);
-                        local_27 = type_24(array<u32, 3>(_e1366.member[0], _e1366.member[1], _e1366.member[2]), _e1366.member_1);
-                        let _e1382 = nodes.member[_e1357];
-                        let _e1384 = nodes.member[_e1362];
-                        let _e1386 = params.member.member_1;
-                        if ((_e1386 & 1u) != 0u) {
-                            let _e1390 = params.member.member_8;
-                            if (_e1390 == 0u) {
-                                let _e1434 = local_26.member[0u];
-                                let _e1437 = local_27.member[0u];
-                                if (_e1434 == _e1437) {
-                                    phi_2025_ = bool();
-                                    phi_2026_ = true;
+                        let _e1354 = hits[_e1351];
+                        let _e1357 = ((_e1354 >> bitcast<u32>(10i)) & 3u);
+                        let _e1364 = firsts[(2u * _e1357)];
+                        let _e1365 = (_e1364 + ((_e1354 >> bitcast<u32>(5i)) & 31u));
+                        let _e1369 = firsts[((2u * _e1357) + 1u)];
+                        let _e1370 = (_e1369 + (_e1354 & 31u));
+                        let _e1372 = leaves.member[_e1365];
+                        let _e1374 = leaves.member[_e1370];
+                        local_26 = type_24(array<u32, 3>(_e1372.member[0], _e1372.member[1], _e1372.member[2]), _e1372.member_1);
+                        local_27 = type_24(array<u32, 3>(_e1374.member[0], _e1374.member[1], _e1374.member[2]), _e1374.member_1);
+                        let _e1390 = nodes.member[_e1365];
+                        let _e1392 = nodes.member[_e1370];
+                        let _e1394 = params.member.member_1;
+                        if ((_e1394 & 1u) != 0u) {
+                            let _e1398 = params.member.member_8;
+                            if (_e1398 == 0u) {
+                                let _e1442 = local_26.member[0u];
+                                let _e1445 = local_27.member[0u];
+                                if (_e1442 == _e1445) {
+                                    phi_2043_ = bool();
+                                    phi_2044_ = true;
                                 } else {
-                                    let _e1441 = local_26.member[0u];
-                                    let _e1444 = local_27.member[1u];
-                                    let _e1445 = (_e1441 == _e1444);
-                                    if _e1445 {
-                                        phi_2024_ = bool();
+                                    let _e1449 = local_26.member[0u];
+                                    let _e1452 = local_27.member[1u];
+                                    let _e1453 = (_e1449 == _e1452);
+                                    if _e1453 {
+                                        phi_2042_ = bool();
                                     } else {
-                                        let _e1448 = local_26.member[0u];
-                                        let _e1451 = local_27.member[2u];
-                                        phi_2024_ = (_e1448 == _e1451);
+                                        let _e1456 = local_26.member[0u];
+                                        let _e1459 = local_27.member[2u];
+                                        phi_2042_ = (_e1456 == _e1459);
                                     }
-                                    let _e1454 = phi_2024_;
-                                    phi_2025_ = _e1454;
-                                    phi_2026_ = _e1445;
+                                    let _e1462 = phi_2042_;
+                                    phi_2043_ = _e1462;
+                                    phi_2044_ = _e1453;
                                 }
-                                let _e1456 = phi_2025_;
-                                let _e1458 = phi_2026_;
-                                if _e1458 {
-                                    phi_2030_ = true;
+                                let _e1464 = phi_2043_;
+                                let _e1466 = phi_2044_;
+                                if _e1466 {
+                                    phi_2048_ = true;
                                 } else {
-                                    phi_2030_ = _e1456;
+                                    phi_2048_ = _e1464;
                                 }
-                                let _e1460 = phi_2030_;
-                                phi_2069_ = _e1460;
+                                let _e1468 = phi_2048_;
+                                phi_2087_ = _e1468;
                             } else {
-                                let _e1394 = local_26.member[0u];
-                                let _e1397 = local_27.member[0u];
-                                if (_e1394 == _e1397) {
-                                    phi_2063_ = bool();
-                                    phi_2064_ = true;
+                                let _e1402 = local_26.member[0u];
+                                let _e1405 = local_27.member[0u];
+                                if (_e1402 == _e1405) {
+                                    phi_2081_ = bool();
+                                    phi_2082_ = true;
                                 } else {
-                                    let _e1401 = local_26.member[0u];
-                                    let _e1404 = local_27.member[1u];
-                                    if (_e1401 == _e1404) {
-                                        phi_2061_ = bool();
-                                        phi_2062_ = true;
+                                    let _e1409 = local_26.member[0u];
+                                    let _e1412 = local_27.member[1u];
+                                    if (_e1409 == _e1412) {
+                                        phi_2079_ = bool();
+                                        phi_2080_ = true;
                                     } else {
-                                        let _e1408 = local_26.member[1u];
-                                        let _e1411 = local_27.member[0u];
-                                        let _e1412 = (_e1408 == _e1411);
-                                        if _e1412 {
-                                            phi_2060_ = bool();
+                                        let _e1416 = local_26.member[1u];
+                                        let _e1419 = local_27.member[0u];
+                                        let _e1420 = (_e1416 == _e1419);
+                                        if _e1420 {
+                                            phi_2078_ = bool();
                                         } else {
-                                            let _e1415 = local_26.member[1u];
-                                            let _e1418 = local_27.member[1u];
-                                            phi_2060_ = (_e1415 == _e1418);
+                                            let _e1423 = local_26.member[1u];
+                                            let _e1426 = local_27.member[1u];
+                                            phi_2078_ = (_e1423 == _e1426);
                                         }
-                                        let _e1421 = phi_2060_;
-                                        phi_2061_ = _e1421;
-                                        phi_2062_ = _e1412;
+                                        let _e1429 = phi_2078_;
+                                        phi_2079_ = _e1429;
+                                        phi_2080_ = _e1420;
                                     }
-                                    let _e1423 = phi_2061_;
-                                    let _e1425 = phi_2062_;
-                                    phi_2063_ = _e1423;
-                                    phi_2064_ = _e1425;
+                                    let _e1431 = phi_2079_;
+                                    let _e1433 = phi_2080_;
+                                    phi_2081_ = _e1431;
+                                    phi_2082_ = _e1433;
                                 }
-                                let _e1427 = phi_2063_;
-                                let _e1429 = phi_2064_;
-                                if _e1429 {
-                                    phi_2068_ = true;
+                                let _e1435 = phi_2081_;
+                                let _e1437 = phi_2082_;
+                                if _e1437 {
+                                    phi_2086_ = true;
                                 } else {
-                                    phi_2068_ = _e1427;
+                                    phi_2086_ = _e1435;
                                 }
-                                let _e1431 = phi_2068_;
-                                phi_2069_ = _e1431;
+                                let _e1439 = phi_2086_;
+                                phi_2087_ = _e1439;
                             }
-                            let _e1462 = phi_2069_;
-                            if _e1462 {
-                                phi_2073_ = false;
+                            let _e1470 = phi_2087_;
+                            if _e1470 {
+                                phi_2091_ = false;
                             } else {
-                                phi_2073_ = true;
+                                phi_2091_ = true;
                             }
-                            let _e1464 = phi_2073_;
-                            phi_2074_ = _e1464;
+                            let _e1472 = phi_2091_;
+                            phi_2092_ = _e1472;
                         } else {
-                            phi_2074_ = true;
+                            phi_2092_ = true;
                         }
-                        let _e1466 = phi_2074_;
-                        if _e1466 {
-                            let _e1468 = params.member.member_1;
-                            if ((_e1468 & 2u) != 0u) {
-                                let _e1473 = local_26.member[0u];
-                                let _e1475 = bodies.member[_e1473];
-                                let _e1478 = local_27.member[0u];
-                                let _e1480 = bodies.member[_e1478];
-                                if ((_e1475 / 2u) == (_e1480 / 2u)) {
-                                    let _e1485 = params.member.member_1;
-                                    phi_2120_ = !(((_e1485 & 4u) != 0u));
+                        let _e1474 = phi_2092_;
+                        if _e1474 {
+                            let _e1476 = params.member.member_1;
+                            if ((_e1476 & 2u) != 0u) {
+                                let _e1481 = local_26.member[0u];
+                                let _e1483 = bodies.member[_e1481];
+                                let _e1486 = local_27.member[0u];
+                                let _e1488 = bodies.member[_e1486];
+                                if ((_e1483 / 2u) == (_e1488 / 2u)) {
+                                    let _e1493 = params.member.member_1;
+                                    phi_2138_ = !(((_e1493 & 4u) != 0u));
                                 } else {
-                                    phi_2120_ = false;
+                                    phi_2138_ = false;
                                 }
-                                let _e1490 = phi_2120_;
-                                if _e1490 {
-                                    phi_2131_ = true;
+                                let _e1498 = phi_2138_;
+                                if _e1498 {
+                                    phi_2149_ = true;
                                 } else {
-                                    if (((_e1475 & _e1480) & 1u) == 0u) {
-                                        phi_2130_ = false;
+                                    if (((_e1483 & _e1488) & 1u) == 0u) {
+                                        phi_2148_ = false;
                                     } else {
-                                        phi_2130_ = true;
+                                        phi_2148_ = true;
                                     }
-                                    let _e1495 = phi_2130_;
-                                    phi_2131_ = _e1495;
+                                    let _e1503 = phi_2148_;
+                                    phi_2149_ = _e1503;
                                 }
-                                let _e1497 = phi_2131_;
-                                if _e1497 {
-                                    phi_2135_ = false;
+                                let _e1505 = phi_2149_;
+                                if _e1505 {
+                                    phi_2153_ = false;
                                 } else {
-                                    phi_2135_ = true;
+                                    phi_2153_ = true;
                                 }
-                                let _e1499 = phi_2135_;
-                                phi_2136_ = _e1499;
+                                let _e1507 = phi_2153_;
+                                phi_2154_ = _e1507;
                             } else {
-                                phi_2136_ = true;
+                                phi_2154_ = true;
                             }
-                            let _e1501 = phi_2136_;
-                            if _e1501 {
-                                let _e1503 = params.member.member_1;
-                                if ((_e1503 & 32u) != 0u) {
-                                    let _e1507 = params.member.member_6;
-                                    let _e1548 = (((((((_e1382.member_1[0] - _e1384.member[0]) > _e1507) && ((_e1384.member_1[0] - _e1382.member[0]) > _e1507)) && ((_e1382.member_1[1] - _e1384.member[1]) > _e1507)) && ((_e1384.member_1[1] - _e1382.member[1]) > _e1507)) && ((_e1382.member_1[2] - _e1384.member[2]) > _e1507)) && ((_e1384.member_1[2] - _e1382.member[2]) > _e1507));
-                                    if _e1548 {
-                                        phi_2885_ = bool();
+                            let _e1509 = phi_2154_;
+                            if _e1509 {
+                                let _e1511 = params.member.member_1;
+                                if ((_e1511 & 32u) != 0u) {
+                                    let _e1515 = params.member.member_6;
+                                    let _e1556 = (((((((_e1390.member_1[0] - _e1392.member[0]) > _e1515) && ((_e1392.member_1[0] - _e1390.member[0]) > _e1515)) && ((_e1390.member_1[1] - _e1392.member[1]) > _e1515)) && ((_e1392.member_1[1] - _e1390.member[1]) > _e1515)) && ((_e1390.member_1[2] - _e1392.member[2]) > _e1515)) && ((_e1392.member_1[2] - _e1390.member[2]) > _e1515));
+                                    if _e1556 {
+                                        phi_2903_ = bool();
                                     } else {
-                                        phi_2185_ = type_36(0u, 3u);
-                                        phi_2188_ = true;
+                                        phi_2203_ = type_36(0u, 3u);
+                                        phi_2206_ = true;
                                         loop {
-                                            let _e1552 = phi_2185_;
-                                            let _e1554 = phi_2188_;
-                                            local_66 = _e1554;
-                                            if (_e1552.member < _e1552.member_1) {
-                                                phi_2186_ = type_36((_e1552.member + 1u), _e1552.member_1);
-                                                phi_2211_ = type_36(1u, _e1552.member);
+                                            let _e1560 = phi_2203_;
+                                            let _e1562 = phi_2206_;
+                                            local_66 = _e1562;
+                                            if (_e1560.member < _e1560.member_1) {
+                                                phi_2204_ = type_36((_e1560.member + 1u), _e1560.member_1);
+                                                phi_2229_ = type_36(1u, _e1560.member);
                                             } else {
-                                                phi_2186_ = _e1552;
-                                                phi_2211_ = type_36(0u, type_36().member_1);
+                                                phi_2204_ = _e1560;
+                                                phi_2229_ = type_36(0u, type_36().member_1);
                                             }
-                                            let _e1568 = phi_2186_;
-                                            let _e1570 = phi_2211_;
-                                            let _e1574 = (bitcast<i32>(_e1570.member) != 0i);
-                                            if _e1574 {
-                                                let _e1576 = local_26.member[0u];
-                                                let _e1578 = keys.member[_e1576];
-                                                local_14 = array<array<u32, 2>, 6>(array<u32, 2>(_e1578[0][0], _e1578[0][1]), array<u32, 2>(_e1578[1][0], _e1578[1][1]), array<u32, 2>(_e1578[2][0], _e1578[2][1]), array<u32, 2>(_e1578[3][0], _e1578[3][1]), array<u32, 2>(_e1578[4][0], _e1578[4][1]), array<u32, 2>(_e1578[5][0], _e1578[5][1]));
-                                                if (_e1570.member_1 < 6u) {
+                                            let _e1576 = phi_2204_;
+                                            let _e1578 = phi_2229_;
+                                            let _e1582 = (bitcast<i32>(_e1578.member) != 0i);
+                                            if _e1582 {
+                                                let _e1584 = local_26.member[0u];
+                                                let _e1586 = keys.member[_e1584];
+                                                local_14 = array<array<u32, 2>, 6>(array<u32, 2>(_e1586[0][0], _e1586[0][1]), array<u32, 2>(_e1586[1][0], _e1586[1][1]), array<u32, 2>(_e1586[2][0], _e1586[2][1]), array<u32, 2>(_e1586[3][0], _e1586[3][1]), array<u32, 2>(_e1586[4][0], _e1586[4][1]), array<u32, 2>(_e1586[5][0], _e1586[5][1]));
+                                                if (_e1578.member_1 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1606 = local_14[_e1570.member_1];
-                                                phi_2268_ = type_36(1u, 3u);
-                                                phi_2271_ = array<u32, 2>(_e1606[0], _e1606[1]);
+                                                let _e1614 = local_14[_e1578.member_1];
+                                                phi_2286_ = type_36(1u, 3u);
+                                                phi_2289_ = array<u32, 2>(_e1614[0], _e1614[1]);
                                                 loop {
-                                                    let _e1611 = phi_2268_;
-                                                    let _e1613 = phi_2271_;
-                                                    local_40 = _e1613;
-                                                    local_42 = _e1613;
-                                                    local_44 = _e1613;
-                                                    if (_e1611.member < _e1611.member_1) {
-                                                        phi_2269_ = type_36((_e1611.member + 1u), _e1611.member_1);
-                                                        phi_2294_ = type_36(1u, _e1611.member);
+                                                    let _e1619 = phi_2286_;
+                                                    let _e1621 = phi_2289_;
+                                                    local_40 = _e1621;
+                                                    local_42 = _e1621;
+                                                    local_44 = _e1621;
+                                                    if (_e1619.member < _e1619.member_1) {
+                                                        phi_2287_ = type_36((_e1619.member + 1u), _e1619.member_1);
+                                                        phi_2312_ = type_36(1u, _e1619.member);
                                                     } else {
-                                                        phi_2269_ = _e1611;
-                                                        phi_2294_ = type_36(0u, type_36().member_1);
+                                                        phi_2287_ = _e1619;
+                                                        phi_2312_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1627 = phi_2269_;
-                                                    let _e1629 = phi_2294_;
-                                                    let _e1633 = (bitcast<i32>(_e1629.member) != 0i);
-                                                    if _e1633 {
-                                                        if (_e1629.member_1 < 3u) {
+                                                    let _e1635 = phi_2287_;
+                                                    let _e1637 = phi_2312_;
+                                                    let _e1641 = (bitcast<i32>(_e1637.member) != 0i);
+                                                    if _e1641 {
+                                                        if (_e1637.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1636 = local_26.member[_e1629.member_1];
-                                                        let _e1638 = keys.member[_e1636];
-                                                        local_15 = array<array<u32, 2>, 6>(array<u32, 2>(_e1638[0][0], _e1638[0][1]), array<u32, 2>(_e1638[1][0], _e1638[1][1]), array<u32, 2>(_e1638[2][0], _e1638[2][1]), array<u32, 2>(_e1638[3][0], _e1638[3][1]), array<u32, 2>(_e1638[4][0], _e1638[4][1]), array<u32, 2>(_e1638[5][0], _e1638[5][1]));
-                                                        if (_e1570.member_1 < 6u) {
+                                                        let _e1644 = local_26.member[_e1637.member_1];
+                                                        let _e1646 = keys.member[_e1644];
+                                                        local_15 = array<array<u32, 2>, 6>(array<u32, 2>(_e1646[0][0], _e1646[0][1]), array<u32, 2>(_e1646[1][0], _e1646[1][1]), array<u32, 2>(_e1646[2][0], _e1646[2][1]), array<u32, 2>(_e1646[3][0], _e1646[3][1]), array<u32, 2>(_e1646[4][0], _e1646[4][1]), array<u32, 2>(_e1646[5][0], _e1646[5][1]));
+                                                        if (_e1578.member_1 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1666 = local_15[_e1570.member_1];
-                                                        if (_e1613[1] > _e1666[1]) {
-                                                            phi_2370_ = true;
+                                                        let _e1674 = local_15[_e1578.member_1];
+                                                        if (_e1621[1] > _e1674[1]) {
+                                                            phi_2388_ = true;
                                                         } else {
-                                                            if (_e1613[1] == _e1666[1]) {
-                                                                phi_2369_ = (_e1613[0] > _e1666[0]);
+                                                            if (_e1621[1] == _e1674[1]) {
+                                                                phi_2387_ = (_e1621[0] > _e1674[0]);
                                                             } else {
-                                                                phi_2369_ = false;
+                                                                phi_2387_ = false;
                                                             }
-                                                            let _e1677 = phi_2369_;
-                                                            phi_2370_ = _e1677;
+                                                            let _e1685 = phi_2387_;
+                                                            phi_2388_ = _e1685;
                                                         }
-                                                        let _e1679 = phi_2370_;
-                                                        if _e1679 {
-                                                            phi_2374_ = array<u32, 2>(_e1666[0], _e1666[1]);
+                                                        let _e1687 = phi_2388_;
+                                                        if _e1687 {
+                                                            phi_2392_ = array<u32, 2>(_e1674[0], _e1674[1]);
                                                         } else {
-                                                            phi_2374_ = _e1613;
+                                                            phi_2392_ = _e1621;
                                                         }
-                                                        let _e1681 = phi_2374_;
-                                                        phi_2272_ = _e1681;
+                                                        let _e1689 = phi_2392_;
+                                                        phi_2290_ = _e1689;
                                                     } else {
-                                                        phi_2272_ = array<u32, 2>();
+                                                        phi_2290_ = array<u32, 2>();
                                                     }
-                                                    let _e1683 = phi_2272_;
+                                                    let _e1691 = phi_2290_;
                                                     continue;
                                                     continuing {
-                                                        phi_2268_ = _e1627;
-                                                        phi_2271_ = _e1683;
-                                                        break if !(_e1633);
+                                                        phi_2286_ = _e1635;
+                                                        phi_2289_ = _e1691;
+                                                        break if !(_e1641);
                                                     }
                                                 }
-                                                let _e1686 = local_27.member[0u];
-                                                let _e1688 = keys.member[_e1686];
-                                                local_12 = array<array<u32, 2>, 6>(array<u32, 2>(_e1688[0][0], _e1688[0][1]), array<u32, 2>(_e1688[1][0], _e1688[1][1]), array<u32, 2>(_e1688[2][0], _e1688[2][1]), array<u32, 2>(_e1688[3][0], _e1688[3][1]), array<u32, 2>(_e1688[4][0], _e1688[4][1]), array<u32, 2>(_e1688[5][0], _e1688[5][1]));
-                                                let _e1714 = (3u + _e1570.member_1);
-                                                if (_e1714 < 6u) {
+                                                let _e1694 = local_27.member[0u];
+                                                let _e1696 = keys.member[_e1694];
+                                                local_12 = array<array<u32, 2>, 6>(array<u32, 2>(_e1696[0][0], _e1696[0][1]), array<u32, 2>(_e1696[1][0], _e1696[1][1]), array<u32, 2>(_e1696[2][0], _e1696[2][1]), array<u32, 2>(_e1696[3][0], _e1696[3][1]), array<u32, 2>(_e1696[4][0], _e1696[4][1]), array<u32, 2>(_e1696[5][0], _e1696[5][1]));
+                                                let _e1722 = (3u + _e1578.member_1);
+                                                if (_e1722 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1717 = local_12[_e1714];
-                                                phi_2425_ = type_36(1u, 3u);
-                                                phi_2428_ = array<u32, 2>(_e1717[0], _e1717[1]);
+                                                let _e1725 = local_12[_e1722];
+                                                phi_2443_ = type_36(1u, 3u);
+                                                phi_2446_ = array<u32, 2>(_e1725[0], _e1725[1]);
                                                 loop {
-                                                    let _e1722 = phi_2425_;
-                                                    let _e1724 = phi_2428_;
-                                                    local_41 = _e1724;
-                                                    local_43 = _e1724;
-                                                    local_45 = _e1724;
-                                                    if (_e1722.member < _e1722.member_1) {
-                                                        phi_2426_ = type_36((_e1722.member + 1u), _e1722.member_1);
-                                                        phi_2451_ = type_36(1u, _e1722.member);
+                                                    let _e1730 = phi_2443_;
+                                                    let _e1732 = phi_2446_;
+                                                    local_41 = _e1732;
+                                                    local_43 = _e1732;
+                                                    local_45 = _e1732;
+                                                    if (_e1730.member < _e1730.member_1) {
+                                                        phi_2444_ = type_36((_e1730.member + 1u), _e1730.member_1);
+                                                        phi_2469_ = type_36(1u, _e1730.member);
                                                     } else {
-                                                        phi_2426_ = _e1722;
-                                                        phi_2451_ = type_36(0u, type_36().member_1);
+                                                        phi_2444_ = _e1730;
+                                                        phi_2469_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1738 = phi_2426_;
-                                                    let _e1740 = phi_2451_;
-                                                    let _e1744 = (bitcast<i32>(_e1740.member) != 0i);
-                                                    if _e1744 {
-                                                        if (_e1740.member_1 < 3u) {
+                                                    let _e1746 = phi_2444_;
+                                                    let _e1748 = phi_2469_;
+                                                    let _e1752 = (bitcast<i32>(_e1748.member) != 0i);
+                                                    if _e1752 {
+                                                        if (_e1748.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1747 = local_27.member[_e1740.member_1];
-                                                        let _e1749 = keys.member[_e1747];
-                                                        local_13 = array<array<u32, 2>, 6>(array<u32, 2>(_e1749[0][0], _e1749[0][1]), array<u32, 2>(_e1749[1][0], _e1749[1][1]), array<u32, 2>(_e1749[2][0], _e1749[2][1]), array<u32, 2>(_e1749[3][0], _e1749[3][1]), array<u32, 2>(_e1749[4][0], _e1749[4][1]), array<u32, 2>(_e1749[5][0], _e1749[5][1]));
-                                                        let _e1775 = (3u + _e1570.member_1);
-                                                        if (_e1775 < 6u) {
+                                                        let _e1755 = local_27.member[_e1748.member_1];
+                                                        let _e1757 = keys.member[_e1755];
+                                                        local_13 = array<array<u32, 2>, 6>(array<u32, 2>(_e1757[0][0], _e1757[0][1]), array<u32, 2>(_e1757[1][0], _e1757[1][1]), array<u32, 2>(_e1757[2][0], _e1757[2][1]), array<u32, 2>(_e1757[3][0], _e1757[3][1]), array<u32, 2>(_e1757[4][0], _e1757[4][1]), array<u32, 2>(_e1757[5][0], _e1757[5][1]));
+                                                        let _e1783 = (3u + _e1578.member_1);
+                                                        if (_e1783 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1778 = local_13[_e1775];
-                                                        if (_e1778[1] > _e1724[1]) {
-                                                            phi_2528_ = true;
+                                                        let _e1786 = local_13[_e1783];
+                                                        if (_e1786[1] > _e1732[1]) {
+                                                            phi_2546_ = true;
                                                         } else {
-                                                            if (_e1778[1] == _e1724[1]) {
-                                                                phi_2527_ = (_e1778[0] > _e1724[0]);
+                                                            if (_e1786[1] == _e1732[1]) {
+                                                                phi_2545_ = (_e1786[0] > _e1732[0]);
                                                             } else {
-                                                                phi_2527_ = false;
+                                                                phi_2545_ = false;
                                                             }
-                                                            let _e1789 = phi_2527_;
-                                                            phi_2528_ = _e1789;
+                                                            let _e1797 = phi_2545_;
+                                                            phi_2546_ = _e1797;
                                                         }
-                                                        let _e1791 = phi_2528_;
-                                                        if _e1791 {
-                                                            phi_2532_ = array<u32, 2>(_e1778[0], _e1778[1]);
+                                                        let _e1799 = phi_2546_;
+                                                        if _e1799 {
+                                                            phi_2550_ = array<u32, 2>(_e1786[0], _e1786[1]);
                                                         } else {
-                                                            phi_2532_ = _e1724;
+                                                            phi_2550_ = _e1732;
                                                         }
-                                                        let _e1793 = phi_2532_;
-                                                        phi_2429_ = _e1793;
+                                                        let _e1801 = phi_2550_;
+                                                        phi_2447_ = _e1801;
                                                     } else {
-                                                        phi_2429_ = array<u32, 2>();
+                                                        phi_2447_ = array<u32, 2>();
                                                     }
-                                                    let _e1795 = phi_2429_;
+                                                    let _e1803 = phi_2447_;
                                                     continue;
                                                     continuing {
-                                                        phi_2425_ = _e1738;
-                                                        phi_2428_ = _e1795;
-                                                        break if !(_e1744);
+                                                        phi_2443_ = _e1746;
+                                                        phi_2446_ = _e1803;
+                                                        break if !(_e1752);
                                                     }
                                                 }
-                                                let _e1798 = local_40;
-                                                let _e1801 = local_41;
-                                                if (_e1798[1] > _e1801[1]) {
-                                                    phi_2549_ = true;
+                                                let _e1806 = local_40;
+                                                let _e1809 = local_41;
+                                                if (_e1806[1] > _e1809[1]) {
+                                                    phi_2567_ = true;
                                                 } else {
-                                                    let _e1805 = local_42;
-                                                    let _e1808 = local_43;
-                                                    if (_e1805[1] == _e1808[1]) {
-                                                        let _e1812 = local_44;
-                                                        let _e1815 = local_45;
-                                                        phi_2548_ = (_e1812[0] > _e1815[0]);
+                                                    let _e1813 = local_42;
+                                                    let _e1816 = local_43;
+                                                    if (_e1813[1] == _e1816[1]) {
+                                                        let _e1820 = local_44;
+                                                        let _e1823 = local_45;
+                                                        phi_2566_ = (_e1820[0] > _e1823[0]);
                                                     } else {
-                                                        phi_2548_ = false;
+                                                        phi_2566_ = false;
                                                     }
-                                                    let _e1819 = phi_2548_;
-                                                    phi_2549_ = _e1819;
+                                                    let _e1827 = phi_2566_;
+                                                    phi_2567_ = _e1827;
                                                 }
-                                                let _e1821 = phi_2549_;
-                                                let _e1824 = local_27.member[0u];
-                                                let _e1826 = keys.member[_e1824];
-                                                local_10 = array<array<u32, 2>, 6>(array<u32, 2>(_e1826[0][0], _e1826[0][1]), array<u32, 2>(_e1826[1][0], _e1826[1][1]), array<u32, 2>(_e1826[2][0], _e1826[2][1]), array<u32, 2>(_e1826[3][0], _e1826[3][1]), array<u32, 2>(_e1826[4][0], _e1826[4][1]), array<u32, 2>(_e1826[5][0], _e1826[5][1]));
-                                                if (_e1570.member_1 < 6u) {
+                                                let _e1829 = phi_2567_;
+                                                let _e1832 = local_27.member[0u];
+                                                let _e1834 = keys.member[_e1832];
+                                                local_10 = array<array<u32, 2>, 6>(array<u32, 2>(_e1834[0][0], _e1834[0][1]), array<u32, 2>(_e1834[1][0], _e1834[1][1]), array<u32, 2>(_e1834[2][0], _e1834[2][1]), array<u32, 2>(_e1834[3][0], _e1834[3][1]), array<u32, 2>(_e1834[4][0], _e1834[4][1]), array<u32, 2>(_e1834[5][0], _e1834[5][1]));
+                                                if (_e1578.member_1 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1854 = local_10[_e1570.member_1];
-                                                phi_2600_ = type_36(1u, 3u);
-                                                phi_2603_ = array<u32, 2>(_e1854[0], _e1854[1]);
+                                                let _e1862 = local_10[_e1578.member_1];
+                                                phi_2618_ = type_36(1u, 3u);
+                                                phi_2621_ = array<u32, 2>(_e1862[0], _e1862[1]);
                                                 loop {
-                                                    let _e1859 = phi_2600_;
-                                                    let _e1861 = phi_2603_;
-                                                    local_46 = _e1861;
-                                                    local_48 = _e1861;
-                                                    local_50 = _e1861;
-                                                    if (_e1859.member < _e1859.member_1) {
-                                                        phi_2601_ = type_36((_e1859.member + 1u), _e1859.member_1);
-                                                        phi_2626_ = type_36(1u, _e1859.member);
+                                                    let _e1867 = phi_2618_;
+                                                    let _e1869 = phi_2621_;
+                                                    local_46 = _e1869;
+                                                    local_48 = _e1869;
+                                                    local_50 = _e1869;
+                                                    if (_e1867.member < _e1867.member_1) {
+                                                        phi_2619_ = type_36((_e1867.member + 1u), _e1867.member_1);
+                                                        phi_2644_ = type_36(1u, _e1867.member);
                                                     } else {
-                                                        phi_2601_ = _e1859;
-                                                        phi_2626_ = type_36(0u, type_36().member_1);
+                                                        phi_2619_ = _e1867;
+                                                        phi_2644_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1875 = phi_2601_;
-                                                    let _e1877 = phi_2626_;
-                                                    let _e1881 = (bitcast<i32>(_e1877.member) != 0i);
-                                                    if _e1881 {
-                                                        if (_e1877.member_1 < 3u) {
+                                                    let _e1883 = phi_2619_;
+                                                    let _e1885 = phi_2644_;
+                                                    let _e1889 = (bitcast<i32>(_e1885.member) != 0i);
+                                                    if _e1889 {
+                                                        if (_e1885.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1884 = local_27.member[_e1877.member_1];
-                                                        let _e1886 = keys.member[_e1884];
-                                                        local_11 = array<array<u32, 2>, 6>(array<u32, 2>(_e1886[0][0], _e1886[0][1]), array<u32, 2>(_e1886[1][0], _e1886[1][1]), array<u32, 2>(_e1886[2][0], _e1886[2][1]), array<u32, 2>(_e1886[3][0], _e1886[3][1]), array<u32, 2>(_e1886[4][0], _e1886[4][1]), array<u32, 2>(_e1886[5][0], _e1886[5][1]));
-                                                        if (_e1570.member_1 < 6u) {
+                                                        let _e1892 = local_27.member[_e1885.member_1];
+                                                        let _e1894 = keys.member[_e1892];
+                                                        local_11 = array<array<u32, 2>, 6>(array<u32, 2>(_e1894[0][0], _e1894[0][1]), array<u32, 2>(_e1894[1][0], _e1894[1][1]), array<u32, 2>(_e1894[2][0], _e1894[2][1]), array<u32, 2>(_e1894[3][0], _e1894[3][1]), array<u32, 2>(_e1894[4][0], _e1894[4][1]), array<u32, 2>(_e1894[5][0], _e1894[5][1]));
+                                                        if (_e1578.member_1 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1914 = local_11[_e1570.member_1];
-                                                        if (_e1861[1] > _e1914[1]) {
-                                                            phi_2702_ = true;
+                                                        let _e1922 = local_11[_e1578.member_1];
+                                                        if (_e1869[1] > _e1922[1]) {
+                                                            phi_2720_ = true;
                                                         } else {
-                                                            if (_e1861[1] == _e1914[1]) {
-                                                                phi_2701_ = (_e1861[0] > _e1914[0]);
+                                                            if (_e1869[1] == _e1922[1]) {
+                                                                phi_2719_ = (_e1869[0] > _e1922[0]);
                                                             } else {
-                                                                phi_2701_ = false;
+                                                                phi_2719_ = false;
                                                             }
-                                                            let _e1925 = phi_2701_;
-                                                            phi_2702_ = _e1925;
+                                                            let _e1933 = phi_2719_;
+                                                            phi_2720_ = _e1933;
                                                         }
-                                                        let _e1927 = phi_2702_;
-                                                        if _e1927 {
-                                                            phi_2706_ = array<u32, 2>(_e1914[0], _e1914[1]);
+                                                        let _e1935 = phi_2720_;
+                                                        if _e1935 {
+                                                            phi_2724_ = array<u32, 2>(_e1922[0], _e1922[1]);
                                                         } else {
-                                                            phi_2706_ = _e1861;
+                                                            phi_2724_ = _e1869;
                                                         }
-                                                        let _e1929 = phi_2706_;
-                                                        phi_2604_ = _e1929;
+                                                        let _e1937 = phi_2724_;
+                                                        phi_2622_ = _e1937;
                                                     } else {
-                                                        phi_2604_ = array<u32, 2>();
+                                                        phi_2622_ = array<u32, 2>();
                                                     }
-                                                    let _e1931 = phi_2604_;
+                                                    let _e1939 = phi_2622_;
                                                     continue;
                                                     continuing {
-                                                        phi_2600_ = _e1875;
-                                                        phi_2603_ = _e1931;
-                                                        break if !(_e1881);
+                                                        phi_2618_ = _e1883;
+                                                        phi_2621_ = _e1939;
+                                                        break if !(_e1889);
                                                     }
                                                 }
-                                                let _e1934 = local_26.member[0u];
-                                                let _e1936 = keys.member[_e1934];
-                                                local_8 = array<array<u32, 2>, 6>(array<u32, 2>(_e1936[0][0], _e1936[0][1]), array<u32, 2>(_e1936[1][0], _e1936[1][1]), array<u32, 2>(_e1936[2][0], _e1936[2][1]), array<u32, 2>(_e1936[3][0], _e1936[3][1]), array<u32, 2>(_e1936[4][0], _e1936[4][1]), array<u32, 2>(_e1936[5][0], _e1936[5][1]));
-                                                let _e1962 = (3u + _e1570.member_1);
-                                                if (_e1962 < 6u) {
+                                                let _e1942 = local_26.member[0u];
+                                                let _e1944 = keys.member[_e1942];
+                                                local_8 = array<array<u32, 2>, 6>(array<u32, 2>(_e1944[0][0], _e1944[0][1]), array<u32, 2>(_e1944[1][0], _e1944[1][1]), array<u32, 2>(_e1944[2][0], _e1944[2][1]), array<u32, 2>(_e1944[3][0], _e1944[3][1]), array<u32, 2>(_e1944[4][0], _e1944[4][1]), array<u32, 2>(_e1944[5][0], _e1944[5][1]));
+                                                let _e1970 = (3u + _e1578.member_1);
+                                                if (_e1970 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1965 = local_8[_e1962];
-                                                phi_2757_ = type_36(1u, 3u);
-                                                phi_2760_ = array<u32, 2>(_e1965[0], _e1965[1]);
+                                                let _e1973 = local_8[_e1970];
+                                                phi_2775_ = type_36(1u, 3u);
+                                                phi_2778_ = array<u32, 2>(_e1973[0], _e1973[1]);
                                                 loop {
-                                                    let _e1970 = phi_2757_;
-                                                    let _e1972 = phi_2760_;
-                                                    local_47 = _e1972;
-                                                    local_49 = _e1972;
-                                                    local_51 = _e1972;
-                                                    if (_e1970.member < _e1970.member_1) {
-                                                        phi_2758_ = type_36((_e1970.member + 1u), _e1970.member_1);
-                                                        phi_2783_ = type_36(1u, _e1970.member);
+                                                    let _e1978 = phi_2775_;
+                                                    let _e1980 = phi_2778_;
+                                                    local_47 = _e1980;
+                                                    local_49 = _e1980;
+                                                    local_51 = _e1980;
+                                                    if (_e1978.member < _e1978.member_1) {
+                                                        phi_2776_ = type_36((_e1978.member + 1u), _e1978.member_1);
+                                                        phi_2801_ = type_36(1u, _e1978.member);
                                                     } else {
-                                                        phi_2758_ = _e1970;
-                                                        phi_2783_ = type_36(0u, type_36().member_1);
+                                                        phi_2776_ = _e1978;
+                                                        phi_2801_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1986 = phi_2758_;
-                                                    let _e1988 = phi_2783_;
-                                                    let _e1992 = (bitcast<i32>(_e1988.member) != 0i);
-                                                    if _e1992 {
-                                                        if (_e1988.member_1 < 3u) {
+                                                    let _e1994 = phi_2776_;
+                                                    let _e1996 = phi_2801_;
+                                                    let _e2000 = (bitcast<i32>(_e1996.member) != 0i);
+                                                    if _e2000 {
+                                                        if (_e1996.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1995 = local_26.member[_e1988.member_1];
-                                                        let _e1997 = keys.member[_e1995];
-                                                        local_9 = array<array<u32, 2>, 6>(array<u32, 2>(_e1997[0][0], _e1997[0][1]), array<u32, 2>(_e1997[1][0], _e1997[1][1]), array<u32, 2>(_e1997[2][0], _e1997[2][1]), array<u32, 2>(_e1997[3][0], _e1997[3][1]), array<u32, 2>(_e1997[4][0], _e1997[4][1]), array<u32, 2>(_e1997[5][0], _e1997[5][1]));
-                                                        let _e2023 = (3u + _e1570.member_1);
-                                                        if (_e2023 < 6u) {
+                                                        let _e2003 = local_26.member[_e1996.member_1];
+                                                        let _e2005 = keys.member[_e2003];
+                                                        local_9 = array<array<u32, 2>, 6>(array<u32, 2>(_e2005[0][0], _e2005[0][1]), array<u32, 2>(_e2005[1][0], _e2005[1][1]), array<u32, 2>(_e2005[2][0], _e2005[2][1]), array<u32, 2>(_e2005[3][0], _e2005[3][1]), array<u32, 2>(_e2005[4][0], _e2005[4][1]), array<u32, 2>(_e2005[5][0], _e2005[5][1]));
+                                                        let _e2031 = (3u + _e1578.member_1);
+                                                        if (_e2031 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2026 = local_9[_e2023];
-                                                        if (_e2026[1] > _e1972[1]) {
-                                                            phi_2860_ = true;
+                                                        let _e2034 = local_9[_e2031];
+                                                        if (_e2034[1] > _e1980[1]) {
+                                                            phi_2878_ = true;
                                                         } else {
-                                                            if (_e2026[1] == _e1972[1]) {
-                                                                phi_2859_ = (_e2026[0] > _e1972[0]);
+                                                            if (_e2034[1] == _e1980[1]) {
+                                                                phi_2877_ = (_e2034[0] > _e1980[0]);
                                                             } else {
-                                                                phi_2859_ = false;
+                                                                phi_2877_ = false;
                                                             }
-                                                            let _e2037 = phi_2859_;
-                                                            phi_2860_ = _e2037;
+                                                            let _e2045 = phi_2877_;
+                                                            phi_2878_ = _e2045;
                                                         }
-                                                        let _e2039 = phi_2860_;
-                                                        if _e2039 {
-                                                            phi_2864_ = array<u32, 2>(_e2026[0], _e2026[1]);
+                                                        let _e2047 = phi_2878_;
+                                                        if _e2047 {
+                                                            phi_2882_ = array<u32, 2>(_e2034[0], _e2034[1]);
                                                         } else {
-                                                            phi_2864_ = _e1972;
+                                                            phi_2882_ = _e1980;
                                                         }
-                                                        let _e2041 = phi_2864_;
-                                                        phi_2761_ = _e2041;
+                                                        let _e2049 = phi_2882_;
+                                                        phi_2779_ = _e2049;
                                                     } else {
-                                                        phi_2761_ = array<u32, 2>();
+                                                        phi_2779_ = array<u32, 2>();
                                                     }
-                                                    let _e2043 = phi_2761_;
+                                                    let _e2051 = phi_2779_;
                                                     continue;
                                                     continuing {
-                                                        phi_2757_ = _e1986;
-                                                        phi_2760_ = _e2043;
-                                                        break if !(_e1992);
+                                                        phi_2775_ = _e1994;
+                                                        phi_2778_ = _e2051;
+                                                        break if !(_e2000);
                                                     }
                                                 }
-                                                let _e2046 = local_46;
-                                                let _e2049 = local_47;
-                                                if (_e2046[1] > _e2049[1]) {
-                                                    phi_2881_ = true;
+                                                let _e2054 = local_46;
+                                                let _e2057 = local_47;
+                                                if (_e2054[1] > _e2057[1]) {
+                                                    phi_2899_ = true;
                                                 } else {
-                                                    let _e2053 = local_48;
-                                                    let _e2056 = local_49;
-                                                    if (_e2053[1] == _e2056[1]) {
-                                                        let _e2060 = local_50;
-                                                        let _e2063 = local_51;
-                                                        phi_2880_ = (_e2060[0] > _e2063[0]);
+                                                    let _e2061 = local_48;
+                                                    let _e2064 = local_49;
+                                                    if (_e2061[1] == _e2064[1]) {
+                                                        let _e2068 = local_50;
+                                                        let _e2071 = local_51;
+                                                        phi_2898_ = (_e2068[0] > _e2071[0]);
                                                     } else {
-                                                        phi_2880_ = false;
+                                                        phi_2898_ = false;
                                                     }
-                                                    let _e2067 = phi_2880_;
-                                                    phi_2881_ = _e2067;
+                                                    let _e2075 = phi_2898_;
+                                                    phi_2899_ = _e2075;
                                                 }
-                                                let _e2069 = phi_2881_;
-                                                phi_2189_ = (_e1554 && (!(_e1821) && !(_e2069)));
+                                                let _e2077 = phi_2899_;
+                                                phi_2207_ = (_e1562 && (!(_e1829) && !(_e2077)));
                                             } else {
-                                                phi_2189_ = bool();
+                                                phi_2207_ = bool();
                                             }
-                                            let _e2074 = phi_2189_;
+                                            let _e2082 = phi_2207_;
                                             continue;
                                             continuing {
-                                                phi_2185_ = _e1568;
-                                                phi_2188_ = _e2074;
-                                                break if !(_e1574);
+                                                phi_2203_ = _e1576;
+                                                phi_2206_ = _e2082;
+                                                break if !(_e1582);
                                             }
                                         }
-                                        let _e5414 = local_66;
-                                        phi_2885_ = _e5414;
+                                        let _e5430 = local_66;
+                                        phi_2903_ = _e5430;
                                     }
-                                    let _e2077 = phi_2885_;
-                                    phi_2886_ = _e2077;
-                                    phi_2887_ = _e1548;
+                                    let _e2085 = phi_2903_;
+                                    phi_2904_ = _e2085;
+                                    phi_2905_ = _e1556;
                                 } else {
-                                    phi_2886_ = bool();
-                                    phi_2887_ = true;
+                                    phi_2904_ = bool();
+                                    phi_2905_ = true;
                                 }
-                                let _e2079 = phi_2886_;
-                                let _e2081 = phi_2887_;
-                                if _e2081 {
-                                    phi_2891_ = false;
+                                let _e2087 = phi_2904_;
+                                let _e2089 = phi_2905_;
+                                if _e2089 {
+                                    phi_2909_ = false;
                                 } else {
-                                    phi_2891_ = true;
+                                    phi_2909_ = true;
                                 }
-                                let _e2083 = phi_2891_;
-                                phi_2892_ = _e2079;
-                                phi_2893_ = _e2083;
+                                let _e2091 = phi_2909_;
+                                phi_2910_ = _e2087;
+                                phi_2911_ = _e2091;
                             } else {
-                                phi_2892_ = false;
-                                phi_2893_ = true;
+                                phi_2910_ = false;
+                                phi_2911_ = true;
                             }
-                            let _e2085 = phi_2892_;
-                            let _e2087 = phi_2893_;
-                            phi_2894_ = _e2085;
-                            phi_2895_ = _e2087;
+                            let _e2093 = phi_2910_;
+                            let _e2095 = phi_2911_;
+                            phi_2912_ = _e2093;
+                            phi_2913_ = _e2095;
                         } else {
-                            phi_2894_ = false;
-                            phi_2895_ = true;
+                            phi_2912_ = false;
+                            phi_2913_ = true;
                         }
-                        let _e2089 = phi_2894_;
-                        let _e2091 = phi_2895_;
-                        if _e2091 {
-                            phi_2899_ = _e2089;
+                        let _e2097 = phi_2912_;
+                        let _e2099 = phi_2913_;
+                        if _e2099 {
+                            phi_2917_ = _e2097;
                         } else {
-                            phi_2899_ = true;
+                            phi_2917_ = true;
                         }
-                        let _e2093 = phi_2899_;
-                        if _e2093 {
-                            let _e2095 = atomicAdd((&counters[7u]), 1u);
-                            let _e2097 = local_26.member_1;
-                            let _e2099 = local_27.member_1;
-                            if (_e2097 < _e2099) {
-                                phi_2945_ = _e1366;
-                                phi_2946_ = _e1364;
+                        let _e2101 = phi_2917_;
+                        if _e2101 {
+                            let _e2103 = atomicAdd((&counters[7u]), 1u);
+                            let _e2105 = local_26.member_1;
+                            let _e2107 = local_27.member_1;
+                            if (_e2105 < _e2107) {
+                                phi_2963_ = _e1374;
+                                phi_2964_ = _e1372;
                             } else {
-                                phi_2945_ = _e1364;
-                                phi_2946_ = _e1366;
+                                phi_2963_ = _e1372;
+                                phi_2964_ = _e1374;
                             }
-                            let _e2102 = phi_2945_;
-                            let _e2104 = phi_2946_;
-                            let _e2106 = params.member.member_4;
-                            let _e2108 = params.member.member_5;
-                            let _e2118 = paths.member[_e2104.member[0]];
-                            let _e2120 = paths.member[_e2104.member[1]];
-                            let _e2126 = paths.member[_e2102.member[0]];
-                            let _e2128 = paths.member[_e2102.member[1]];
-                            local_7 = type_71(array<array<f32, 3>, 2>(array<f32, 3>((_e2126.member[0] - _e2118.member[0]), (_e2126.member[1] - _e2118.member[1]), (_e2126.member[2] - _e2118.member[2])), array<f32, 3>((_e2126.member_1[0] - _e2118.member_1[0]), (_e2126.member_1[1] - _e2118.member_1[1]), (_e2126.member_1[2] - _e2118.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2120.member[0] - _e2118.member[0]), (_e2120.member[1] - _e2118.member[1]), (_e2120.member[2] - _e2118.member[2])), array<f32, 3>((_e2120.member_1[0] - _e2118.member_1[0]), (_e2120.member_1[1] - _e2118.member_1[1]), (_e2120.member_1[2] - _e2118.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2126.member[0] - _e2128.member[0]), (_e2126.member[1] - _e2128.member[1]), (_e2126.member[2] - _e2128.member[2])), array<f32, 3>((_e2126.member_1[0] - _e2128.member_1[0]), (_e2126.member_1[1] - _e2128.member_1[1]), (_e2126.member_1[2] - _e2128.member_1[2]))), (_e2106 + _e2106));
-                            let _e2188 = local_7.member_1[0u];
-                            let _e2194 = local_7.member_2[0u];
-                            let _e2200 = ((_e2188[1] * _e2194[2]) - (_e2188[2] * _e2194[1]));
-                            let _e2203 = ((_e2188[2] * _e2194[0]) - (_e2188[0] * _e2194[2]));
-                            let _e2206 = ((_e2188[0] * _e2194[1]) - (_e2188[1] * _e2194[0]));
-                            let _e2209 = local_7.member_1[1u];
-                            let _e2215 = local_7.member_2[1u];
-                            let _e2221 = ((_e2209[1] * _e2215[2]) - (_e2209[2] * _e2215[1]));
-                            let _e2224 = ((_e2209[2] * _e2215[0]) - (_e2209[0] * _e2215[2]));
-                            let _e2227 = ((_e2209[0] * _e2215[1]) - (_e2209[1] * _e2215[0]));
-                            let _e2230 = local_7.member_1[0u];
-                            let _e2236 = local_7.member_2[1u];
-                            let _e2251 = local_7.member_1[1u];
-                            let _e2257 = local_7.member_2[0u];
-                            let _e2270 = (((_e2230[1] * _e2236[2]) - (_e2230[2] * _e2236[1])) + ((_e2251[1] * _e2257[2]) - (_e2251[2] * _e2257[1])));
-                            let _e2271 = (((_e2230[2] * _e2236[0]) - (_e2230[0] * _e2236[2])) + ((_e2251[2] * _e2257[0]) - (_e2251[0] * _e2257[2])));
-                            let _e2272 = (((_e2230[0] * _e2236[1]) - (_e2230[1] * _e2236[0])) + ((_e2251[0] * _e2257[1]) - (_e2251[1] * _e2257[0])));
-                            let _e2275 = local_7.member[0u];
-                            let _e2286 = local_7.member[1u];
-                            let _e2297 = local_7.member[0u];
-                            let _e2306 = ((((_e2286[0] * _e2200) + (_e2286[1] * _e2203)) + (_e2286[2] * _e2206)) + (((_e2297[0] * _e2270) + (_e2297[1] * _e2271)) + (_e2297[2] * _e2272)));
-                            let _e2309 = local_7.member[0u];
-                            let _e2320 = local_7.member[1u];
-                            let _e2329 = ((((_e2309[0] * _e2221) + (_e2309[1] * _e2224)) + (_e2309[2] * _e2227)) + (((_e2320[0] * _e2270) + (_e2320[1] * _e2271)) + (_e2320[2] * _e2272)));
-                            let _e2332 = local_7.member[1u];
-                            let _e2343 = local_7.member[0u];
-                            if (_e2343[0] < 0f) {
-                                phi_3335_ = -(_e2343[0]);
+                            let _e2110 = phi_2963_;
+                            let _e2112 = phi_2964_;
+                            let _e2114 = params.member.member_4;
+                            let _e2116 = params.member.member_5;
+                            let _e2126 = paths.member[_e2112.member[0]];
+                            let _e2128 = paths.member[_e2112.member[1]];
+                            let _e2134 = paths.member[_e2110.member[0]];
+                            let _e2136 = paths.member[_e2110.member[1]];
+                            local_7 = type_71(array<array<f32, 3>, 2>(array<f32, 3>((_e2134.member[0] - _e2126.member[0]), (_e2134.member[1] - _e2126.member[1]), (_e2134.member[2] - _e2126.member[2])), array<f32, 3>((_e2134.member_1[0] - _e2126.member_1[0]), (_e2134.member_1[1] - _e2126.member_1[1]), (_e2134.member_1[2] - _e2126.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2128.member[0] - _e2126.member[0]), (_e2128.member[1] - _e2126.member[1]), (_e2128.member[2] - _e2126.member[2])), array<f32, 3>((_e2128.member_1[0] - _e2126.member_1[0]), (_e2128.member_1[1] - _e2126.member_1[1]), (_e2128.member_1[2] - _e2126.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2134.member[0] - _e2136.member[0]), (_e2134.member[1] - _e2136.member[1]), (_e2134.member[2] - _e2136.member[2])), array<f32, 3>((_e2134.member_1[0] - _e2136.member_1[0]), (_e2134.member_1[1] - _e2136.member_1[1]), (_e2134.member_1[2] - _e2136.member_1[2]))), (_e2114 + _e2114));
+                            let _e2196 = local_7.member_1[0u];
+                            let _e2202 = local_7.member_2[0u];
+                            let _e2208 = ((_e2196[1] * _e2202[2]) - (_e2196[2] * _e2202[1]));
+                            let _e2211 = ((_e2196[2] * _e2202[0]) - (_e2196[0] * _e2202[2]));
+                            let _e2214 = ((_e2196[0] * _e2202[1]) - (_e2196[1] * _e2202[0]));
+                            let _e2217 = local_7.member_1[1u];
+                            let _e2223 = local_7.member_2[1u];
+                            let _e2229 = ((_e2217[1] * _e2223[2]) - (_e2217[2] * _e2223[1]));
+                            let _e2232 = ((_e2217[2] * _e2223[0]) - (_e2217[0] * _e2223[2]));
+                            let _e2235 = ((_e2217[0] * _e2223[1]) - (_e2217[1] * _e2223[0]));
+                            let _e2238 = local_7.member_1[0u];
+                            let _e2244 = local_7.member_2[1u];
+                            let _e2259 = local_7.member_1[1u];
+                            let _e2265 = local_7.member_2[0u];
+                            let _e2278 = (((_e2238[1] * _e2244[2]) - (_e2238[2] * _e2244[1])) + ((_e2259[1] * _e2265[2]) - (_e2259[2] * _e2265[1])));
+                            let _e2279 = (((_e2238[2] * _e2244[0]) - (_e2238[0] * _e2244[2])) + ((_e2259[2] * _e2265[0]) - (_e2259[0] * _e2265[2])));
+                            let _e2280 = (((_e2238[0] * _e2244[1]) - (_e2238[1] * _e2244[0])) + ((_e2259[0] * _e2265[1]) - (_e2259[1] * _e2265[0])));
+                            let _e2283 = local_7.member[0u];
+                            let _e2294 = local_7.member[1u];
+                            let _e2305 = local_7.member[0u];
+                            let _e2314 = ((((_e2294[0] * _e2208) + (_e2294[1] * _e2211)) + (_e2294[2] * _e2214)) + (((_e2305[0] * _e2278) + (_e2305[1] * _e2279)) + (_e2305[2] * _e2280)));
+                            let _e2317 = local_7.member[0u];
+                            let _e2328 = local_7.member[1u];
+                            let _e2337 = ((((_e2317[0] * _e2229) + (_e2317[1] * _e2232)) + (_e2317[2] * _e2235)) + (((_e2328[0] * _e2278) + (_e2328[1] * _e2279)) + (_e2328[2] * _e2280)));
+                            let _e2340 = local_7.member[1u];
+                            let _e2351 = local_7.member[0u];
+                            if (_e2351[0] < 0f) {
+                                phi_3353_ = -(_e2351[0]);
                             } else {
-                                phi_3335_ = _e2343[0];
+                                phi_3353_ = _e2351[0];
                             }
-                            let _e2350 = phi_3335_;
-                            if (_e2343[1] < 0f) {
-                                phi_3342_ = -(_e2343[1]);
+                            let _e2358 = phi_3353_;
+                            if (_e2351[1] < 0f) {
+                                phi_3360_ = -(_e2351[1]);
                             } else {
-                                phi_3342_ = _e2343[1];
+                                phi_3360_ = _e2351[1];
                             }
-                            let _e2354 = phi_3342_;
-                            if (_e2350 > _e2354) {
-                                phi_3347_ = _e2350;
+                            let _e2362 = phi_3360_;
+                            if (_e2358 > _e2362) {
+                                phi_3365_ = _e2358;
                             } else {
-                                phi_3347_ = _e2354;
+                                phi_3365_ = _e2362;
                             }
-                            let _e2357 = phi_3347_;
-                            if (_e2343[2] < 0f) {
-                                phi_3354_ = -(_e2343[2]);
+                            let _e2365 = phi_3365_;
+                            if (_e2351[2] < 0f) {
+                                phi_3372_ = -(_e2351[2]);
                             } else {
-                                phi_3354_ = _e2343[2];
+                                phi_3372_ = _e2351[2];
                             }
-                            let _e2361 = phi_3354_;
-                            if (_e2357 > _e2361) {
-                                phi_3359_ = _e2357;
+                            let _e2369 = phi_3372_;
+                            if (_e2365 > _e2369) {
+                                phi_3377_ = _e2365;
                             } else {
-                                phi_3359_ = _e2361;
+                                phi_3377_ = _e2369;
                             }
-                            let _e2364 = phi_3359_;
-                            let _e2367 = local_7.member[1u];
-                            if (_e2367[0] < 0f) {
-                                phi_3372_ = -(_e2367[0]);
+                            let _e2372 = phi_3377_;
+                            let _e2375 = local_7.member[1u];
+                            if (_e2375[0] < 0f) {
+                                phi_3390_ = -(_e2375[0]);
                             } else {
-                                phi_3372_ = _e2367[0];
+                                phi_3390_ = _e2375[0];
                             }
-                            let _e2374 = phi_3372_;
-                            if (_e2367[1] < 0f) {
-                                phi_3379_ = -(_e2367[1]);
+                            let _e2382 = phi_3390_;
+                            if (_e2375[1] < 0f) {
+                                phi_3397_ = -(_e2375[1]);
                             } else {
-                                phi_3379_ = _e2367[1];
+                                phi_3397_ = _e2375[1];
                             }
-                            let _e2378 = phi_3379_;
-                            if (_e2374 > _e2378) {
-                                phi_3384_ = _e2374;
+                            let _e2386 = phi_3397_;
+                            if (_e2382 > _e2386) {
+                                phi_3402_ = _e2382;
                             } else {
-                                phi_3384_ = _e2378;
+                                phi_3402_ = _e2386;
                             }
-                            let _e2381 = phi_3384_;
-                            if (_e2367[2] < 0f) {
-                                phi_3391_ = -(_e2367[2]);
+                            let _e2389 = phi_3402_;
+                            if (_e2375[2] < 0f) {
+                                phi_3409_ = -(_e2375[2]);
                             } else {
-                                phi_3391_ = _e2367[2];
+                                phi_3409_ = _e2375[2];
                             }
-                            let _e2385 = phi_3391_;
-                            if (_e2381 > _e2385) {
-                                phi_3396_ = _e2381;
+                            let _e2393 = phi_3409_;
+                            if (_e2389 > _e2393) {
+                                phi_3414_ = _e2389;
                             } else {
-                                phi_3396_ = _e2385;
+                                phi_3414_ = _e2393;
                             }
-                            let _e2388 = phi_3396_;
-                            if (_e2364 > _e2388) {
-                                phi_3401_ = _e2364;
+                            let _e2396 = phi_3414_;
+                            if (_e2372 > _e2396) {
+                                phi_3419_ = _e2372;
                             } else {
-                                phi_3401_ = _e2388;
+                                phi_3419_ = _e2396;
                             }
-                            let _e2391 = phi_3401_;
-                            let _e2393 = local_7.member_3;
-                            let _e2394 = (_e2391 + _e2393);
-                            let _e2397 = local_7.member_1[0u];
-                            if (_e2397[0] < 0f) {
-                                phi_3418_ = -(_e2397[0]);
+                            let _e2399 = phi_3419_;
+                            let _e2401 = local_7.member_3;
+                            let _e2402 = (_e2399 + _e2401);
+                            let _e2405 = local_7.member_1[0u];
+                            if (_e2405[0] < 0f) {
+                                phi_3436_ = -(_e2405[0]);
                             } else {
-                                phi_3418_ = _e2397[0];
+                                phi_3436_ = _e2405[0];
                             }
-                            let _e2404 = phi_3418_;
-                            if (_e2397[1] < 0f) {
-                                phi_3425_ = -(_e2397[1]);
+                            let _e2412 = phi_3436_;
+                            if (_e2405[1] < 0f) {
+                                phi_3443_ = -(_e2405[1]);
                             } else {
-                                phi_3425_ = _e2397[1];
+                                phi_3443_ = _e2405[1];
                             }
-                            let _e2408 = phi_3425_;
-                            if (_e2404 > _e2408) {
-                                phi_3430_ = _e2404;
+                            let _e2416 = phi_3443_;
+                            if (_e2412 > _e2416) {
+                                phi_3448_ = _e2412;
                             } else {
-                                phi_3430_ = _e2408;
+                                phi_3448_ = _e2416;
                             }
-                            let _e2411 = phi_3430_;
-                            if (_e2397[2] < 0f) {
-                                phi_3437_ = -(_e2397[2]);
+                            let _e2419 = phi_3448_;
+                            if (_e2405[2] < 0f) {
+                                phi_3455_ = -(_e2405[2]);
                             } else {
-                                phi_3437_ = _e2397[2];
+                                phi_3455_ = _e2405[2];
                             }
-                            let _e2415 = phi_3437_;
-                            if (_e2411 > _e2415) {
-                                phi_3442_ = _e2411;
+                            let _e2423 = phi_3455_;
+                            if (_e2419 > _e2423) {
+                                phi_3460_ = _e2419;
                             } else {
-                                phi_3442_ = _e2415;
+                                phi_3460_ = _e2423;
                             }
-                            let _e2418 = phi_3442_;
-                            let _e2421 = local_7.member_1[1u];
-                            if (_e2421[0] < 0f) {
-                                phi_3456_ = -(_e2421[0]);
+                            let _e2426 = phi_3460_;
+                            let _e2429 = local_7.member_1[1u];
+                            if (_e2429[0] < 0f) {
+                                phi_3474_ = -(_e2429[0]);
                             } else {
-                                phi_3456_ = _e2421[0];
+                                phi_3474_ = _e2429[0];
                             }
-                            let _e2428 = phi_3456_;
-                            if (_e2421[1] < 0f) {
-                                phi_3463_ = -(_e2421[1]);
+                            let _e2436 = phi_3474_;
+                            if (_e2429[1] < 0f) {
+                                phi_3481_ = -(_e2429[1]);
                             } else {
-                                phi_3463_ = _e2421[1];
+                                phi_3481_ = _e2429[1];
                             }
-                            let _e2432 = phi_3463_;
-                            if (_e2428 > _e2432) {
-                                phi_3468_ = _e2428;
+                            let _e2440 = phi_3481_;
+                            if (_e2436 > _e2440) {
+                                phi_3486_ = _e2436;
                             } else {
-                                phi_3468_ = _e2432;
+                                phi_3486_ = _e2440;
                             }
-                            let _e2435 = phi_3468_;
-                            if (_e2421[2] < 0f) {
-                                phi_3475_ = -(_e2421[2]);
+                            let _e2443 = phi_3486_;
+                            if (_e2429[2] < 0f) {
+                                phi_3493_ = -(_e2429[2]);
                             } else {
-                                phi_3475_ = _e2421[2];
+                                phi_3493_ = _e2429[2];
                             }
-                            let _e2439 = phi_3475_;
-                            if (_e2435 > _e2439) {
-                                phi_3480_ = _e2435;
+                            let _e2447 = phi_3493_;
+                            if (_e2443 > _e2447) {
+                                phi_3498_ = _e2443;
                             } else {
-                                phi_3480_ = _e2439;
+                                phi_3498_ = _e2447;
                             }
-                            let _e2442 = phi_3480_;
-                            if (_e2418 > _e2442) {
-                                phi_3485_ = _e2418;
+                            let _e2450 = phi_3498_;
+                            if (_e2426 > _e2450) {
+                                phi_3503_ = _e2426;
                             } else {
-                                phi_3485_ = _e2442;
+                                phi_3503_ = _e2450;
                             }
-                            let _e2445 = phi_3485_;
-                            let _e2447 = local_7.member_3;
-                            let _e2448 = (_e2445 + _e2447);
-                            let _e2451 = local_7.member_2[0u];
-                            if (_e2451[0] < 0f) {
-                                phi_3502_ = -(_e2451[0]);
+                            let _e2453 = phi_3503_;
+                            let _e2455 = local_7.member_3;
+                            let _e2456 = (_e2453 + _e2455);
+                            let _e2459 = local_7.member_2[0u];
+                            if (_e2459[0] < 0f) {
+                                phi_3520_ = -(_e2459[0]);
                             } else {
-                                phi_3502_ = _e2451[0];
+                                phi_3520_ = _e2459[0];
                             }
-                            let _e2458 = phi_3502_;
-                            if (_e2451[1] < 0f) {
-                                phi_3509_ = -(_e2451[1]);
+                            let _e2466 = phi_3520_;
+                            if (_e2459[1] < 0f) {
+                                phi_3527_ = -(_e2459[1]);
                             } else {
-                                phi_3509_ = _e2451[1];
+                                phi_3527_ = _e2459[1];
                             }
-                            let _e2462 = phi_3509_;
-                            if (_e2458 > _e2462) {
-                                phi_3514_ = _e2458;
+                            let _e2470 = phi_3527_;
+                            if (_e2466 > _e2470) {
+                                phi_3532_ = _e2466;
                             } else {
-                                phi_3514_ = _e2462;
+                                phi_3532_ = _e2470;
                             }
-                            let _e2465 = phi_3514_;
-                            if (_e2451[2] < 0f) {
-                                phi_3521_ = -(_e2451[2]);
+                            let _e2473 = phi_3532_;
+                            if (_e2459[2] < 0f) {
+                                phi_3539_ = -(_e2459[2]);
                             } else {
-                                phi_3521_ = _e2451[2];
+                                phi_3539_ = _e2459[2];
                             }
-                            let _e2469 = phi_3521_;
-                            if (_e2465 > _e2469) {
-                                phi_3526_ = _e2465;
+                            let _e2477 = phi_3539_;
+                            if (_e2473 > _e2477) {
+                                phi_3544_ = _e2473;
                             } else {
-                                phi_3526_ = _e2469;
+                                phi_3544_ = _e2477;
                             }
-                            let _e2472 = phi_3526_;
-                            let _e2475 = local_7.member_2[1u];
-                            if (_e2475[0] < 0f) {
-                                phi_3540_ = -(_e2475[0]);
+                            let _e2480 = phi_3544_;
+                            let _e2483 = local_7.member_2[1u];
+                            if (_e2483[0] < 0f) {
+                                phi_3558_ = -(_e2483[0]);
                             } else {
-                                phi_3540_ = _e2475[0];
+                                phi_3558_ = _e2483[0];
                             }
-                            let _e2482 = phi_3540_;
-                            if (_e2475[1] < 0f) {
-                                phi_3547_ = -(_e2475[1]);
+                            let _e2490 = phi_3558_;
+                            if (_e2483[1] < 0f) {
+                                phi_3565_ = -(_e2483[1]);
                             } else {
-                                phi_3547_ = _e2475[1];
+                                phi_3565_ = _e2483[1];
                             }
-                            let _e2486 = phi_3547_;
-                            if (_e2482 > _e2486) {
-                                phi_3552_ = _e2482;
+                            let _e2494 = phi_3565_;
+                            if (_e2490 > _e2494) {
+                                phi_3570_ = _e2490;
                             } else {
-                                phi_3552_ = _e2486;
+                                phi_3570_ = _e2494;
                             }
-                            let _e2489 = phi_3552_;
-                            if (_e2475[2] < 0f) {
-                                phi_3559_ = -(_e2475[2]);
+                            let _e2497 = phi_3570_;
+                            if (_e2483[2] < 0f) {
+                                phi_3577_ = -(_e2483[2]);
                             } else {
-                                phi_3559_ = _e2475[2];
+                                phi_3577_ = _e2483[2];
                             }
-                            let _e2493 = phi_3559_;
-                            if (_e2489 > _e2493) {
-                                phi_3564_ = _e2489;
+                            let _e2501 = phi_3577_;
+                            if (_e2497 > _e2501) {
+                                phi_3582_ = _e2497;
                             } else {
-                                phi_3564_ = _e2493;
+                                phi_3582_ = _e2501;
                             }
-                            let _e2496 = phi_3564_;
-                            if (_e2472 > _e2496) {
-                                phi_3569_ = _e2472;
+                            let _e2504 = phi_3582_;
+                            if (_e2480 > _e2504) {
+                                phi_3587_ = _e2480;
                             } else {
-                                phi_3569_ = _e2496;
+                                phi_3587_ = _e2504;
                             }
-                            let _e2499 = phi_3569_;
-                            let _e2501 = local_7.member_3;
-                            let _e2502 = (_e2499 + _e2501);
-                            let _e2504 = ((_e2448 * 8f) * _e2502);
-                            let _e2511 = local_7.member_3;
-                            if (_e2200 < 0f) {
-                                phi_3600_ = -(_e2200);
+                            let _e2507 = phi_3587_;
+                            let _e2509 = local_7.member_3;
+                            let _e2510 = (_e2507 + _e2509);
+                            let _e2512 = ((_e2456 * 8f) * _e2510);
+                            let _e2519 = local_7.member_3;
+                            if (_e2208 < 0f) {
+                                phi_3618_ = -(_e2208);
                             } else {
-                                phi_3600_ = _e2200;
+                                phi_3618_ = _e2208;
                             }
-                            let _e2528 = phi_3600_;
-                            if (_e2203 < 0f) {
-                                phi_3606_ = -(_e2203);
+                            let _e2536 = phi_3618_;
+                            if (_e2211 < 0f) {
+                                phi_3624_ = -(_e2211);
                             } else {
-                                phi_3606_ = _e2203;
+                                phi_3624_ = _e2211;
                             }
-                            let _e2532 = phi_3606_;
-                            if (_e2206 < 0f) {
-                                phi_3613_ = -(_e2206);
+                            let _e2540 = phi_3624_;
+                            if (_e2214 < 0f) {
+                                phi_3631_ = -(_e2214);
                             } else {
-                                phi_3613_ = _e2206;
+                                phi_3631_ = _e2214;
                             }
-                            let _e2537 = phi_3613_;
-                            let _e2538 = ((_e2528 + _e2532) + _e2537);
-                            if (_e2221 < 0f) {
-                                phi_3620_ = -(_e2221);
+                            let _e2545 = phi_3631_;
+                            let _e2546 = ((_e2536 + _e2540) + _e2545);
+                            if (_e2229 < 0f) {
+                                phi_3638_ = -(_e2229);
                             } else {
-                                phi_3620_ = _e2221;
+                                phi_3638_ = _e2229;
                             }
-                            let _e2542 = phi_3620_;
-                            if (_e2224 < 0f) {
-                                phi_3626_ = -(_e2224);
+                            let _e2550 = phi_3638_;
+                            if (_e2232 < 0f) {
+                                phi_3644_ = -(_e2232);
                             } else {
-                                phi_3626_ = _e2224;
+                                phi_3644_ = _e2232;
                             }
-                            let _e2546 = phi_3626_;
-                            if (_e2227 < 0f) {
-                                phi_3633_ = -(_e2227);
+                            let _e2554 = phi_3644_;
+                            if (_e2235 < 0f) {
+                                phi_3651_ = -(_e2235);
                             } else {
-                                phi_3633_ = _e2227;
+                                phi_3651_ = _e2235;
                             }
-                            let _e2551 = phi_3633_;
-                            let _e2552 = ((_e2542 + _e2546) + _e2551);
-                            if (_e2538 > _e2552) {
-                                phi_3639_ = _e2538;
+                            let _e2559 = phi_3651_;
+                            let _e2560 = ((_e2550 + _e2554) + _e2559);
+                            if (_e2546 > _e2560) {
+                                phi_3657_ = _e2546;
                             } else {
-                                phi_3639_ = _e2552;
+                                phi_3657_ = _e2560;
                             }
-                            let _e2555 = phi_3639_;
-                            if (_e2270 < 0f) {
-                                phi_3645_ = -(_e2270);
+                            let _e2563 = phi_3657_;
+                            if (_e2278 < 0f) {
+                                phi_3663_ = -(_e2278);
                             } else {
-                                phi_3645_ = _e2270;
+                                phi_3663_ = _e2278;
                             }
-                            let _e2559 = phi_3645_;
-                            if (_e2271 < 0f) {
-                                phi_3651_ = -(_e2271);
+                            let _e2567 = phi_3663_;
+                            if (_e2279 < 0f) {
+                                phi_3669_ = -(_e2279);
                             } else {
-                                phi_3651_ = _e2271;
+                                phi_3669_ = _e2279;
                             }
-                            let _e2563 = phi_3651_;
-                            if (_e2272 < 0f) {
-                                phi_3658_ = -(_e2272);
+                            let _e2571 = phi_3669_;
+                            if (_e2280 < 0f) {
+                                phi_3676_ = -(_e2280);
                             } else {
-                                phi_3658_ = _e2272;
+                                phi_3676_ = _e2280;
                             }
-                            let _e2568 = phi_3658_;
-                            let _e2570 = (((_e2559 + _e2563) + _e2568) * 0.5f);
-                            if (_e2555 > _e2570) {
-                                phi_3665_ = _e2555;
+                            let _e2576 = phi_3676_;
+                            let _e2578 = (((_e2567 + _e2571) + _e2576) * 0.5f);
+                            if (_e2563 > _e2578) {
+                                phi_3683_ = _e2563;
                             } else {
-                                phi_3665_ = _e2570;
+                                phi_3683_ = _e2578;
                             }
-                            let _e2573 = phi_3665_;
-                            let _e2578 = local_7.member_3;
-                            let _e2591 = ((((_e2275[0] * _e2200) + (_e2275[1] * _e2203)) + (_e2275[2] * _e2206)) * 3f);
-                            let _e2592 = ((((_e2332[0] * _e2221) + (_e2332[1] * _e2224)) + (_e2332[2] * _e2227)) * 3f);
-                            if (_e2591 < _e2592) {
-                                phi_3689_ = _e2591;
+                            let _e2581 = phi_3683_;
+                            let _e2586 = local_7.member_3;
+                            let _e2599 = ((((_e2283[0] * _e2208) + (_e2283[1] * _e2211)) + (_e2283[2] * _e2214)) * 3f);
+                            let _e2600 = ((((_e2340[0] * _e2229) + (_e2340[1] * _e2232)) + (_e2340[2] * _e2235)) * 3f);
+                            if (_e2599 < _e2600) {
+                                phi_3707_ = _e2599;
                             } else {
-                                phi_3689_ = _e2592;
+                                phi_3707_ = _e2600;
                             }
-                            let _e2595 = phi_3689_;
-                            if (_e2306 < _e2329) {
-                                phi_3694_ = _e2306;
+                            let _e2603 = phi_3707_;
+                            if (_e2314 < _e2337) {
+                                phi_3712_ = _e2314;
                             } else {
-                                phi_3694_ = _e2329;
+                                phi_3712_ = _e2337;
                             }
-                            let _e2598 = phi_3694_;
-                            if (_e2595 < _e2598) {
-                                phi_3699_ = _e2595;
+                            let _e2606 = phi_3712_;
+                            if (_e2603 < _e2606) {
+                                phi_3717_ = _e2603;
                             } else {
-                                phi_3699_ = _e2598;
+                                phi_3717_ = _e2606;
                             }
-                            let _e2601 = phi_3699_;
-                            if (_e2591 > _e2592) {
-                                phi_3704_ = _e2591;
+                            let _e2609 = phi_3717_;
+                            if (_e2599 > _e2600) {
+                                phi_3722_ = _e2599;
                             } else {
-                                phi_3704_ = _e2592;
+                                phi_3722_ = _e2600;
                             }
-                            let _e2604 = phi_3704_;
-                            if (_e2306 > _e2329) {
-                                phi_3709_ = _e2306;
+                            let _e2612 = phi_3722_;
+                            if (_e2314 > _e2337) {
+                                phi_3727_ = _e2314;
                             } else {
-                                phi_3709_ = _e2329;
+                                phi_3727_ = _e2337;
                             }
-                            let _e2607 = phi_3709_;
-                            if (_e2604 > _e2607) {
-                                phi_3714_ = _e2604;
+                            let _e2615 = phi_3727_;
+                            if (_e2612 > _e2615) {
+                                phi_3732_ = _e2612;
                             } else {
-                                phi_3714_ = _e2607;
+                                phi_3732_ = _e2615;
                             }
-                            let _e2610 = phi_3714_;
-                            let _e2615 = -(_e2610);
-                            if (_e2601 > _e2615) {
-                                phi_3724_ = _e2601;
+                            let _e2618 = phi_3732_;
+                            let _e2623 = -(_e2618);
+                            if (_e2609 > _e2623) {
+                                phi_3742_ = _e2609;
                             } else {
-                                phi_3724_ = _e2615;
+                                phi_3742_ = _e2623;
                             }
-                            let _e2618 = phi_3724_;
-                            if ((_e2618 - ((((((_e2394 * 8f) * _e2504) * (0.000000059604645f * (490f / 64f))) + ((_e2511 * 19f) * ((_e2394 * (_e2448 + _e2502)) + (_e2448 * _e2502)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2394) * ((1f + _e2448) * (1f + _e2502))))) + ((_e2108 * (((_e2573 + (_e2504 * (0.000000059604645f * 4f))) + ((_e2578 * 6f) * (_e2448 + _e2502))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2448) * (1f + _e2502))))) * (3f * 1.0001f)))) > 0f) {
-                                phi_4700_ = true;
+                            let _e2626 = phi_3742_;
+                            if ((_e2626 - ((((((_e2402 * 8f) * _e2512) * (0.000000059604645f * (490f / 64f))) + ((_e2519 * 19f) * ((_e2402 * (_e2456 + _e2510)) + (_e2456 * _e2510)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2402) * ((1f + _e2456) * (1f + _e2510))))) + ((_e2116 * (((_e2581 + (_e2512 * (0.000000059604645f * 4f))) + ((_e2586 * 6f) * (_e2456 + _e2510))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2456) * (1f + _e2510))))) * (3f * 1.0001f)))) > 0f) {
+                                phi_4718_ = true;
                             } else {
-                                let _e2623 = local_7.member_1[0u];
-                                let _e2629 = local_7.member_1[1u];
-                                let _e2633 = (_e2623[0] + _e2629[0]);
-                                let _e2634 = (_e2623[1] + _e2629[1]);
-                                let _e2635 = (_e2623[2] + _e2629[2]);
-                                let _e2638 = local_7.member_2[0u];
-                                let _e2644 = local_7.member_2[1u];
-                                let _e2648 = (_e2638[0] + _e2644[0]);
-                                let _e2649 = (_e2638[1] + _e2644[1]);
-                                let _e2650 = (_e2638[2] + _e2644[2]);
-                                let _e2653 = ((_e2634 * _e2650) - (_e2635 * _e2649));
-                                let _e2656 = ((_e2635 * _e2648) - (_e2633 * _e2650));
-                                let _e2659 = ((_e2633 * _e2649) - (_e2634 * _e2648));
-                                let _e2662 = local_7.member[0u];
-                                let _e2668 = local_7.member_1[0u];
-                                let _e2674 = local_7.member_2[0u];
-                                let _e2678 = (_e2662[0] - _e2668[0]);
-                                let _e2679 = (_e2662[1] - _e2668[1]);
-                                let _e2680 = (_e2662[2] - _e2668[2]);
-                                let _e2689 = local_7.member[1u];
-                                let _e2695 = local_7.member_1[1u];
-                                let _e2701 = local_7.member_2[1u];
-                                let _e2705 = (_e2689[0] - _e2695[0]);
-                                let _e2706 = (_e2689[1] - _e2695[1]);
-                                let _e2707 = (_e2689[2] - _e2695[2]);
-                                local_5 = array<array<f32, 3>, 4>(_e2662, array<f32, 3>(_e2678, _e2679, _e2680), array<f32, 3>((_e2662[0] - _e2674[0]), (_e2662[1] - _e2674[1]), (_e2662[2] - _e2674[2])), array<f32, 3>((_e2678 - _e2674[0]), (_e2679 - _e2674[1]), (_e2680 - _e2674[2])));
-                                local_6 = array<array<f32, 3>, 4>(_e2689, array<f32, 3>(_e2705, _e2706, _e2707), array<f32, 3>((_e2689[0] - _e2701[0]), (_e2689[1] - _e2701[1]), (_e2689[2] - _e2701[2])), array<f32, 3>((_e2705 - _e2701[0]), (_e2706 - _e2701[1]), (_e2707 - _e2701[2])));
-                                let _e2724 = local_7.member[0u];
-                                if (_e2724[0] < 0f) {
-                                    phi_3975_ = -(_e2724[0]);
+                                let _e2631 = local_7.member_1[0u];
+                                let _e2637 = local_7.member_1[1u];
+                                let _e2641 = (_e2631[0] + _e2637[0]);
+                                let _e2642 = (_e2631[1] + _e2637[1]);
+                                let _e2643 = (_e2631[2] + _e2637[2]);
+                                let _e2646 = local_7.member_2[0u];
+                                let _e2652 = local_7.member_2[1u];
+                                let _e2656 = (_e2646[0] + _e2652[0]);
+                                let _e2657 = (_e2646[1] + _e2652[1]);
+                                let _e2658 = (_e2646[2] + _e2652[2]);
+                                let _e2661 = ((_e2642 * _e2658) - (_e2643 * _e2657));
+                                let _e2664 = ((_e2643 * _e2656) - (_e2641 * _e2658));
+                                let _e2667 = ((_e2641 * _e2657) - (_e2642 * _e2656));
+                                let _e2670 = local_7.member[0u];
+                                let _e2676 = local_7.member_1[0u];
+                                let _e2682 = local_7.member_2[0u];
+                                let _e2686 = (_e2670[0] - _e2676[0]);
+                                let _e2687 = (_e2670[1] - _e2676[1]);
+                                let _e2688 = (_e2670[2] - _e2676[2]);
+                                let _e2697 = local_7.member[1u];
+                                let _e2703 = local_7.member_1[1u];
+                                let _e2709 = local_7.member_2[1u];
+                                let _e2713 = (_e2697[0] - _e2703[0]);
+                                let _e2714 = (_e2697[1] - _e2703[1]);
+                                let _e2715 = (_e2697[2] - _e2703[2]);
+                                local_5 = array<array<f32, 3>, 4>(_e2670, array<f32, 3>(_e2686, _e2687, _e2688), array<f32, 3>((_e2670[0] - _e2682[0]), (_e2670[1] - _e2682[1]), (_e2670[2] - _e2682[2])), array<f32, 3>((_e2686 - _e2682[0]), (_e2687 - _e2682[1]), (_e2688 - _e2682[2])));
+                                local_6 = array<array<f32, 3>, 4>(_e2697, array<f32, 3>(_e2713, _e2714, _e2715), array<f32, 3>((_e2697[0] - _e2709[0]), (_e2697[1] - _e2709[1]), (_e2697[2] - _e2709[2])), array<f32, 3>((_e2713 - _e2709[0]), (_e2714 - _e2709[1]), (_e2715 - _e2709[2])));
+                                let _e2732 = local_7.member[0u];
+                                if (_e2732[0] < 0f) {
+                                    phi_3993_ = -(_e2732[0]);
                                 } else {
-                                    phi_3975_ = _e2724[0];
+                                    phi_3993_ = _e2732[0];
                                 }
-                                let _e2731 = phi_3975_;
-                                if (_e2724[1] < 0f) {
-                                    phi_3982_ = -(_e2724[1]);
+                                let _e2739 = phi_3993_;
+                                if (_e2732[1] < 0f) {
+                                    phi_4000_ = -(_e2732[1]);
                                 } else {
-                                    phi_3982_ = _e2724[1];
+                                    phi_4000_ = _e2732[1];
                                 }
-                                let _e2735 = phi_3982_;
-                                if (_e2731 > _e2735) {
-                                    phi_3987_ = _e2731;
+                                let _e2743 = phi_4000_;
+                                if (_e2739 > _e2743) {
+                                    phi_4005_ = _e2739;
                                 } else {
-                                    phi_3987_ = _e2735;
+                                    phi_4005_ = _e2743;
                                 }
-                                let _e2738 = phi_3987_;
-                                if (_e2724[2] < 0f) {
-                                    phi_3994_ = -(_e2724[2]);
+                                let _e2746 = phi_4005_;
+                                if (_e2732[2] < 0f) {
+                                    phi_4012_ = -(_e2732[2]);
                                 } else {
-                                    phi_3994_ = _e2724[2];
+                                    phi_4012_ = _e2732[2];
                                 }
-                                let _e2742 = phi_3994_;
-                                if (_e2738 > _e2742) {
-                                    phi_3999_ = _e2738;
+                                let _e2750 = phi_4012_;
+                                if (_e2746 > _e2750) {
+                                    phi_4017_ = _e2746;
                                 } else {
-                                    phi_3999_ = _e2742;
+                                    phi_4017_ = _e2750;
                                 }
-                                let _e2745 = phi_3999_;
-                                let _e2748 = local_7.member[1u];
-                                if (_e2748[0] < 0f) {
-                                    phi_4012_ = -(_e2748[0]);
+                                let _e2753 = phi_4017_;
+                                let _e2756 = local_7.member[1u];
+                                if (_e2756[0] < 0f) {
+                                    phi_4030_ = -(_e2756[0]);
                                 } else {
-                                    phi_4012_ = _e2748[0];
+                                    phi_4030_ = _e2756[0];
                                 }
-                                let _e2755 = phi_4012_;
-                                if (_e2748[1] < 0f) {
-                                    phi_4019_ = -(_e2748[1]);
+                                let _e2763 = phi_4030_;
+                                if (_e2756[1] < 0f) {
+                                    phi_4037_ = -(_e2756[1]);
                                 } else {
-                                    phi_4019_ = _e2748[1];
+                                    phi_4037_ = _e2756[1];
                                 }
-                                let _e2759 = phi_4019_;
-                                if (_e2755 > _e2759) {
-                                    phi_4024_ = _e2755;
+                                let _e2767 = phi_4037_;
+                                if (_e2763 > _e2767) {
+                                    phi_4042_ = _e2763;
                                 } else {
-                                    phi_4024_ = _e2759;
+                                    phi_4042_ = _e2767;
                                 }
-                                let _e2762 = phi_4024_;
-                                if (_e2748[2] < 0f) {
-                                    phi_4031_ = -(_e2748[2]);
+                                let _e2770 = phi_4042_;
+                                if (_e2756[2] < 0f) {
+                                    phi_4049_ = -(_e2756[2]);
                                 } else {
-                                    phi_4031_ = _e2748[2];
+                                    phi_4049_ = _e2756[2];
                                 }
-                                let _e2766 = phi_4031_;
-                                if (_e2762 > _e2766) {
-                                    phi_4036_ = _e2762;
+                                let _e2774 = phi_4049_;
+                                if (_e2770 > _e2774) {
+                                    phi_4054_ = _e2770;
                                 } else {
-                                    phi_4036_ = _e2766;
+                                    phi_4054_ = _e2774;
                                 }
-                                let _e2769 = phi_4036_;
-                                if (_e2745 > _e2769) {
-                                    phi_4041_ = _e2745;
+                                let _e2777 = phi_4054_;
+                                if (_e2753 > _e2777) {
+                                    phi_4059_ = _e2753;
                                 } else {
-                                    phi_4041_ = _e2769;
+                                    phi_4059_ = _e2777;
                                 }
-                                let _e2772 = phi_4041_;
-                                let _e2774 = local_7.member_3;
-                                let _e2778 = local_7.member_1[0u];
-                                if (_e2778[0] < 0f) {
-                                    phi_4058_ = -(_e2778[0]);
+                                let _e2780 = phi_4059_;
+                                let _e2782 = local_7.member_3;
+                                let _e2786 = local_7.member_1[0u];
+                                if (_e2786[0] < 0f) {
+                                    phi_4076_ = -(_e2786[0]);
                                 } else {
-                                    phi_4058_ = _e2778[0];
+                                    phi_4076_ = _e2786[0];
                                 }
-                                let _e2785 = phi_4058_;
-                                if (_e2778[1] < 0f) {
-                                    phi_4065_ = -(_e2778[1]);
+                                let _e2793 = phi_4076_;
+                                if (_e2786[1] < 0f) {
+                                    phi_4083_ = -(_e2786[1]);
                                 } else {
-                                    phi_4065_ = _e2778[1];
+                                    phi_4083_ = _e2786[1];
                                 }
-                                let _e2789 = phi_4065_;
-                                if (_e2785 > _e2789) {
-                                    phi_4070_ = _e2785;
+                                let _e2797 = phi_4083_;
+                                if (_e2793 > _e2797) {
+                                    phi_4088_ = _e2793;
                                 } else {
-                                    phi_4070_ = _e2789;
+                                    phi_4088_ = _e2797;
                                 }
-                                let _e2792 = phi_4070_;
-                                if (_e2778[2] < 0f) {
-                                    phi_4077_ = -(_e2778[2]);
+                                let _e2800 = phi_4088_;
+                                if (_e2786[2] < 0f) {
+                                    phi_4095_ = -(_e2786[2]);
                                 } else {
-                                    phi_4077_ = _e2778[2];
+                                    phi_4095_ = _e2786[2];
                                 }
-                                let _e2796 = phi_4077_;
-                                if (_e2792 > _e2796) {
-                                    phi_4082_ = _e2792;
+                                let _e2804 = phi_4095_;
+                                if (_e2800 > _e2804) {
+                                    phi_4100_ = _e2800;
                                 } else {
-                                    phi_4082_ = _e2796;
+                                    phi_4100_ = _e2804;
                                 }
-                                let _e2799 = phi_4082_;
-                                let _e2802 = local_7.member_1[1u];
-                                if (_e2802[0] < 0f) {
-                                    phi_4096_ = -(_e2802[0]);
+                                let _e2807 = phi_4100_;
+                                let _e2810 = local_7.member_1[1u];
+                                if (_e2810[0] < 0f) {
+                                    phi_4114_ = -(_e2810[0]);
                                 } else {
-                                    phi_4096_ = _e2802[0];
+                                    phi_4114_ = _e2810[0];
                                 }
-                                let _e2809 = phi_4096_;
-                                if (_e2802[1] < 0f) {
-                                    phi_4103_ = -(_e2802[1]);
+                                let _e2817 = phi_4114_;
+                                if (_e2810[1] < 0f) {
+                                    phi_4121_ = -(_e2810[1]);
                                 } else {
-                                    phi_4103_ = _e2802[1];
+                                    phi_4121_ = _e2810[1];
                                 }
-                                let _e2813 = phi_4103_;
-                                if (_e2809 > _e2813) {
-                                    phi_4108_ = _e2809;
+                                let _e2821 = phi_4121_;
+                                if (_e2817 > _e2821) {
+                                    phi_4126_ = _e2817;
                                 } else {
-                                    phi_4108_ = _e2813;
+                                    phi_4126_ = _e2821;
                                 }
-                                let _e2816 = phi_4108_;
-                                if (_e2802[2] < 0f) {
-                                    phi_4115_ = -(_e2802[2]);
+                                let _e2824 = phi_4126_;
+                                if (_e2810[2] < 0f) {
+                                    phi_4133_ = -(_e2810[2]);
                                 } else {
-                                    phi_4115_ = _e2802[2];
+                                    phi_4133_ = _e2810[2];
                                 }
-                                let _e2820 = phi_4115_;
-                                if (_e2816 > _e2820) {
-                                    phi_4120_ = _e2816;
+                                let _e2828 = phi_4133_;
+                                if (_e2824 > _e2828) {
+                                    phi_4138_ = _e2824;
                                 } else {
-                                    phi_4120_ = _e2820;
+                                    phi_4138_ = _e2828;
                                 }
-                                let _e2823 = phi_4120_;
-                                if (_e2799 > _e2823) {
-                                    phi_4125_ = _e2799;
+                                let _e2831 = phi_4138_;
+                                if (_e2807 > _e2831) {
+                                    phi_4143_ = _e2807;
                                 } else {
-                                    phi_4125_ = _e2823;
+                                    phi_4143_ = _e2831;
                                 }
-                                let _e2826 = phi_4125_;
-                                let _e2828 = local_7.member_3;
-                                let _e2832 = local_7.member_2[0u];
-                                if (_e2832[0] < 0f) {
-                                    phi_4142_ = -(_e2832[0]);
+                                let _e2834 = phi_4143_;
+                                let _e2836 = local_7.member_3;
+                                let _e2840 = local_7.member_2[0u];
+                                if (_e2840[0] < 0f) {
+                                    phi_4160_ = -(_e2840[0]);
                                 } else {
-                                    phi_4142_ = _e2832[0];
+                                    phi_4160_ = _e2840[0];
                                 }
-                                let _e2839 = phi_4142_;
-                                if (_e2832[1] < 0f) {
-                                    phi_4149_ = -(_e2832[1]);
+                                let _e2847 = phi_4160_;
+                                if (_e2840[1] < 0f) {
+                                    phi_4167_ = -(_e2840[1]);
                                 } else {
-                                    phi_4149_ = _e2832[1];
+                                    phi_4167_ = _e2840[1];
                                 }
-                                let _e2843 = phi_4149_;
-                                if (_e2839 > _e2843) {
-                                    phi_4154_ = _e2839;
+                                let _e2851 = phi_4167_;
+                                if (_e2847 > _e2851) {
+                                    phi_4172_ = _e2847;
                                 } else {
-                                    phi_4154_ = _e2843;
+                                    phi_4172_ = _e2851;
                                 }
-                                let _e2846 = phi_4154_;
-                                if (_e2832[2] < 0f) {
-                                    phi_4161_ = -(_e2832[2]);
+                                let _e2854 = phi_4172_;
+                                if (_e2840[2] < 0f) {
+                                    phi_4179_ = -(_e2840[2]);
                                 } else {
-                                    phi_4161_ = _e2832[2];
+                                    phi_4179_ = _e2840[2];
                                 }
-                                let _e2850 = phi_4161_;
-                                if (_e2846 > _e2850) {
-                                    phi_4166_ = _e2846;
+                                let _e2858 = phi_4179_;
+                                if (_e2854 > _e2858) {
+                                    phi_4184_ = _e2854;
                                 } else {
-                                    phi_4166_ = _e2850;
+                                    phi_4184_ = _e2858;
                                 }
-                                let _e2853 = phi_4166_;
-                                let _e2856 = local_7.member_2[1u];
-                                if (_e2856[0] < 0f) {
-                                    phi_4180_ = -(_e2856[0]);
+                                let _e2861 = phi_4184_;
+                                let _e2864 = local_7.member_2[1u];
+                                if (_e2864[0] < 0f) {
+                                    phi_4198_ = -(_e2864[0]);
                                 } else {
-                                    phi_4180_ = _e2856[0];
+                                    phi_4198_ = _e2864[0];
                                 }
-                                let _e2863 = phi_4180_;
-                                if (_e2856[1] < 0f) {
-                                    phi_4187_ = -(_e2856[1]);
+                                let _e2871 = phi_4198_;
+                                if (_e2864[1] < 0f) {
+                                    phi_4205_ = -(_e2864[1]);
                                 } else {
-                                    phi_4187_ = _e2856[1];
+                                    phi_4205_ = _e2864[1];
                                 }
-                                let _e2867 = phi_4187_;
-                                if (_e2863 > _e2867) {
-                                    phi_4192_ = _e2863;
+                                let _e2875 = phi_4205_;
+                                if (_e2871 > _e2875) {
+                                    phi_4210_ = _e2871;
                                 } else {
-                                    phi_4192_ = _e2867;
+                                    phi_4210_ = _e2875;
                                 }
-                                let _e2870 = phi_4192_;
-                                if (_e2856[2] < 0f) {
-                                    phi_4199_ = -(_e2856[2]);
+                                let _e2878 = phi_4210_;
+                                if (_e2864[2] < 0f) {
+                                    phi_4217_ = -(_e2864[2]);
                                 } else {
-                                    phi_4199_ = _e2856[2];
+                                    phi_4217_ = _e2864[2];
                                 }
-                                let _e2874 = phi_4199_;
-                                if (_e2870 > _e2874) {
-                                    phi_4204_ = _e2870;
+                                let _e2882 = phi_4217_;
+                                if (_e2878 > _e2882) {
+                                    phi_4222_ = _e2878;
                                 } else {
-                                    phi_4204_ = _e2874;
+                                    phi_4222_ = _e2882;
                                 }
-                                let _e2877 = phi_4204_;
-                                if (_e2853 > _e2877) {
-                                    phi_4209_ = _e2853;
+                                let _e2885 = phi_4222_;
+                                if (_e2861 > _e2885) {
+                                    phi_4227_ = _e2861;
                                 } else {
-                                    phi_4209_ = _e2877;
+                                    phi_4227_ = _e2885;
                                 }
-                                let _e2880 = phi_4209_;
-                                let _e2882 = local_7.member_3;
-                                let _e2885 = (((_e2772 + _e2774) + (_e2826 + _e2828)) + (_e2880 + _e2882));
-                                let _e2888 = local_7.member_3;
-                                let _e2892 = (((_e2108 * 1.0001f) + (_e2888 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                let _e2895 = ((_e2656 * _e2635) - (_e2659 * _e2634));
-                                let _e2898 = ((_e2659 * _e2633) - (_e2653 * _e2635));
-                                let _e2901 = ((_e2653 * _e2634) - (_e2656 * _e2633));
-                                let _e2903 = local_5[0u];
-                                let _e2911 = (((_e2895 * _e2903[0]) + (_e2898 * _e2903[1])) + (_e2901 * _e2903[2]));
-                                phi_4247_ = type_36(0u, 4u);
-                                phi_4250_ = _e2911;
-                                phi_4252_ = _e2911;
+                                let _e2888 = phi_4227_;
+                                let _e2890 = local_7.member_3;
+                                let _e2893 = (((_e2780 + _e2782) + (_e2834 + _e2836)) + (_e2888 + _e2890));
+                                let _e2896 = local_7.member_3;
+                                let _e2900 = (((_e2116 * 1.0001f) + (_e2896 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                let _e2903 = ((_e2664 * _e2643) - (_e2667 * _e2642));
+                                let _e2906 = ((_e2667 * _e2641) - (_e2661 * _e2643));
+                                let _e2909 = ((_e2661 * _e2642) - (_e2664 * _e2641));
+                                let _e2911 = local_5[0u];
+                                let _e2919 = (((_e2903 * _e2911[0]) + (_e2906 * _e2911[1])) + (_e2909 * _e2911[2]));
+                                phi_4265_ = type_36(0u, 4u);
+                                phi_4268_ = _e2919;
+                                phi_4270_ = _e2919;
                                 loop {
-                                    let _e2913 = phi_4247_;
-                                    let _e2915 = phi_4250_;
-                                    let _e2917 = phi_4252_;
-                                    local_52 = _e2915;
-                                    local_53 = _e2917;
-                                    local_67 = _e2917;
-                                    if (_e2913.member < _e2913.member_1) {
-                                        phi_4248_ = type_36((_e2913.member + 1u), _e2913.member_1);
-                                        phi_4275_ = type_36(1u, _e2913.member);
+                                    let _e2921 = phi_4265_;
+                                    let _e2923 = phi_4268_;
+                                    let _e2925 = phi_4270_;
+                                    local_52 = _e2923;
+                                    local_53 = _e2925;
+                                    local_67 = _e2925;
+                                    if (_e2921.member < _e2921.member_1) {
+                                        phi_4266_ = type_36((_e2921.member + 1u), _e2921.member_1);
+                                        phi_4293_ = type_36(1u, _e2921.member);
                                     } else {
-                                        phi_4248_ = _e2913;
-                                        phi_4275_ = type_36(0u, type_36().member_1);
+                                        phi_4266_ = _e2921;
+                                        phi_4293_ = type_36(0u, type_36().member_1);
                                     }
-                                    let _e2931 = phi_4248_;
-                                    let _e2933 = phi_4275_;
-                                    let _e2937 = (bitcast<i32>(_e2933.member) != 0i);
-                                    if _e2937 {
-                                        if (_e2933.member_1 < 4u) {
+                                    let _e2939 = phi_4266_;
+                                    let _e2941 = phi_4293_;
+                                    let _e2945 = (bitcast<i32>(_e2941.member) != 0i);
+                                    if _e2945 {
+                                        if (_e2941.member_1 < 4u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2940 = local_5[_e2933.member_1];
-                                        let _e2948 = (((_e2895 * _e2940[0]) + (_e2898 * _e2940[1])) + (_e2901 * _e2940[2]));
-                                        if (_e2933.member_1 < 4u) {
+                                        let _e2948 = local_5[_e2941.member_1];
+                                        let _e2956 = (((_e2903 * _e2948[0]) + (_e2906 * _e2948[1])) + (_e2909 * _e2948[2]));
+                                        if (_e2941.member_1 < 4u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2951 = local_6[_e2933.member_1];
-                                        let _e2959 = (((_e2895 * _e2951[0]) + (_e2898 * _e2951[1])) + (_e2901 * _e2951[2]));
-                                        if (_e2917 < _e2948) {
-                                            phi_4325_ = _e2917;
+                                        let _e2959 = local_6[_e2941.member_1];
+                                        let _e2967 = (((_e2903 * _e2959[0]) + (_e2906 * _e2959[1])) + (_e2909 * _e2959[2]));
+                                        if (_e2925 < _e2956) {
+                                            phi_4343_ = _e2925;
                                         } else {
-                                            phi_4325_ = _e2948;
+                                            phi_4343_ = _e2956;
                                         }
-                                        let _e2962 = phi_4325_;
-                                        if (_e2962 < _e2959) {
-                                            phi_4330_ = _e2962;
+                                        let _e2970 = phi_4343_;
+                                        if (_e2970 < _e2967) {
+                                            phi_4348_ = _e2970;
                                         } else {
-                                            phi_4330_ = _e2959;
+                                            phi_4348_ = _e2967;
                                         }
-                                        let _e2965 = phi_4330_;
-                                        if (_e2915 > _e2948) {
-                                            phi_4335_ = _e2915;
+                                        let _e2973 = phi_4348_;
+                                        if (_e2923 > _e2956) {
+                                            phi_4353_ = _e2923;
                                         } else {
-                                            phi_4335_ = _e2948;
+                                            phi_4353_ = _e2956;
                                         }
-                                        let _e2968 = phi_4335_;
-                                        if (_e2968 > _e2959) {
-                                            phi_4340_ = _e2968;
+                                        let _e2976 = phi_4353_;
+                                        if (_e2976 > _e2967) {
+                                            phi_4358_ = _e2976;
                                         } else {
-                                            phi_4340_ = _e2959;
+                                            phi_4358_ = _e2967;
                                         }
-                                        let _e2971 = phi_4340_;
-                                        phi_4251_ = _e2971;
-                                        phi_4253_ = _e2965;
+                                        let _e2979 = phi_4358_;
+                                        phi_4269_ = _e2979;
+                                        phi_4271_ = _e2973;
                                     } else {
-                                        phi_4251_ = f32();
-                                        phi_4253_ = f32();
+                                        phi_4269_ = f32();
+                                        phi_4271_ = f32();
                                     }
-                                    let _e2973 = phi_4251_;
-                                    let _e2975 = phi_4253_;
+                                    let _e2981 = phi_4269_;
+                                    let _e2983 = phi_4271_;
                                     continue;
                                     continuing {
-                                        phi_4247_ = _e2931;
-                                        phi_4250_ = _e2973;
-                                        phi_4252_ = _e2975;
-                                        break if !(_e2937);
+                                        phi_4265_ = _e2939;
+                                        phi_4268_ = _e2981;
+                                        phi_4270_ = _e2983;
+                                        break if !(_e2945);
                                     }
                                 }
-                                if (_e2895 < 0f) {
-                                    phi_4346_ = -(_e2895);
+                                if (_e2903 < 0f) {
+                                    phi_4364_ = -(_e2903);
                                 } else {
-                                    phi_4346_ = _e2895;
+                                    phi_4364_ = _e2903;
                                 }
-                                let _e2980 = phi_4346_;
-                                if (_e2898 < 0f) {
-                                    phi_4352_ = -(_e2898);
+                                let _e2988 = phi_4364_;
+                                if (_e2906 < 0f) {
+                                    phi_4370_ = -(_e2906);
                                 } else {
-                                    phi_4352_ = _e2898;
+                                    phi_4370_ = _e2906;
                                 }
-                                let _e2984 = phi_4352_;
-                                if (_e2901 < 0f) {
-                                    phi_4359_ = -(_e2901);
+                                let _e2992 = phi_4370_;
+                                if (_e2909 < 0f) {
+                                    phi_4377_ = -(_e2909);
                                 } else {
-                                    phi_4359_ = _e2901;
+                                    phi_4377_ = _e2909;
                                 }
-                                let _e2989 = phi_4359_;
-                                let _e2990 = ((_e2980 + _e2984) + _e2989);
-                                let _e2995 = local_52;
-                                let _e2996 = -(_e2995);
-                                let _e2998 = local_53;
-                                if (_e2998 > _e2996) {
-                                    let _e5527 = local_67;
-                                    phi_4369_ = _e5527;
+                                let _e2997 = phi_4377_;
+                                let _e2998 = ((_e2988 + _e2992) + _e2997);
+                                let _e3003 = local_52;
+                                let _e3004 = -(_e3003);
+                                let _e3006 = local_53;
+                                if (_e3006 > _e3004) {
+                                    let _e5543 = local_67;
+                                    phi_4387_ = _e5543;
                                 } else {
-                                    phi_4369_ = _e2996;
+                                    phi_4387_ = _e3004;
                                 }
-                                let _e3001 = phi_4369_;
-                                let _e3006 = (((_e3001 - ((_e2990 * _e2885) * (0.000000059604645f * 17f))) - (_e2990 * _e2892)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                let _e3009 = ((_e2656 * _e2650) - (_e2659 * _e2649));
-                                let _e3012 = ((_e2659 * _e2648) - (_e2653 * _e2650));
-                                let _e3015 = ((_e2653 * _e2649) - (_e2656 * _e2648));
-                                let _e3017 = local_5[0u];
-                                let _e3025 = (((_e3009 * _e3017[0]) + (_e3012 * _e3017[1])) + (_e3015 * _e3017[2]));
-                                phi_4400_ = type_36(0u, 4u);
-                                phi_4403_ = _e3025;
-                                phi_4405_ = _e3025;
+                                let _e3009 = phi_4387_;
+                                let _e3014 = (((_e3009 - ((_e2998 * _e2893) * (0.000000059604645f * 17f))) - (_e2998 * _e2900)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                let _e3017 = ((_e2664 * _e2658) - (_e2667 * _e2657));
+                                let _e3020 = ((_e2667 * _e2656) - (_e2661 * _e2658));
+                                let _e3023 = ((_e2661 * _e2657) - (_e2664 * _e2656));
+                                let _e3025 = local_5[0u];
+                                let _e3033 = (((_e3017 * _e3025[0]) + (_e3020 * _e3025[1])) + (_e3023 * _e3025[2]));
+                                phi_4418_ = type_36(0u, 4u);
+                                phi_4421_ = _e3033;
+                                phi_4423_ = _e3033;
                                 loop {
-                                    let _e3027 = phi_4400_;
-                                    let _e3029 = phi_4403_;
-                                    let _e3031 = phi_4405_;
-                                    local_54 = _e3029;
-                                    local_55 = _e3031;
-                                    local_68 = _e3031;
-                                    if (_e3027.member < _e3027.member_1) {
-                                        phi_4401_ = type_36((_e3027.member + 1u), _e3027.member_1);
-                                        phi_4428_ = type_36(1u, _e3027.member);
+                                    let _e3035 = phi_4418_;
+                                    let _e3037 = phi_4421_;
+                                    let _e3039 = phi_4423_;
+                                    local_54 = _e3037;
+                                    local_55 = _e3039;
+                                    local_68 = _e3039;
+                                    if (_e3035.member < _e3035.member_1) {
+                                        phi_4419_ = type_36((_e3035.member + 1u), _e3035.member_1);
+                                        phi_4446_ = type_36(1u, _e3035.member);
                                     } else {
-                                        phi_4401_ = _e3027;
-                                        phi_4428_ = type_36(0u, type_36().member_1);
+                                        phi_4419_ = _e3035;
+                                        phi_4446_ = type_36(0u, type_36().member_1);
                                     }
-                                    let _e3045 = phi_4401_;
-                                    let _e3047 = phi_4428_;
-                                    let _e3051 = (bitcast<i32>(_e3047.member) != 0i);
-                                    if _e3051 {
-                                        if (_e3047.member_1 < 4u) {
+                                    let _e3053 = phi_4419_;
+                                    let _e3055 = phi_4446_;
+                                    let _e3059 = (bitcast<i32>(_e3055.member) != 0i);
+                                    if _e3059 {
+                                        if (_e3055.member_1 < 4u) {
                                         } else {
                                             return;
                                         }
-                                        let _e3054 = local_5[_e3047.member_1];
-                                        let _e3062 = (((_e3009 * _e3054[0]) + (_e3012 * _e3054[1])) + (_e3015 * _e3054[2]));
-                                        if (_e3047.member_1 < 4u) {
+                                        let _e3062 = local_5[_e3055.member_1];
+                                        let _e3070 = (((_e3017 * _e3062[0]) + (_e3020 * _e3062[1])) + (_e3023 * _e3062[2]));
+                                        if (_e3055.member_1 < 4u) {
                                         } else {
                                             return;
                                         }
-                                        let _e3065 = local_6[_e3047.member_1];
-                                        let _e3073 = (((_e3009 * _e3065[0]) + (_e3012 * _e3065[1])) + (_e3015 * _e3065[2]));
-                                        if (_e3031 < _e3062) {
-                                            phi_4478_ = _e3031;
+                                        let _e3073 = local_6[_e3055.member_1];
+                                        let _e3081 = (((_e3017 * _e3073[0]) + (_e3020 * _e3073[1])) + (_e3023 * _e3073[2]));
+                                        if (_e3039 < _e3070) {
+                                            phi_4496_ = _e3039;
                                         } else {
-                                            phi_4478_ = _e3062;
+                                            phi_4496_ = _e3070;
                                         }
-                                        let _e3076 = phi_4478_;
-                                        if (_e3076 < _e3073) {
-                                            phi_4483_ = _e3076;
+                                        let _e3084 = phi_4496_;
+                                        if (_e3084 < _e3081) {
+                                            phi_4501_ = _e3084;
                                         } else {
-                                            phi_4483_ = _e3073;
+                                            phi_4501_ = _e3081;
                                         }
-                                        let _e3079 = phi_4483_;
-                                        if (_e3029 > _e3062) {
-                                            phi_4488_ = _e3029;
+                                        let _e3087 = phi_4501_;
+                                        if (_e3037 > _e3070) {
+                                            phi_4506_ = _e3037;
                                         } else {
-                                            phi_4488_ = _e3062;
+                                            phi_4506_ = _e3070;
                                         }
-                                        let _e3082 = phi_4488_;
-                                        if (_e3082 > _e3073) {
-                                            phi_4493_ = _e3082;
+                                        let _e3090 = phi_4506_;
+                                        if (_e3090 > _e3081) {
+                                            phi_4511_ = _e3090;
                                         } else {
-                                            phi_4493_ = _e3073;
+                                            phi_4511_ = _e3081;
                                         }
-                                        let _e3085 = phi_4493_;
-                                        phi_4404_ = _e3085;
-                                        phi_4406_ = _e3079;
+                                        let _e3093 = phi_4511_;
+                                        phi_4422_ = _e3093;
+                                        phi_4424_ = _e3087;
                                     } else {
-                                        phi_4404_ = f32();
-                                        phi_4406_ = f32();
+                                        phi_4422_ = f32();
+                                        phi_4424_ = f32();
                                     }
-                                    let _e3087 = phi_4404_;
-                                    let _e3089 = phi_4406_;
+                                    let _e3095 = phi_4422_;
+                                    let _e3097 = phi_4424_;
                                     continue;
                                     continuing {
-                                        phi_4400_ = _e3045;
-                                        phi_4403_ = _e3087;
-                                        phi_4405_ = _e3089;
-                                        break if !(_e3051);
+                                        phi_4418_ = _e3053;
+                                        phi_4421_ = _e3095;
+                                        phi_4423_ = _e3097;
+                                        break if !(_e3059);
                                     }
                                 }
-                                if (_e3009 < 0f) {
-                                    phi_4499_ = -(_e3009);
+                                if (_e3017 < 0f) {
+                                    phi_4517_ = -(_e3017);
                                 } else {
-                                    phi_4499_ = _e3009;
+                                    phi_4517_ = _e3017;
                                 }
-                                let _e3094 = phi_4499_;
-                                if (_e3012 < 0f) {
-                                    phi_4505_ = -(_e3012);
+                                let _e3102 = phi_4517_;
+                                if (_e3020 < 0f) {
+                                    phi_4523_ = -(_e3020);
                                 } else {
-                                    phi_4505_ = _e3012;
+                                    phi_4523_ = _e3020;
                                 }
-                                let _e3098 = phi_4505_;
-                                if (_e3015 < 0f) {
-                                    phi_4512_ = -(_e3015);
+                                let _e3106 = phi_4523_;
+                                if (_e3023 < 0f) {
+                                    phi_4530_ = -(_e3023);
                                 } else {
-                                    phi_4512_ = _e3015;
+                                    phi_4530_ = _e3023;
                                 }
-                                let _e3103 = phi_4512_;
-                                let _e3104 = ((_e3094 + _e3098) + _e3103);
-                                let _e3109 = local_54;
-                                let _e3110 = -(_e3109);
-                                let _e3112 = local_55;
-                                if (_e3112 > _e3110) {
-                                    let _e5546 = local_68;
-                                    phi_4522_ = _e5546;
+                                let _e3111 = phi_4530_;
+                                let _e3112 = ((_e3102 + _e3106) + _e3111);
+                                let _e3117 = local_54;
+                                let _e3118 = -(_e3117);
+                                let _e3120 = local_55;
+                                if (_e3120 > _e3118) {
+                                    let _e5562 = local_68;
+                                    phi_4540_ = _e5562;
                                 } else {
-                                    phi_4522_ = _e3110;
+                                    phi_4540_ = _e3118;
                                 }
-                                let _e3115 = phi_4522_;
-                                let _e3120 = (((_e3115 - ((_e3104 * _e2885) * (0.000000059604645f * 17f))) - (_e3104 * _e2892)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e3006 > _e3120) {
-                                    phi_4532_ = _e3006;
+                                let _e3123 = phi_4540_;
+                                let _e3128 = (((_e3123 - ((_e3112 * _e2893) * (0.000000059604645f * 17f))) - (_e3112 * _e2900)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e3014 > _e3128) {
+                                    phi_4550_ = _e3014;
                                 } else {
-                                    phi_4532_ = _e3120;
+                                    phi_4550_ = _e3128;
                                 }
-                                let _e3123 = phi_4532_;
-                                phi_4700_ = (_e3123 > 0f);
+                                let _e3131 = phi_4550_;
+                                phi_4718_ = (_e3131 > 0f);
                             }
-                            let _e3126 = phi_4700_;
-                            if _e3126 {
-                                phi_8136_ = false;
+                            let _e3134 = phi_4718_;
+                            if _e3134 {
+                                phi_8154_ = false;
                             } else {
-                                let _e3129 = local_7.member[0u];
-                                let _e3135 = local_7.member[1u];
-                                let _e3142 = ((_e3129[0] + _e3135[0]) * 0.5f);
-                                let _e3143 = ((_e3129[1] + _e3135[1]) * 0.5f);
-                                let _e3144 = ((_e3129[2] + _e3135[2]) * 0.5f);
-                                let _e3147 = local_7.member_1[0u];
-                                let _e3153 = local_7.member_1[1u];
-                                let _e3160 = ((_e3147[0] + _e3153[0]) * 0.5f);
-                                let _e3161 = ((_e3147[1] + _e3153[1]) * 0.5f);
-                                let _e3162 = ((_e3147[2] + _e3153[2]) * 0.5f);
-                                let _e3165 = local_7.member_2[0u];
-                                let _e3171 = local_7.member_2[1u];
-                                let _e3178 = ((_e3165[0] + _e3171[0]) * 0.5f);
-                                let _e3179 = ((_e3165[1] + _e3171[1]) * 0.5f);
-                                let _e3180 = ((_e3165[2] + _e3171[2]) * 0.5f);
-                                let _e3183 = local_7.member[0u];
-                                let _e3186 = local_7.member_1[0u];
-                                let _e3189 = local_7.member_2[0u];
-                                let _e3191 = local_7.member_3;
-                                let _e3194 = local_7.member[1u];
-                                let _e3197 = local_7.member_1[1u];
-                                let _e3200 = local_7.member_2[1u];
-                                let _e3202 = local_7.member_3;
-                                local_4 = array<type_71, 2>(type_71(array<array<f32, 3>, 2>(_e3183, array<f32, 3>(_e3142, _e3143, _e3144)), array<array<f32, 3>, 2>(_e3186, array<f32, 3>(_e3160, _e3161, _e3162)), array<array<f32, 3>, 2>(_e3189, array<f32, 3>(_e3178, _e3179, _e3180)), _e3191), type_71(array<array<f32, 3>, 2>(array<f32, 3>(_e3142, _e3143, _e3144), _e3194), array<array<f32, 3>, 2>(array<f32, 3>(_e3160, _e3161, _e3162), _e3197), array<array<f32, 3>, 2>(array<f32, 3>(_e3178, _e3179, _e3180), _e3200), _e3202));
-                                let _e3221 = local_4[0u].member_1[0u];
-                                let _e3227 = local_4[0u].member_2[0u];
-                                let _e3233 = ((_e3221[1] * _e3227[2]) - (_e3221[2] * _e3227[1]));
-                                let _e3236 = ((_e3221[2] * _e3227[0]) - (_e3221[0] * _e3227[2]));
-                                let _e3239 = ((_e3221[0] * _e3227[1]) - (_e3221[1] * _e3227[0]));
-                                let _e3242 = local_4[0u].member_1[1u];
-                                let _e3248 = local_4[0u].member_2[1u];
-                                let _e3254 = ((_e3242[1] * _e3248[2]) - (_e3242[2] * _e3248[1]));
-                                let _e3257 = ((_e3242[2] * _e3248[0]) - (_e3242[0] * _e3248[2]));
-                                let _e3260 = ((_e3242[0] * _e3248[1]) - (_e3242[1] * _e3248[0]));
-                                let _e3263 = local_4[0u].member_1[0u];
-                                let _e3269 = local_4[0u].member_2[1u];
-                                let _e3284 = local_4[0u].member_1[1u];
-                                let _e3290 = local_4[0u].member_2[0u];
-                                let _e3303 = (((_e3263[1] * _e3269[2]) - (_e3263[2] * _e3269[1])) + ((_e3284[1] * _e3290[2]) - (_e3284[2] * _e3290[1])));
-                                let _e3304 = (((_e3263[2] * _e3269[0]) - (_e3263[0] * _e3269[2])) + ((_e3284[2] * _e3290[0]) - (_e3284[0] * _e3290[2])));
-                                let _e3305 = (((_e3263[0] * _e3269[1]) - (_e3263[1] * _e3269[0])) + ((_e3284[0] * _e3290[1]) - (_e3284[1] * _e3290[0])));
-                                let _e3308 = local_4[0u].member[0u];
-                                let _e3319 = local_4[0u].member[1u];
-                                let _e3330 = local_4[0u].member[0u];
-                                let _e3339 = ((((_e3319[0] * _e3233) + (_e3319[1] * _e3236)) + (_e3319[2] * _e3239)) + (((_e3330[0] * _e3303) + (_e3330[1] * _e3304)) + (_e3330[2] * _e3305)));
-                                let _e3342 = local_4[0u].member[0u];
-                                let _e3353 = local_4[0u].member[1u];
-                                let _e3362 = ((((_e3342[0] * _e3254) + (_e3342[1] * _e3257)) + (_e3342[2] * _e3260)) + (((_e3353[0] * _e3303) + (_e3353[1] * _e3304)) + (_e3353[2] * _e3305)));
-                                let _e3365 = local_4[0u].member[1u];
-                                let _e3376 = local_4[0u].member[0u];
-                                if (_e3376[0] < 0f) {
-                                    phi_5157_ = -(_e3376[0]);
+                                let _e3137 = local_7.member[0u];
+                                let _e3143 = local_7.member[1u];
+                                let _e3150 = ((_e3137[0] + _e3143[0]) * 0.5f);
+                                let _e3151 = ((_e3137[1] + _e3143[1]) * 0.5f);
+                                let _e3152 = ((_e3137[2] + _e3143[2]) * 0.5f);
+                                let _e3155 = local_7.member_1[0u];
+                                let _e3161 = local_7.member_1[1u];
+                                let _e3168 = ((_e3155[0] + _e3161[0]) * 0.5f);
+                                let _e3169 = ((_e3155[1] + _e3161[1]) * 0.5f);
+                                let _e3170 = ((_e3155[2] + _e3161[2]) * 0.5f);
+                                let _e3173 = local_7.member_2[0u];
+                                let _e3179 = local_7.member_2[1u];
+                                let _e3186 = ((_e3173[0] + _e3179[0]) * 0.5f);
+                                let _e3187 = ((_e3173[1] + _e3179[1]) * 0.5f);
+                                let _e3188 = ((_e3173[2] + _e3179[2]) * 0.5f);
+                                let _e3191 = local_7.member[0u];
+                                let _e3194 = local_7.member_1[0u];
+                                let _e3197 = local_7.member_2[0u];
+                                let _e3199 = local_7.member_3;
+                                let _e3202 = local_7.member[1u];
+                                let _e3205 = local_7.member_1[1u];
+                                let _e3208 = local_7.member_2[1u];
+                                let _e3210 = local_7.member_3;
+                                local_4 = array<type_71, 2>(type_71(array<array<f32, 3>, 2>(_e3191, array<f32, 3>(_e3150, _e3151, _e3152)), array<array<f32, 3>, 2>(_e3194, array<f32, 3>(_e3168, _e3169, _e3170)), array<array<f32, 3>, 2>(_e3197, array<f32, 3>(_e3186, _e3187, _e3188)), _e3199), type_71(array<array<f32, 3>, 2>(array<f32, 3>(_e3150, _e3151, _e3152), _e3202), array<array<f32, 3>, 2>(array<f32, 3>(_e3168, _e3169, _e3170), _e3205), array<array<f32, 3>, 2>(array<f32, 3>(_e3186, _e3187, _e3188), _e3208), _e3210));
+                                let _e3229 = local_4[0u].member_1[0u];
+                                let _e3235 = local_4[0u].member_2[0u];
+                                let _e3241 = ((_e3229[1] * _e3235[2]) - (_e3229[2] * _e3235[1]));
+                                let _e3244 = ((_e3229[2] * _e3235[0]) - (_e3229[0] * _e3235[2]));
+                                let _e3247 = ((_e3229[0] * _e3235[1]) - (_e3229[1] * _e3235[0]));
+                                let _e3250 = local_4[0u].member_1[1u];
+                                let _e3256 = local_4[0u].member_2[1u];
+                                let _e3262 = ((_e3250[1] * _e3256[2]) - (_e3250[2] * _e3256[1]));
+                                let _e3265 = ((_e3250[2] * _e3256[0]) - (_e3250[0] * _e3256[2]));
+                                let _e3268 = ((_e3250[0] * _e3256[1]) - (_e3250[1] * _e3256[0]));
+                                let _e3271 = local_4[0u].member_1[0u];
+                                let _e3277 = local_4[0u].member_2[1u];
+                                let _e3292 = local_4[0u].member_1[1u];
+                                let _e3298 = local_4[0u].member_2[0u];
+                                let _e3311 = (((_e3271[1] * _e3277[2]) - (_e3271[2] * _e3277[1])) + ((_e3292[1] * _e3298[2]) - (_e3292[2] * _e3298[1])));
+                                let _e3312 = (((_e3271[2] * _e3277[0]) - (_e3271[0] * _e3277[2])) + ((_e3292[2] * _e3298[0]) - (_e3292[0] * _e3298[2])));
+                                let _e3313 = (((_e3271[0] * _e3277[1]) - (_e3271[1] * _e3277[0])) + ((_e3292[0] * _e3298[1]) - (_e3292[1] * _e3298[0])));
+                                let _e3316 = local_4[0u].member[0u];
+                                let _e3327 = local_4[0u].member[1u];
+                                let _e3338 = local_4[0u].member[0u];
+                                let _e3347 = ((((_e3327[0] * _e3241) + (_e3327[1] * _e3244)) + (_e3327[2] * _e3247)) + (((_e3338[0] * _e3311) + (_e3338[1] * _e3312)) + (_e3338[2] * _e3313)));
+                                let _e3350 = local_4[0u].member[0u];
+                                let _e3361 = local_4[0u].member[1u];
+                                let _e3370 = ((((_e3350[0] * _e3262) + (_e3350[1] * _e3265)) + (_e3350[2] * _e3268)) + (((_e3361[0] * _e3311) + (_e3361[1] * _e3312)) + (_e3361[2] * _e3313)));
+                                let _e3373 = local_4[0u].member[1u];
+                                let _e3384 = local_4[0u].member[0u];
+                                if (_e3384[0] < 0f) {
+                                    phi_5175_ = -(_e3384[0]);
                                 } else {
-                                    phi_5157_ = _e3376[0];
+                                    phi_5175_ = _e3384[0];
                                 }
-                                let _e3383 = phi_5157_;
-                                if (_e3376[1] < 0f) {
-                                    phi_5164_ = -(_e3376[1]);
+                                let _e3391 = phi_5175_;
+                                if (_e3384[1] < 0f) {
+                                    phi_5182_ = -(_e3384[1]);
                                 } else {
-                                    phi_5164_ = _e3376[1];
+                                    phi_5182_ = _e3384[1];
                                 }
-                                let _e3387 = phi_5164_;
-                                if (_e3383 > _e3387) {
-                                    phi_5169_ = _e3383;
+                                let _e3395 = phi_5182_;
+                                if (_e3391 > _e3395) {
+                                    phi_5187_ = _e3391;
                                 } else {
-                                    phi_5169_ = _e3387;
+                                    phi_5187_ = _e3395;
                                 }
-                                let _e3390 = phi_5169_;
-                                if (_e3376[2] < 0f) {
-                                    phi_5176_ = -(_e3376[2]);
+                                let _e3398 = phi_5187_;
+                                if (_e3384[2] < 0f) {
+                                    phi_5194_ = -(_e3384[2]);
                                 } else {
-                                    phi_5176_ = _e3376[2];
+                                    phi_5194_ = _e3384[2];
                                 }
-                                let _e3394 = phi_5176_;
-                                if (_e3390 > _e3394) {
-                                    phi_5181_ = _e3390;
+                                let _e3402 = phi_5194_;
+                                if (_e3398 > _e3402) {
+                                    phi_5199_ = _e3398;
                                 } else {
-                                    phi_5181_ = _e3394;
+                                    phi_5199_ = _e3402;
                                 }
-                                let _e3397 = phi_5181_;
-                                let _e3400 = local_4[0u].member[1u];
-                                if (_e3400[0] < 0f) {
-                                    phi_5194_ = -(_e3400[0]);
+                                let _e3405 = phi_5199_;
+                                let _e3408 = local_4[0u].member[1u];
+                                if (_e3408[0] < 0f) {
+                                    phi_5212_ = -(_e3408[0]);
                                 } else {
-                                    phi_5194_ = _e3400[0];
+                                    phi_5212_ = _e3408[0];
                                 }
-                                let _e3407 = phi_5194_;
-                                if (_e3400[1] < 0f) {
-                                    phi_5201_ = -(_e3400[1]);
+                                let _e3415 = phi_5212_;
+                                if (_e3408[1] < 0f) {
+                                    phi_5219_ = -(_e3408[1]);
                                 } else {
-                                    phi_5201_ = _e3400[1];
+                                    phi_5219_ = _e3408[1];
                                 }
-                                let _e3411 = phi_5201_;
-                                if (_e3407 > _e3411) {
-                                    phi_5206_ = _e3407;
+                                let _e3419 = phi_5219_;
+                                if (_e3415 > _e3419) {
+                                    phi_5224_ = _e3415;
                                 } else {
-                                    phi_5206_ = _e3411;
+                                    phi_5224_ = _e3419;
                                 }
-                                let _e3414 = phi_5206_;
-                                if (_e3400[2] < 0f) {
-                                    phi_5213_ = -(_e3400[2]);
+                                let _e3422 = phi_5224_;
+                                if (_e3408[2] < 0f) {
+                                    phi_5231_ = -(_e3408[2]);
                                 } else {
-                                    phi_5213_ = _e3400[2];
+                                    phi_5231_ = _e3408[2];
                                 }
-                                let _e3418 = phi_5213_;
-                                if (_e3414 > _e3418) {
-                                    phi_5218_ = _e3414;
+                                let _e3426 = phi_5231_;
+                                if (_e3422 > _e3426) {
+                                    phi_5236_ = _e3422;
                                 } else {
-                                    phi_5218_ = _e3418;
+                                    phi_5236_ = _e3426;
                                 }
-                                let _e3421 = phi_5218_;
-                                if (_e3397 > _e3421) {
-                                    phi_5223_ = _e3397;
+                                let _e3429 = phi_5236_;
+                                if (_e3405 > _e3429) {
+                                    phi_5241_ = _e3405;
                                 } else {
-                                    phi_5223_ = _e3421;
+                                    phi_5241_ = _e3429;
                                 }
-                                let _e3424 = phi_5223_;
-                                let _e3426 = local_4[0u].member_3;
-                                let _e3427 = (_e3424 + _e3426);
-                                let _e3430 = local_4[0u].member_1[0u];
-                                if (_e3430[0] < 0f) {
-                                    phi_5240_ = -(_e3430[0]);
+                                let _e3432 = phi_5241_;
+                                let _e3434 = local_4[0u].member_3;
+                                let _e3435 = (_e3432 + _e3434);
+                                let _e3438 = local_4[0u].member_1[0u];
+                                if (_e3438[0] < 0f) {
+                                    phi_5258_ = -(_e3438[0]);
                                 } else {
-                                    phi_5240_ = _e3430[0];
+                                    phi_5258_ = _e3438[0];
                                 }
-                                let _e3437 = phi_5240_;
-                                if (_e3430[1] < 0f) {
-                                    phi_5247_ = -(_e3430[1]);
+                                let _e3445 = phi_5258_;
+                                if (_e3438[1] < 0f) {
+                                    phi_5265_ = -(_e3438[1]);
                                 } else {
-                                    phi_5247_ = _e3430[1];
+                                    phi_5265_ = _e3438[1];
                                 }
-                                let _e3441 = phi_5247_;
-                                if (_e3437 > _e3441) {
-                                    phi_5252_ = _e3437;
+                                let _e3449 = phi_5265_;
+                                if (_e3445 > _e3449) {
+                                    phi_5270_ = _e3445;
                                 } else {
-                                    phi_5252_ = _e3441;
+                                    phi_5270_ = _e3449;
                                 }
-                                let _e3444 = phi_5252_;
-                                if (_e3430[2] < 0f) {
-                                    phi_5259_ = -(_e3430[2]);
+                                let _e3452 = phi_5270_;
+                                if (_e3438[2] < 0f) {
+                                    phi_5277_ = -(_e3438[2]);
                                 } else {
-                                    phi_5259_ = _e3430[2];
+                                    phi_5277_ = _e3438[2];
                                 }
-                                let _e3448 = phi_5259_;
-                                if (_e3444 > _e3448) {
-                                    phi_5264_ = _e3444;
+                                let _e3456 = phi_5277_;
+                                if (_e3452 > _e3456) {
+                                    phi_5282_ = _e3452;
                                 } else {
-                                    phi_5264_ = _e3448;
+                                    phi_5282_ = _e3456;
                                 }
-                                let _e3451 = phi_5264_;
-                                let _e3454 = local_4[0u].member_1[1u];
-                                if (_e3454[0] < 0f) {
-                                    phi_5278_ = -(_e3454[0]);
+                                let _e3459 = phi_5282_;
+                                let _e3462 = local_4[0u].member_1[1u];
+                                if (_e3462[0] < 0f) {
+                                    phi_5296_ = -(_e3462[0]);
                                 } else {
-                                    phi_5278_ = _e3454[0];
+                                    phi_5296_ = _e3462[0];
                                 }
-                                let _e3461 = phi_5278_;
-                                if (_e3454[1] < 0f) {
-                                    phi_5285_ = -(_e3454[1]);
+                                let _e3469 = phi_5296_;
+                                if (_e3462[1] < 0f) {
+                                    phi_5303_ = -(_e3462[1]);
                                 } else {
-                                    phi_5285_ = _e3454[1];
+                                    phi_5303_ = _e3462[1];
                                 }
-                                let _e3465 = phi_5285_;
-                                if (_e3461 > _e3465) {
-                                    phi_5290_ = _e3461;
+                                let _e3473 = phi_5303_;
+                                if (_e3469 > _e3473) {
+                                    phi_5308_ = _e3469;
                                 } else {
-                                    phi_5290_ = _e3465;
+                                    phi_5308_ = _e3473;
                                 }
-                                let _e3468 = phi_5290_;
-                                if (_e3454[2] < 0f) {
-                                    phi_5297_ = -(_e3454[2]);
+                                let _e3476 = phi_5308_;
+                                if (_e3462[2] < 0f) {
+                                    phi_5315_ = -(_e3462[2]);
                                 } else {
-                                    phi_5297_ = _e3454[2];
+                                    phi_5315_ = _e3462[2];
                                 }
-                                let _e3472 = phi_5297_;
-                                if (_e3468 > _e3472) {
-                                    phi_5302_ = _e3468;
+                                let _e3480 = phi_5315_;
+                                if (_e3476 > _e3480) {
+                                    phi_5320_ = _e3476;
                                 } else {
-                                    phi_5302_ = _e3472;
+                                    phi_5320_ = _e3480;
                                 }
-                                let _e3475 = phi_5302_;
-                                if (_e3451 > _e3475) {
-                                    phi_5307_ = _e3451;
+                                let _e3483 = phi_5320_;
+                                if (_e3459 > _e3483) {
+                                    phi_5325_ = _e3459;
                                 } else {
-                                    phi_5307_ = _e3475;
+                                    phi_5325_ = _e3483;
                                 }
-                                let _e3478 = phi_5307_;
-                                let _e3480 = local_4[0u].member_3;
-                                let _e3481 = (_e3478 + _e3480);
-                                let _e3484 = local_4[0u].member_2[0u];
-                                if (_e3484[0] < 0f) {
-                                    phi_5324_ = -(_e3484[0]);
+                                let _e3486 = phi_5325_;
+                                let _e3488 = local_4[0u].member_3;
+                                let _e3489 = (_e3486 + _e3488);
+                                let _e3492 = local_4[0u].member_2[0u];
+                                if (_e3492[0] < 0f) {
+                                    phi_5342_ = -(_e3492[0]);
                                 } else {
-                                    phi_5324_ = _e3484[0];
+                                    phi_5342_ = _e3492[0];
                                 }
-                                let _e3491 = phi_5324_;
-                                if (_e3484[1] < 0f) {
-                                    phi_5331_ = -(_e3484[1]);
+                                let _e3499 = phi_5342_;
+                                if (_e3492[1] < 0f) {
+                                    phi_5349_ = -(_e3492[1]);
                                 } else {
-                                    phi_5331_ = _e3484[1];
+                                    phi_5349_ = _e3492[1];
                                 }
-                                let _e3495 = phi_5331_;
-                                if (_e3491 > _e3495) {
-                                    phi_5336_ = _e3491;
+                                let _e3503 = phi_5349_;
+                                if (_e3499 > _e3503) {
+                                    phi_5354_ = _e3499;
                                 } else {
-                                    phi_5336_ = _e3495;
+                                    phi_5354_ = _e3503;
                                 }
-                                let _e3498 = phi_5336_;
-                                if (_e3484[2] < 0f) {
-                                    phi_5343_ = -(_e3484[2]);
+                                let _e3506 = phi_5354_;
+                                if (_e3492[2] < 0f) {
+                                    phi_5361_ = -(_e3492[2]);
                                 } else {
-                                    phi_5343_ = _e3484[2];
+                                    phi_5361_ = _e3492[2];
                                 }
-                                let _e3502 = phi_5343_;
-                                if (_e3498 > _e3502) {
-                                    phi_5348_ = _e3498;
+                                let _e3510 = phi_5361_;
+                                if (_e3506 > _e3510) {
+                                    phi_5366_ = _e3506;
                                 } else {
-                                    phi_5348_ = _e3502;
+                                    phi_5366_ = _e3510;
                                 }
-                                let _e3505 = phi_5348_;
-                                let _e3508 = local_4[0u].member_2[1u];
-                                if (_e3508[0] < 0f) {
-                                    phi_5362_ = -(_e3508[0]);
+                                let _e3513 = phi_5366_;
+                                let _e3516 = local_4[0u].member_2[1u];
+                                if (_e3516[0] < 0f) {
+                                    phi_5380_ = -(_e3516[0]);
                                 } else {
-                                    phi_5362_ = _e3508[0];
+                                    phi_5380_ = _e3516[0];
                                 }
-                                let _e3515 = phi_5362_;
-                                if (_e3508[1] < 0f) {
-                                    phi_5369_ = -(_e3508[1]);
+                                let _e3523 = phi_5380_;
+                                if (_e3516[1] < 0f) {
+                                    phi_5387_ = -(_e3516[1]);
                                 } else {
-                                    phi_5369_ = _e3508[1];
+                                    phi_5387_ = _e3516[1];
                                 }
-                                let _e3519 = phi_5369_;
-                                if (_e3515 > _e3519) {
-                                    phi_5374_ = _e3515;
+                                let _e3527 = phi_5387_;
+                                if (_e3523 > _e3527) {
+                                    phi_5392_ = _e3523;
                                 } else {
-                                    phi_5374_ = _e3519;
+                                    phi_5392_ = _e3527;
                                 }
-                                let _e3522 = phi_5374_;
-                                if (_e3508[2] < 0f) {
-                                    phi_5381_ = -(_e3508[2]);
+                                let _e3530 = phi_5392_;
+                                if (_e3516[2] < 0f) {
+                                    phi_5399_ = -(_e3516[2]);
                                 } else {
-                                    phi_5381_ = _e3508[2];
+                                    phi_5399_ = _e3516[2];
                                 }
-                                let _e3526 = phi_5381_;
-                                if (_e3522 > _e3526) {
-                                    phi_5386_ = _e3522;
+                                let _e3534 = phi_5399_;
+                                if (_e3530 > _e3534) {
+                                    phi_5404_ = _e3530;
                                 } else {
-                                    phi_5386_ = _e3526;
+                                    phi_5404_ = _e3534;
                                 }
-                                let _e3529 = phi_5386_;
-                                if (_e3505 > _e3529) {
-                                    phi_5391_ = _e3505;
+                                let _e3537 = phi_5404_;
+                                if (_e3513 > _e3537) {
+                                    phi_5409_ = _e3513;
                                 } else {
-                                    phi_5391_ = _e3529;
+                                    phi_5409_ = _e3537;
                                 }
-                                let _e3532 = phi_5391_;
-                                let _e3534 = local_4[0u].member_3;
-                                let _e3535 = (_e3532 + _e3534);
-                                let _e3537 = ((_e3481 * 8f) * _e3535);
-                                let _e3544 = local_4[0u].member_3;
-                                if (_e3233 < 0f) {
-                                    phi_5422_ = -(_e3233);
+                                let _e3540 = phi_5409_;
+                                let _e3542 = local_4[0u].member_3;
+                                let _e3543 = (_e3540 + _e3542);
+                                let _e3545 = ((_e3489 * 8f) * _e3543);
+                                let _e3552 = local_4[0u].member_3;
+                                if (_e3241 < 0f) {
+                                    phi_5440_ = -(_e3241);
                                 } else {
-                                    phi_5422_ = _e3233;
+                                    phi_5440_ = _e3241;
                                 }
-                                let _e3561 = phi_5422_;
-                                if (_e3236 < 0f) {
-                                    phi_5428_ = -(_e3236);
+                                let _e3569 = phi_5440_;
+                                if (_e3244 < 0f) {
+                                    phi_5446_ = -(_e3244);
                                 } else {
-                                    phi_5428_ = _e3236;
+                                    phi_5446_ = _e3244;
                                 }
-                                let _e3565 = phi_5428_;
-                                if (_e3239 < 0f) {
-                                    phi_5435_ = -(_e3239);
+                                let _e3573 = phi_5446_;
+                                if (_e3247 < 0f) {
+                                    phi_5453_ = -(_e3247);
                                 } else {
-                                    phi_5435_ = _e3239;
+                                    phi_5453_ = _e3247;
                                 }
-                                let _e3570 = phi_5435_;
-                                let _e3571 = ((_e3561 + _e3565) + _e3570);
-                                if (_e3254 < 0f) {
-                                    phi_5442_ = -(_e3254);
+                                let _e3578 = phi_5453_;
+                                let _e3579 = ((_e3569 + _e3573) + _e3578);
+                                if (_e3262 < 0f) {
+                                    phi_5460_ = -(_e3262);
                                 } else {
-                                    phi_5442_ = _e3254;
+                                    phi_5460_ = _e3262;
                                 }
-                                let _e3575 = phi_5442_;
-                                if (_e3257 < 0f) {
-                                    phi_5448_ = -(_e3257);
+                                let _e3583 = phi_5460_;
+                                if (_e3265 < 0f) {
+                                    phi_5466_ = -(_e3265);
                                 } else {
-                                    phi_5448_ = _e3257;
+                                    phi_5466_ = _e3265;
                                 }
-                                let _e3579 = phi_5448_;
-                                if (_e3260 < 0f) {
-                                    phi_5455_ = -(_e3260);
+                                let _e3587 = phi_5466_;
+                                if (_e3268 < 0f) {
+                                    phi_5473_ = -(_e3268);
                                 } else {
-                                    phi_5455_ = _e3260;
+                                    phi_5473_ = _e3268;
                                 }
-                                let _e3584 = phi_5455_;
-                                let _e3585 = ((_e3575 + _e3579) + _e3584);
-                                if (_e3571 > _e3585) {
-                                    phi_5461_ = _e3571;
+                                let _e3592 = phi_5473_;
+                                let _e3593 = ((_e3583 + _e3587) + _e3592);
+                                if (_e3579 > _e3593) {
+                                    phi_5479_ = _e3579;
                                 } else {
-                                    phi_5461_ = _e3585;
+                                    phi_5479_ = _e3593;
                                 }
-                                let _e3588 = phi_5461_;
-                                if (_e3303 < 0f) {
-                                    phi_5467_ = -(_e3303);
+                                let _e3596 = phi_5479_;
+                                if (_e3311 < 0f) {
+                                    phi_5485_ = -(_e3311);
                                 } else {
-                                    phi_5467_ = _e3303;
+                                    phi_5485_ = _e3311;
                                 }
-                                let _e3592 = phi_5467_;
-                                if (_e3304 < 0f) {
-                                    phi_5473_ = -(_e3304);
+                                let _e3600 = phi_5485_;
+                                if (_e3312 < 0f) {
+                                    phi_5491_ = -(_e3312);
                                 } else {
-                                    phi_5473_ = _e3304;
+                                    phi_5491_ = _e3312;
                                 }
-                                let _e3596 = phi_5473_;
-                                if (_e3305 < 0f) {
-                                    phi_5480_ = -(_e3305);
+                                let _e3604 = phi_5491_;
+                                if (_e3313 < 0f) {
+                                    phi_5498_ = -(_e3313);
                                 } else {
-                                    phi_5480_ = _e3305;
+                                    phi_5498_ = _e3313;
                                 }
-                                let _e3601 = phi_5480_;
-                                let _e3603 = (((_e3592 + _e3596) + _e3601) * 0.5f);
-                                if (_e3588 > _e3603) {
-                                    phi_5487_ = _e3588;
+                                let _e3609 = phi_5498_;
+                                let _e3611 = (((_e3600 + _e3604) + _e3609) * 0.5f);
+                                if (_e3596 > _e3611) {
+                                    phi_5505_ = _e3596;
                                 } else {
-                                    phi_5487_ = _e3603;
+                                    phi_5505_ = _e3611;
                                 }
-                                let _e3606 = phi_5487_;
-                                let _e3611 = local_4[0u].member_3;
-                                let _e3624 = ((((_e3308[0] * _e3233) + (_e3308[1] * _e3236)) + (_e3308[2] * _e3239)) * 3f);
-                                let _e3625 = ((((_e3365[0] * _e3254) + (_e3365[1] * _e3257)) + (_e3365[2] * _e3260)) * 3f);
-                                if (_e3624 < _e3625) {
-                                    phi_5511_ = _e3624;
+                                let _e3614 = phi_5505_;
+                                let _e3619 = local_4[0u].member_3;
+                                let _e3632 = ((((_e3316[0] * _e3241) + (_e3316[1] * _e3244)) + (_e3316[2] * _e3247)) * 3f);
+                                let _e3633 = ((((_e3373[0] * _e3262) + (_e3373[1] * _e3265)) + (_e3373[2] * _e3268)) * 3f);
+                                if (_e3632 < _e3633) {
+                                    phi_5529_ = _e3632;
                                 } else {
-                                    phi_5511_ = _e3625;
+                                    phi_5529_ = _e3633;
                                 }
-                                let _e3628 = phi_5511_;
-                                if (_e3339 < _e3362) {
-                                    phi_5516_ = _e3339;
+                                let _e3636 = phi_5529_;
+                                if (_e3347 < _e3370) {
+                                    phi_5534_ = _e3347;
                                 } else {
-                                    phi_5516_ = _e3362;
+                                    phi_5534_ = _e3370;
                                 }
-                                let _e3631 = phi_5516_;
-                                if (_e3628 < _e3631) {
-                                    phi_5521_ = _e3628;
+                                let _e3639 = phi_5534_;
+                                if (_e3636 < _e3639) {
+                                    phi_5539_ = _e3636;
                                 } else {
-                                    phi_5521_ = _e3631;
+                                    phi_5539_ = _e3639;
                                 }
-                                let _e3634 = phi_5521_;
-                                if (_e3624 > _e3625) {
-                                    phi_5526_ = _e3624;
+                                let _e3642 = phi_5539_;
+                                if (_e3632 > _e3633) {
+                                    phi_5544_ = _e3632;
                                 } else {
-                                    phi_5526_ = _e3625;
+                                    phi_5544_ = _e3633;
                                 }
-                                let _e3637 = phi_5526_;
-                                if (_e3339 > _e3362) {
-                                    phi_5531_ = _e3339;
+                                let _e3645 = phi_5544_;
+                                if (_e3347 > _e3370) {
+                                    phi_5549_ = _e3347;
                                 } else {
-                                    phi_5531_ = _e3362;
+                                    phi_5549_ = _e3370;
                                 }
-                                let _e3640 = phi_5531_;
-                                if (_e3637 > _e3640) {
-                                    phi_5536_ = _e3637;
+                                let _e3648 = phi_5549_;
+                                if (_e3645 > _e3648) {
+                                    phi_5554_ = _e3645;
                                 } else {
-                                    phi_5536_ = _e3640;
+                                    phi_5554_ = _e3648;
                                 }
-                                let _e3643 = phi_5536_;
-                                let _e3648 = -(_e3643);
-                                if (_e3634 > _e3648) {
-                                    phi_5546_ = _e3634;
+                                let _e3651 = phi_5554_;
+                                let _e3656 = -(_e3651);
+                                if (_e3642 > _e3656) {
+                                    phi_5564_ = _e3642;
                                 } else {
-                                    phi_5546_ = _e3648;
+                                    phi_5564_ = _e3656;
                                 }
-                                let _e3651 = phi_5546_;
-                                if ((_e3651 - ((((((_e3427 * 8f) * _e3537) * (0.000000059604645f * (490f / 64f))) + ((_e3544 * 19f) * ((_e3427 * (_e3481 + _e3535)) + (_e3481 * _e3535)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3427) * ((1f + _e3481) * (1f + _e3535))))) + ((_e2108 * (((_e3606 + (_e3537 * (0.000000059604645f * 4f))) + ((_e3611 * 6f) * (_e3481 + _e3535))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3481) * (1f + _e3535))))) * (3f * 1.0001f)))) > 0f) {
-                                    phi_6522_ = true;
+                                let _e3659 = phi_5564_;
+                                if ((_e3659 - ((((((_e3435 * 8f) * _e3545) * (0.000000059604645f * (490f / 64f))) + ((_e3552 * 19f) * ((_e3435 * (_e3489 + _e3543)) + (_e3489 * _e3543)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3435) * ((1f + _e3489) * (1f + _e3543))))) + ((_e2116 * (((_e3614 + (_e3545 * (0.000000059604645f * 4f))) + ((_e3619 * 6f) * (_e3489 + _e3543))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3489) * (1f + _e3543))))) * (3f * 1.0001f)))) > 0f) {
+                                    phi_6540_ = true;
                                 } else {
-                                    let _e3656 = local_4[0u].member_1[0u];
-                                    let _e3662 = local_4[0u].member_1[1u];
-                                    let _e3666 = (_e3656[0] + _e3662[0]);
-                                    let _e3667 = (_e3656[1] + _e3662[1]);
-                                    let _e3668 = (_e3656[2] + _e3662[2]);
-                                    let _e3671 = local_4[0u].member_2[0u];
-                                    let _e3677 = local_4[0u].member_2[1u];
-                                    let _e3681 = (_e3671[0] + _e3677[0]);
-                                    let _e3682 = (_e3671[1] + _e3677[1]);
-                                    let _e3683 = (_e3671[2] + _e3677[2]);
-                                    let _e3686 = ((_e3667 * _e3683) - (_e3668 * _e3682));
-                                    let _e3689 = ((_e3668 * _e3681) - (_e3666 * _e3683));
-                                    let _e3692 = ((_e3666 * _e3682) - (_e3667 * _e3681));
-                                    let _e3695 = local_4[0u].member[0u];
-                                    let _e3701 = local_4[0u].member_1[0u];
-                                    let _e3707 = local_4[0u].member_2[0u];
-                                    let _e3711 = (_e3695[0] - _e3701[0]);
-                                    let _e3712 = (_e3695[1] - _e3701[1]);
-                                    let _e3713 = (_e3695[2] - _e3701[2]);
-                                    let _e3722 = local_4[0u].member[1u];
-                                    let _e3728 = local_4[0u].member_1[1u];
-                                    let _e3734 = local_4[0u].member_2[1u];
-                                    let _e3738 = (_e3722[0] - _e3728[0]);
-                                    let _e3739 = (_e3722[1] - _e3728[1]);
-                                    let _e3740 = (_e3722[2] - _e3728[2]);
-                                    local_2 = array<array<f32, 3>, 4>(_e3695, array<f32, 3>(_e3711, _e3712, _e3713), array<f32, 3>((_e3695[0] - _e3707[0]), (_e3695[1] - _e3707[1]), (_e3695[2] - _e3707[2])), array<f32, 3>((_e3711 - _e3707[0]), (_e3712 - _e3707[1]), (_e3713 - _e3707[2])));
-                                    local_3 = array<array<f32, 3>, 4>(_e3722, array<f32, 3>(_e3738, _e3739, _e3740), array<f32, 3>((_e3722[0] - _e3734[0]), (_e3722[1] - _e3734[1]), (_e3722[2] - _e3734[2])), array<f32, 3>((_e3738 - _e3734[0]), (_e3739 - _e3734[1]), (_e3740 - _e3734[2])));
-                                    let _e3757 = local_4[0u].member[0u];
-                                    if (_e3757[0] < 0f) {
-                                        phi_5797_ = -(_e3757[0]);
+                                    let _e3664 = local_4[0u].member_1[0u];
+                                    let _e3670 = local_4[0u].member_1[1u];
+                                    let _e3674 = (_e3664[0] + _e3670[0]);
+                                    let _e3675 = (_e3664[1] + _e3670[1]);
+                                    let _e3676 = (_e3664[2] + _e3670[2]);
+                                    let _e3679 = local_4[0u].member_2[0u];
+                                    let _e3685 = local_4[0u].member_2[1u];
+                                    let _e3689 = (_e3679[0] + _e3685[0]);
+                                    let _e3690 = (_e3679[1] + _e3685[1]);
+                                    let _e3691 = (_e3679[2] + _e3685[2]);
+                                    let _e3694 = ((_e3675 * _e3691) - (_e3676 * _e3690));
+                                    let _e3697 = ((_e3676 * _e3689) - (_e3674 * _e3691));
+                                    let _e3700 = ((_e3674 * _e3690) - (_e3675 * _e3689));
+                                    let _e3703 = local_4[0u].member[0u];
+                                    let _e3709 = local_4[0u].member_1[0u];
+                                    let _e3715 = local_4[0u].member_2[0u];
+                                    let _e3719 = (_e3703[0] - _e3709[0]);
+                                    let _e3720 = (_e3703[1] - _e3709[1]);
+                                    let _e3721 = (_e3703[2] - _e3709[2]);
+                                    let _e3730 = local_4[0u].member[1u];
+                                    let _e3736 = local_4[0u].member_1[1u];
+                                    let _e3742 = local_4[0u].member_2[1u];
+                                    let _e3746 = (_e3730[0] - _e3736[0]);
+                                    let _e3747 = (_e3730[1] - _e3736[1]);
+                                    let _e3748 = (_e3730[2] - _e3736[2]);
+                                    local_2 = array<array<f32, 3>, 4>(_e3703, array<f32, 3>(_e3719, _e3720, _e3721), array<f32, 3>((_e3703[0] - _e3715[0]), (_e3703[1] - _e3715[1]), (_e3703[2] - _e3715[2])), array<f32, 3>((_e3719 - _e3715[0]), (_e3720 - _e3715[1]), (_e3721 - _e3715[2])));
+                                    local_3 = array<array<f32, 3>, 4>(_e3730, array<f32, 3>(_e3746, _e3747, _e3748), array<f32, 3>((_e3730[0] - _e3742[0]), (_e3730[1] - _e3742[1]), (_e3730[2] - _e3742[2])), array<f32, 3>((_e3746 - _e3742[0]), (_e3747 - _e3742[1]), (_e3748 - _e3742[2])));
+                                    let _e3765 = local_4[0u].member[0u];
+                                    if (_e3765[0] < 0f) {
+                                        phi_5815_ = -(_e3765[0]);
                                     } else {
-                                        phi_5797_ = _e3757[0];
+                                        phi_5815_ = _e3765[0];
                                     }
-                                    let _e3764 = phi_5797_;
-                                    if (_e3757[1] < 0f) {
-                                        phi_5804_ = -(_e3757[1]);
+                                    let _e3772 = phi_5815_;
+                                    if (_e3765[1] < 0f) {
+                                        phi_5822_ = -(_e3765[1]);
                                     } else {
-                                        phi_5804_ = _e3757[1];
+                                        phi_5822_ = _e3765[1];
                                     }
-                                    let _e3768 = phi_5804_;
-                                    if (_e3764 > _e3768) {
-                                        phi_5809_ = _e3764;
+                                    let _e3776 = phi_5822_;
+                                    if (_e3772 > _e3776) {
+                                        phi_5827_ = _e3772;
                                     } else {
-                                        phi_5809_ = _e3768;
+                                        phi_5827_ = _e3776;
                                     }
-                                    let _e3771 = phi_5809_;
-                                    if (_e3757[2] < 0f) {
-                                        phi_5816_ = -(_e3757[2]);
+                                    let _e3779 = phi_5827_;
+                                    if (_e3765[2] < 0f) {
+                                        phi_5834_ = -(_e3765[2]);
                                     } else {
-                                        phi_5816_ = _e3757[2];
+                                        phi_5834_ = _e3765[2];
                                     }
-                                    let _e3775 = phi_5816_;
-                                    if (_e3771 > _e3775) {
-                                        phi_5821_ = _e3771;
+                                    let _e3783 = phi_5834_;
+                                    if (_e3779 > _e3783) {
+                                        phi_5839_ = _e3779;
                                     } else {
-                                        phi_5821_ = _e3775;
+                                        phi_5839_ = _e3783;
                                     }
-                                    let _e3778 = phi_5821_;
-                                    let _e3781 = local_4[0u].member[1u];
-                                    if (_e3781[0] < 0f) {
-                                        phi_5834_ = -(_e3781[0]);
+                                    let _e3786 = phi_5839_;
+                                    let _e3789 = local_4[0u].member[1u];
+                                    if (_e3789[0] < 0f) {
+                                        phi_5852_ = -(_e3789[0]);
                                     } else {
-                                        phi_5834_ = _e3781[0];
+                                        phi_5852_ = _e3789[0];
                                     }
-                                    let _e3788 = phi_5834_;
-                                    if (_e3781[1] < 0f) {
-                                        phi_5841_ = -(_e3781[1]);
+                                    let _e3796 = phi_5852_;
+                                    if (_e3789[1] < 0f) {
+                                        phi_5859_ = -(_e3789[1]);
                                     } else {
-                                        phi_5841_ = _e3781[1];
+                                        phi_5859_ = _e3789[1];
                                     }
-                                    let _e3792 = phi_5841_;
-                                    if (_e3788 > _e3792) {
-                                        phi_5846_ = _e3788;
+                                    let _e3800 = phi_5859_;
+                                    if (_e3796 > _e3800) {
+                                        phi_5864_ = _e3796;
                                     } else {
-                                        phi_5846_ = _e3792;
+                                        phi_5864_ = _e3800;
                                     }
-                                    let _e3795 = phi_5846_;
-                                    if (_e3781[2] < 0f) {
-                                        phi_5853_ = -(_e3781[2]);
+                                    let _e3803 = phi_5864_;
+                                    if (_e3789[2] < 0f) {
+                                        phi_5871_ = -(_e3789[2]);
                                     } else {
-                                        phi_5853_ = _e3781[2];
+                                        phi_5871_ = _e3789[2];
                                     }
-                                    let _e3799 = phi_5853_;
-                                    if (_e3795 > _e3799) {
-                                        phi_5858_ = _e3795;
+                                    let _e3807 = phi_5871_;
+                                    if (_e3803 > _e3807) {
+                                        phi_5876_ = _e3803;
                                     } else {
-                                        phi_5858_ = _e3799;
+                                        phi_5876_ = _e3807;
                                     }
-                                    let _e3802 = phi_5858_;
-                                    if (_e3778 > _e3802) {
-                                        phi_5863_ = _e3778;
+                                    let _e3810 = phi_5876_;
+                                    if (_e3786 > _e3810) {
+                                        phi_5881_ = _e3786;
                                     } else {
-                                        phi_5863_ = _e3802;
+                                        phi_5881_ = _e3810;
                                     }
-                                    let _e3805 = phi_5863_;
-                                    let _e3807 = local_4[0u].member_3;
-                                    let _e3811 = local_4[0u].member_1[0u];
-                                    if (_e3811[0] < 0f) {
-                                        phi_5880_ = -(_e3811[0]);
+                                    let _e3813 = phi_5881_;
+                                    let _e3815 = local_4[0u].member_3;
+                                    let _e3819 = local_4[0u].member_1[0u];
+                                    if (_e3819[0] < 0f) {
+                                        phi_5898_ = -(_e3819[0]);
                                     } else {
-                                        phi_5880_ = _e3811[0];
+                                        phi_5898_ = _e3819[0];
                                     }
-                                    let _e3818 = phi_5880_;
-                                    if (_e3811[1] < 0f) {
-                                        phi_5887_ = -(_e3811[1]);
+                                    let _e3826 = phi_5898_;
+                                    if (_e3819[1] < 0f) {
+                                        phi_5905_ = -(_e3819[1]);
                                     } else {
-                                        phi_5887_ = _e3811[1];
+                                        phi_5905_ = _e3819[1];
                                     }
-                                    let _e3822 = phi_5887_;
-                                    if (_e3818 > _e3822) {
-                                        phi_5892_ = _e3818;
+                                    let _e3830 = phi_5905_;
+                                    if (_e3826 > _e3830) {
+                                        phi_5910_ = _e3826;
                                     } else {
-                                        phi_5892_ = _e3822;
+                                        phi_5910_ = _e3830;
                                     }
-                                    let _e3825 = phi_5892_;
-                                    if (_e3811[2] < 0f) {
-                                        phi_5899_ = -(_e3811[2]);
+                                    let _e3833 = phi_5910_;
+                                    if (_e3819[2] < 0f) {
+                                        phi_5917_ = -(_e3819[2]);
                                     } else {
-                                        phi_5899_ = _e3811[2];
+                                        phi_5917_ = _e3819[2];
                                     }
-                                    let _e3829 = phi_5899_;
-                                    if (_e3825 > _e3829) {
-                                        phi_5904_ = _e3825;
+                                    let _e3837 = phi_5917_;
+                                    if (_e3833 > _e3837) {
+                                        phi_5922_ = _e3833;
                                     } else {
-                                        phi_5904_ = _e3829;
+                                        phi_5922_ = _e3837;
                                     }
-                                    let _e3832 = phi_5904_;
-                                    let _e3835 = local_4[0u].member_1[1u];
-                                    if (_e3835[0] < 0f) {
-                                        phi_5918_ = -(_e3835[0]);
+                                    let _e3840 = phi_5922_;
+                                    let _e3843 = local_4[0u].member_1[1u];
+                                    if (_e3843[0] < 0f) {
+                                        phi_5936_ = -(_e3843[0]);
                                     } else {
-                                        phi_5918_ = _e3835[0];
+                                        phi_5936_ = _e3843[0];
                                     }
-                                    let _e3842 = phi_5918_;
-                                    if (_e3835[1] < 0f) {
-                                        phi_5925_ = -(_e3835[1]);
+                                    let _e3850 = phi_5936_;
+                                    if (_e3843[1] < 0f) {
+                                        phi_5943_ = -(_e3843[1]);
                                     } else {
-                                        phi_5925_ = _e3835[1];
+                                        phi_5943_ = _e3843[1];
                                     }
-                                    let _e3846 = phi_5925_;
-                                    if (_e3842 > _e3846) {
-                                        phi_5930_ = _e3842;
+                                    let _e3854 = phi_5943_;
+                                    if (_e3850 > _e3854) {
+                                        phi_5948_ = _e3850;
                                     } else {
-                                        phi_5930_ = _e3846;
+                                        phi_5948_ = _e3854;
                                     }
-                                    let _e3849 = phi_5930_;
-                                    if (_e3835[2] < 0f) {
-                                        phi_5937_ = -(_e3835[2]);
+                                    let _e3857 = phi_5948_;
+                                    if (_e3843[2] < 0f) {
+                                        phi_5955_ = -(_e3843[2]);
                                     } else {
-                                        phi_5937_ = _e3835[2];
+                                        phi_5955_ = _e3843[2];
                                     }
-                                    let _e3853 = phi_5937_;
-                                    if (_e3849 > _e3853) {
-                                        phi_5942_ = _e3849;
+                                    let _e3861 = phi_5955_;
+                                    if (_e3857 > _e3861) {
+                                        phi_5960_ = _e3857;
                                     } else {
-                                        phi_5942_ = _e3853;
+                                        phi_5960_ = _e3861;
                                     }
-                                    let _e3856 = phi_5942_;
-                                    if (_e3832 > _e3856) {
-                                        phi_5947_ = _e3832;
+                                    let _e3864 = phi_5960_;
+                                    if (_e3840 > _e3864) {
+                                        phi_5965_ = _e3840;
                                     } else {
-                                        phi_5947_ = _e3856;
+                                        phi_5965_ = _e3864;
                                     }
-                                    let _e3859 = phi_5947_;
-                                    let _e3861 = local_4[0u].member_3;
-                                    let _e3865 = local_4[0u].member_2[0u];
-                                    if (_e3865[0] < 0f) {
-                                        phi_5964_ = -(_e3865[0]);
+                                    let _e3867 = phi_5965_;
+                                    let _e3869 = local_4[0u].member_3;
+                                    let _e3873 = local_4[0u].member_2[0u];
+                                    if (_e3873[0] < 0f) {
+                                        phi_5982_ = -(_e3873[0]);
                                     } else {
-                                        phi_5964_ = _e3865[0];
+                                        phi_5982_ = _e3873[0];
                                     }
-                                    let _e3872 = phi_5964_;
-                                    if (_e3865[1] < 0f) {
-                                        phi_5971_ = -(_e3865[1]);
+                                    let _e3880 = phi_5982_;
+                                    if (_e3873[1] < 0f) {
+                                        phi_5989_ = -(_e3873[1]);
                                     } else {
-                                        phi_5971_ = _e3865[1];
+                                        phi_5989_ = _e3873[1];
                                     }
-                                    let _e3876 = phi_5971_;
-                                    if (_e3872 > _e3876) {
-                                        phi_5976_ = _e3872;
+                                    let _e3884 = phi_5989_;
+                                    if (_e3880 > _e3884) {
+                                        phi_5994_ = _e3880;
                                     } else {
-                                        phi_5976_ = _e3876;
+                                        phi_5994_ = _e3884;
                                     }
-                                    let _e3879 = phi_5976_;
-                                    if (_e3865[2] < 0f) {
-                                        phi_5983_ = -(_e3865[2]);
+                                    let _e3887 = phi_5994_;
+                                    if (_e3873[2] < 0f) {
+                                        phi_6001_ = -(_e3873[2]);
                                     } else {
-                                        phi_5983_ = _e3865[2];
+                                        phi_6001_ = _e3873[2];
                                     }
-                                    let _e3883 = phi_5983_;
-                                    if (_e3879 > _e3883) {
-                                        phi_5988_ = _e3879;
+                                    let _e3891 = phi_6001_;
+                                    if (_e3887 > _e3891) {
+                                        phi_6006_ = _e3887;
                                     } else {
-                                        phi_5988_ = _e3883;
+                                        phi_6006_ = _e3891;
                                     }
-                                    let _e3886 = phi_5988_;
-                                    let _e3889 = local_4[0u].member_2[1u];
-                                    if (_e3889[0] < 0f) {
-                                        phi_6002_ = -(_e3889[0]);
+                                    let _e3894 = phi_6006_;
+                                    let _e3897 = local_4[0u].member_2[1u];
+                                    if (_e3897[0] < 0f) {
+                                        phi_6020_ = -(_e3897[0]);
                                     } else {
-                                        phi_6002_ = _e3889[0];
+                                        phi_6020_ = _e3897[0];
                                     }
-                                    let _e3896 = phi_6002_;
-                                    if (_e3889[1] < 0f) {
-                                        phi_6009_ = -(_e3889[1]);
+                                    let _e3904 = phi_6020_;
+                                    if (_e3897[1] < 0f) {
+                                        phi_6027_ = -(_e3897[1]);
                                     } else {
-                                        phi_6009_ = _e3889[1];
+                                        phi_6027_ = _e3897[1];
                                     }
-                                    let _e3900 = phi_6009_;
-                                    if (_e3896 > _e3900) {
-                                        phi_6014_ = _e3896;
+                                    let _e3908 = phi_6027_;
+                                    if (_e3904 > _e3908) {
+                                        phi_6032_ = _e3904;
                                     } else {
-                                        phi_6014_ = _e3900;
+                                        phi_6032_ = _e3908;
                                     }
-                                    let _e3903 = phi_6014_;
-                                    if (_e3889[2] < 0f) {
-                                        phi_6021_ = -(_e3889[2]);
+                                    let _e3911 = phi_6032_;
+                                    if (_e3897[2] < 0f) {
+                                        phi_6039_ = -(_e3897[2]);
                                     } else {
-                                        phi_6021_ = _e3889[2];
+                                        phi_6039_ = _e3897[2];
                                     }
-                                    let _e3907 = phi_6021_;
-                                    if (_e3903 > _e3907) {
-                                        phi_6026_ = _e3903;
+                                    let _e3915 = phi_6039_;
+                                    if (_e3911 > _e3915) {
+                                        phi_6044_ = _e3911;
                                     } else {
-                                        phi_6026_ = _e3907;
+                                        phi_6044_ = _e3915;
                                     }
-                                    let _e3910 = phi_6026_;
-                                    if (_e3886 > _e3910) {
-                                        phi_6031_ = _e3886;
+                                    let _e3918 = phi_6044_;
+                                    if (_e3894 > _e3918) {
+                                        phi_6049_ = _e3894;
                                     } else {
-                                        phi_6031_ = _e3910;
+                                        phi_6049_ = _e3918;
                                     }
-                                    let _e3913 = phi_6031_;
-                                    let _e3915 = local_4[0u].member_3;
-                                    let _e3918 = (((_e3805 + _e3807) + (_e3859 + _e3861)) + (_e3913 + _e3915));
-                                    let _e3921 = local_4[0u].member_3;
-                                    let _e3925 = (((_e2108 * 1.0001f) + (_e3921 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                    let _e3928 = ((_e3689 * _e3668) - (_e3692 * _e3667));
-                                    let _e3931 = ((_e3692 * _e3666) - (_e3686 * _e3668));
-                                    let _e3934 = ((_e3686 * _e3667) - (_e3689 * _e3666));
-                                    let _e3936 = local_2[0u];
-                                    let _e3944 = (((_e3928 * _e3936[0]) + (_e3931 * _e3936[1])) + (_e3934 * _e3936[2]));
-                                    phi_6069_ = type_36(0u, 4u);
-                                    phi_6072_ = _e3944;
-                                    phi_6074_ = _e3944;
+                                    let _e3921 = phi_6049_;
+                                    let _e3923 = local_4[0u].member_3;
+                                    let _e3926 = (((_e3813 + _e3815) + (_e3867 + _e3869)) + (_e3921 + _e3923));
+                                    let _e3929 = local_4[0u].member_3;
+                                    let _e3933 = (((_e2116 * 1.0001f) + (_e3929 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                    let _e3936 = ((_e3697 * _e3676) - (_e3700 * _e3675));
+                                    let _e3939 = ((_e3700 * _e3674) - (_e3694 * _e3676));
+                                    let _e3942 = ((_e3694 * _e3675) - (_e3697 * _e3674));
+                                    let _e3944 = local_2[0u];
+                                    let _e3952 = (((_e3936 * _e3944[0]) + (_e3939 * _e3944[1])) + (_e3942 * _e3944[2]));
+                                    phi_6087_ = type_36(0u, 4u);
+                                    phi_6090_ = _e3952;
+                                    phi_6092_ = _e3952;
                                     loop {
-                                        let _e3946 = phi_6069_;
-                                        let _e3948 = phi_6072_;
-                                        let _e3950 = phi_6074_;
-                                        local_56 = _e3948;
-                                        local_57 = _e3950;
-                                        local_69 = _e3950;
-                                        if (_e3946.member < _e3946.member_1) {
-                                            phi_6070_ = type_36((_e3946.member + 1u), _e3946.member_1);
-                                            phi_6097_ = type_36(1u, _e3946.member);
+                                        let _e3954 = phi_6087_;
+                                        let _e3956 = phi_6090_;
+                                        let _e3958 = phi_6092_;
+                                        local_56 = _e3956;
+                                        local_57 = _e3958;
+                                        local_69 = _e3958;
+                                        if (_e3954.member < _e3954.member_1) {
+                                            phi_6088_ = type_36((_e3954.member + 1u), _e3954.member_1);
+                                            phi_6115_ = type_36(1u, _e3954.member);
                                         } else {
-                                            phi_6070_ = _e3946;
-                                            phi_6097_ = type_36(0u, type_36().member_1);
+                                            phi_6088_ = _e3954;
+                                            phi_6115_ = type_36(0u, type_36().member_1);
                                         }
-                                        let _e3964 = phi_6070_;
-                                        let _e3966 = phi_6097_;
-                                        let _e3970 = (bitcast<i32>(_e3966.member) != 0i);
-                                        if _e3970 {
-                                            if (_e3966.member_1 < 4u) {
+                                        let _e3972 = phi_6088_;
+                                        let _e3974 = phi_6115_;
+                                        let _e3978 = (bitcast<i32>(_e3974.member) != 0i);
+                                        if _e3978 {
+                                            if (_e3974.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3973 = local_2[_e3966.member_1];
-                                            let _e3981 = (((_e3928 * _e3973[0]) + (_e3931 * _e3973[1])) + (_e3934 * _e3973[2]));
-                                            if (_e3966.member_1 < 4u) {
+                                            let _e3981 = local_2[_e3974.member_1];
+                                            let _e3989 = (((_e3936 * _e3981[0]) + (_e3939 * _e3981[1])) + (_e3942 * _e3981[2]));
+                                            if (_e3974.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3984 = local_3[_e3966.member_1];
-                                            let _e3992 = (((_e3928 * _e3984[0]) + (_e3931 * _e3984[1])) + (_e3934 * _e3984[2]));
-                                            if (_e3950 < _e3981) {
-                                                phi_6147_ = _e3950;
+                                            let _e3992 = local_3[_e3974.member_1];
+                                            let _e4000 = (((_e3936 * _e3992[0]) + (_e3939 * _e3992[1])) + (_e3942 * _e3992[2]));
+                                            if (_e3958 < _e3989) {
+                                                phi_6165_ = _e3958;
                                             } else {
-                                                phi_6147_ = _e3981;
+                                                phi_6165_ = _e3989;
                                             }
-                                            let _e3995 = phi_6147_;
-                                            if (_e3995 < _e3992) {
-                                                phi_6152_ = _e3995;
+                                            let _e4003 = phi_6165_;
+                                            if (_e4003 < _e4000) {
+                                                phi_6170_ = _e4003;
                                             } else {
-                                                phi_6152_ = _e3992;
+                                                phi_6170_ = _e4000;
                                             }
-                                            let _e3998 = phi_6152_;
-                                            if (_e3948 > _e3981) {
-                                                phi_6157_ = _e3948;
+                                            let _e4006 = phi_6170_;
+                                            if (_e3956 > _e3989) {
+                                                phi_6175_ = _e3956;
                                             } else {
-                                                phi_6157_ = _e3981;
+                                                phi_6175_ = _e3989;
                                             }
-                                            let _e4001 = phi_6157_;
-                                            if (_e4001 > _e3992) {
-                                                phi_6162_ = _e4001;
+                                            let _e4009 = phi_6175_;
+                                            if (_e4009 > _e4000) {
+                                                phi_6180_ = _e4009;
                                             } else {
-                                                phi_6162_ = _e3992;
+                                                phi_6180_ = _e4000;
                                             }
-                                            let _e4004 = phi_6162_;
-                                            phi_6073_ = _e4004;
-                                            phi_6075_ = _e3998;
+                                            let _e4012 = phi_6180_;
+                                            phi_6091_ = _e4012;
+                                            phi_6093_ = _e4006;
                                         } else {
-                                            phi_6073_ = f32();
-                                            phi_6075_ = f32();
+                                            phi_6091_ = f32();
+                                            phi_6093_ = f32();
                                         }
-                                        let _e4006 = phi_6073_;
-                                        let _e4008 = phi_6075_;
+                                        let _e4014 = phi_6091_;
+                                        let _e4016 = phi_6093_;
                                         continue;
                                         continuing {
-                                            phi_6069_ = _e3964;
-                                            phi_6072_ = _e4006;
-                                            phi_6074_ = _e4008;
-                                            break if !(_e3970);
+                                            phi_6087_ = _e3972;
+                                            phi_6090_ = _e4014;
+                                            phi_6092_ = _e4016;
+                                            break if !(_e3978);
                                         }
                                     }
-                                    if (_e3928 < 0f) {
-                                        phi_6168_ = -(_e3928);
+                                    if (_e3936 < 0f) {
+                                        phi_6186_ = -(_e3936);
                                     } else {
-                                        phi_6168_ = _e3928;
+                                        phi_6186_ = _e3936;
                                     }
-                                    let _e4013 = phi_6168_;
-                                    if (_e3931 < 0f) {
-                                        phi_6174_ = -(_e3931);
+                                    let _e4021 = phi_6186_;
+                                    if (_e3939 < 0f) {
+                                        phi_6192_ = -(_e3939);
                                     } else {
-                                        phi_6174_ = _e3931;
+                                        phi_6192_ = _e3939;
                                     }
-                                    let _e4017 = phi_6174_;
-                                    if (_e3934 < 0f) {
-                                        phi_6181_ = -(_e3934);
+                                    let _e4025 = phi_6192_;
+                                    if (_e3942 < 0f) {
+                                        phi_6199_ = -(_e3942);
                                     } else {
-                                        phi_6181_ = _e3934;
+                                        phi_6199_ = _e3942;
                                     }
-                                    let _e4022 = phi_6181_;
-                                    let _e4023 = ((_e4013 + _e4017) + _e4022);
-                                    let _e4028 = local_56;
-                                    let _e4029 = -(_e4028);
-                                    let _e4031 = local_57;
-                                    if (_e4031 > _e4029) {
-                                        let _e5651 = local_69;
-                                        phi_6191_ = _e5651;
+                                    let _e4030 = phi_6199_;
+                                    let _e4031 = ((_e4021 + _e4025) + _e4030);
+                                    let _e4036 = local_56;
+                                    let _e4037 = -(_e4036);
+                                    let _e4039 = local_57;
+                                    if (_e4039 > _e4037) {
+                                        let _e5667 = local_69;
+                                        phi_6209_ = _e5667;
                                     } else {
-                                        phi_6191_ = _e4029;
+                                        phi_6209_ = _e4037;
                                     }
-                                    let _e4034 = phi_6191_;
-                                    let _e4039 = (((_e4034 - ((_e4023 * _e3918) * (0.000000059604645f * 17f))) - (_e4023 * _e3925)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    let _e4042 = ((_e3689 * _e3683) - (_e3692 * _e3682));
-                                    let _e4045 = ((_e3692 * _e3681) - (_e3686 * _e3683));
-                                    let _e4048 = ((_e3686 * _e3682) - (_e3689 * _e3681));
-                                    let _e4050 = local_2[0u];
-                                    let _e4058 = (((_e4042 * _e4050[0]) + (_e4045 * _e4050[1])) + (_e4048 * _e4050[2]));
-                                    phi_6222_ = type_36(0u, 4u);
-                                    phi_6225_ = _e4058;
-                                    phi_6227_ = _e4058;
+                                    let _e4042 = phi_6209_;
+                                    let _e4047 = (((_e4042 - ((_e4031 * _e3926) * (0.000000059604645f * 17f))) - (_e4031 * _e3933)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    let _e4050 = ((_e3697 * _e3691) - (_e3700 * _e3690));
+                                    let _e4053 = ((_e3700 * _e3689) - (_e3694 * _e3691));
+                                    let _e4056 = ((_e3694 * _e3690) - (_e3697 * _e3689));
+                                    let _e4058 = local_2[0u];
+                                    let _e4066 = (((_e4050 * _e4058[0]) + (_e4053 * _e4058[1])) + (_e4056 * _e4058[2]));
+                                    phi_6240_ = type_36(0u, 4u);
+                                    phi_6243_ = _e4066;
+                                    phi_6245_ = _e4066;
                                     loop {
-                                        let _e4060 = phi_6222_;
-                                        let _e4062 = phi_6225_;
-                                        let _e4064 = phi_6227_;
-                                        local_58 = _e4062;
-                                        local_59 = _e4064;
-                                        local_70 = _e4064;
-                                        if (_e4060.member < _e4060.member_1) {
-                                            phi_6223_ = type_36((_e4060.member + 1u), _e4060.member_1);
-                                            phi_6250_ = type_36(1u, _e4060.member);
+                                        let _e4068 = phi_6240_;
+                                        let _e4070 = phi_6243_;
+                                        let _e4072 = phi_6245_;
+                                        local_58 = _e4070;
+                                        local_59 = _e4072;
+                                        local_70 = _e4072;
+                                        if (_e4068.member < _e4068.member_1) {
+                                            phi_6241_ = type_36((_e4068.member + 1u), _e4068.member_1);
+                                            phi_6268_ = type_36(1u, _e4068.member);
                                         } else {
-                                            phi_6223_ = _e4060;
-                                            phi_6250_ = type_36(0u, type_36().member_1);
+                                            phi_6241_ = _e4068;
+                                            phi_6268_ = type_36(0u, type_36().member_1);
                                         }
-                                        let _e4078 = phi_6223_;
-                                        let _e4080 = phi_6250_;
-                                        let _e4084 = (bitcast<i32>(_e4080.member) != 0i);
-                                        if _e4084 {
-                                            if (_e4080.member_1 < 4u) {
+                                        let _e4086 = phi_6241_;
+                                        let _e4088 = phi_6268_;
+                                        let _e4092 = (bitcast<i32>(_e4088.member) != 0i);
+                                        if _e4092 {
+                                            if (_e4088.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e4087 = local_2[_e4080.member_1];
-                                            let _e4095 = (((_e4042 * _e4087[0]) + (_e4045 * _e4087[1])) + (_e4048 * _e4087[2]));
-                                            if (_e4080.member_1 < 4u) {
+                                            let _e4095 = local_2[_e4088.member_1];
+                                            let _e4103 = (((_e4050 * _e4095[0]) + (_e4053 * _e4095[1])) + (_e4056 * _e4095[2]));
+                                            if (_e4088.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e4098 = local_3[_e4080.member_1];
-                                            let _e4106 = (((_e4042 * _e4098[0]) + (_e4045 * _e4098[1])) + (_e4048 * _e4098[2]));
-                                            if (_e4064 < _e4095) {
-                                                phi_6300_ = _e4064;
+                                            let _e4106 = local_3[_e4088.member_1];
+                                            let _e4114 = (((_e4050 * _e4106[0]) + (_e4053 * _e4106[1])) + (_e4056 * _e4106[2]));
+                                            if (_e4072 < _e4103) {
+                                                phi_6318_ = _e4072;
                                             } else {
-                                                phi_6300_ = _e4095;
+                                                phi_6318_ = _e4103;
                                             }
-                                            let _e4109 = phi_6300_;
-                                            if (_e4109 < _e4106) {
-                                                phi_6305_ = _e4109;
+                                            let _e4117 = phi_6318_;
+                                            if (_e4117 < _e4114) {
+                                                phi_6323_ = _e4117;
                                             } else {
-                                                phi_6305_ = _e4106;
+                                                phi_6323_ = _e4114;
                                             }
-                                            let _e4112 = phi_6305_;
-                                            if (_e4062 > _e4095) {
-                                                phi_6310_ = _e4062;
+                                            let _e4120 = phi_6323_;
+                                            if (_e4070 > _e4103) {
+                                                phi_6328_ = _e4070;
                                             } else {
-                                                phi_6310_ = _e4095;
+                                                phi_6328_ = _e4103;
                                             }
-                                            let _e4115 = phi_6310_;
-                                            if (_e4115 > _e4106) {
-                                                phi_6315_ = _e4115;
+                                            let _e4123 = phi_6328_;
+                                            if (_e4123 > _e4114) {
+                                                phi_6333_ = _e4123;
                                             } else {
-                                                phi_6315_ = _e4106;
+                                                phi_6333_ = _e4114;
                                             }
-                                            let _e4118 = phi_6315_;
-                                            phi_6226_ = _e4118;
-                                            phi_6228_ = _e4112;
+                                            let _e4126 = phi_6333_;
+                                            phi_6244_ = _e4126;
+                                            phi_6246_ = _e4120;
                                         } else {
-                                            phi_6226_ = f32();
-                                            phi_6228_ = f32();
+                                            phi_6244_ = f32();
+                                            phi_6246_ = f32();
                                         }
-                                        let _e4120 = phi_6226_;
-                                        let _e4122 = phi_6228_;
+                                        let _e4128 = phi_6244_;
+                                        let _e4130 = phi_6246_;
                                         continue;
                                         continuing {
-                                            phi_6222_ = _e4078;
-                                            phi_6225_ = _e4120;
-                                            phi_6227_ = _e4122;
-                                            break if !(_e4084);
+                                            phi_6240_ = _e4086;
+                                            phi_6243_ = _e4128;
+                                            phi_6245_ = _e4130;
+                                            break if !(_e4092);
                                         }
                                     }
-                                    if (_e4042 < 0f) {
-                                        phi_6321_ = -(_e4042);
+                                    if (_e4050 < 0f) {
+                                        phi_6339_ = -(_e4050);
                                     } else {
-                                        phi_6321_ = _e4042;
+                                        phi_6339_ = _e4050;
                                     }
-                                    let _e4127 = phi_6321_;
-                                    if (_e4045 < 0f) {
-                                        phi_6327_ = -(_e4045);
+                                    let _e4135 = phi_6339_;
+                                    if (_e4053 < 0f) {
+                                        phi_6345_ = -(_e4053);
                                     } else {
-                                        phi_6327_ = _e4045;
+                                        phi_6345_ = _e4053;
                                     }
-                                    let _e4131 = phi_6327_;
-                                    if (_e4048 < 0f) {
-                                        phi_6334_ = -(_e4048);
+                                    let _e4139 = phi_6345_;
+                                    if (_e4056 < 0f) {
+                                        phi_6352_ = -(_e4056);
                                     } else {
-                                        phi_6334_ = _e4048;
+                                        phi_6352_ = _e4056;
                                     }
-                                    let _e4136 = phi_6334_;
-                                    let _e4137 = ((_e4127 + _e4131) + _e4136);
-                                    let _e4142 = local_58;
-                                    let _e4143 = -(_e4142);
-                                    let _e4145 = local_59;
-                                    if (_e4145 > _e4143) {
-                                        let _e5670 = local_70;
-                                        phi_6344_ = _e5670;
+                                    let _e4144 = phi_6352_;
+                                    let _e4145 = ((_e4135 + _e4139) + _e4144);
+                                    let _e4150 = local_58;
+                                    let _e4151 = -(_e4150);
+                                    let _e4153 = local_59;
+                                    if (_e4153 > _e4151) {
+                                        let _e5686 = local_70;
+                                        phi_6362_ = _e5686;
                                     } else {
-                                        phi_6344_ = _e4143;
+                                        phi_6362_ = _e4151;
                                     }
-                                    let _e4148 = phi_6344_;
-                                    let _e4153 = (((_e4148 - ((_e4137 * _e3918) * (0.000000059604645f * 17f))) - (_e4137 * _e3925)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e4039 > _e4153) {
-                                        phi_6354_ = _e4039;
+                                    let _e4156 = phi_6362_;
+                                    let _e4161 = (((_e4156 - ((_e4145 * _e3926) * (0.000000059604645f * 17f))) - (_e4145 * _e3933)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e4047 > _e4161) {
+                                        phi_6372_ = _e4047;
                                     } else {
-                                        phi_6354_ = _e4153;
+                                        phi_6372_ = _e4161;
                                     }
-                                    let _e4156 = phi_6354_;
-                                    phi_6522_ = (_e4156 > 0f);
+                                    let _e4164 = phi_6372_;
+                                    phi_6540_ = (_e4164 > 0f);
                                 }
-                                let _e4159 = phi_6522_;
-                                if _e4159 {
-                                    let _e4163 = local_4[1u].member_1[0u];
-                                    let _e4169 = local_4[1u].member_2[0u];
-                                    let _e4175 = ((_e4163[1] * _e4169[2]) - (_e4163[2] * _e4169[1]));
-                                    let _e4178 = ((_e4163[2] * _e4169[0]) - (_e4163[0] * _e4169[2]));
-                                    let _e4181 = ((_e4163[0] * _e4169[1]) - (_e4163[1] * _e4169[0]));
-                                    let _e4184 = local_4[1u].member_1[1u];
-                                    let _e4190 = local_4[1u].member_2[1u];
-                                    let _e4196 = ((_e4184[1] * _e4190[2]) - (_e4184[2] * _e4190[1]));
-                                    let _e4199 = ((_e4184[2] * _e4190[0]) - (_e4184[0] * _e4190[2]));
-                                    let _e4202 = ((_e4184[0] * _e4190[1]) - (_e4184[1] * _e4190[0]));
-                                    let _e4205 = local_4[1u].member_1[0u];
-                                    let _e4211 = local_4[1u].member_2[1u];
-                                    let _e4226 = local_4[1u].member_1[1u];
-                                    let _e4232 = local_4[1u].member_2[0u];
-                                    let _e4245 = (((_e4205[1] * _e4211[2]) - (_e4205[2] * _e4211[1])) + ((_e4226[1] * _e4232[2]) - (_e4226[2] * _e4232[1])));
-                                    let _e4246 = (((_e4205[2] * _e4211[0]) - (_e4205[0] * _e4211[2])) + ((_e4226[2] * _e4232[0]) - (_e4226[0] * _e4232[2])));
-                                    let _e4247 = (((_e4205[0] * _e4211[1]) - (_e4205[1] * _e4211[0])) + ((_e4226[0] * _e4232[1]) - (_e4226[1] * _e4232[0])));
-                                    let _e4250 = local_4[1u].member[0u];
-                                    let _e4261 = local_4[1u].member[1u];
-                                    let _e4272 = local_4[1u].member[0u];
-                                    let _e4281 = ((((_e4261[0] * _e4175) + (_e4261[1] * _e4178)) + (_e4261[2] * _e4181)) + (((_e4272[0] * _e4245) + (_e4272[1] * _e4246)) + (_e4272[2] * _e4247)));
-                                    let _e4284 = local_4[1u].member[0u];
-                                    let _e4295 = local_4[1u].member[1u];
-                                    let _e4304 = ((((_e4284[0] * _e4196) + (_e4284[1] * _e4199)) + (_e4284[2] * _e4202)) + (((_e4295[0] * _e4245) + (_e4295[1] * _e4246)) + (_e4295[2] * _e4247)));
-                                    let _e4307 = local_4[1u].member[1u];
-                                    let _e4318 = local_4[1u].member[0u];
-                                    if (_e4318[0] < 0f) {
-                                        phi_6768_ = -(_e4318[0]);
+                                let _e4167 = phi_6540_;
+                                if _e4167 {
+                                    let _e4171 = local_4[1u].member_1[0u];
+                                    let _e4177 = local_4[1u].member_2[0u];
+                                    let _e4183 = ((_e4171[1] * _e4177[2]) - (_e4171[2] * _e4177[1]));
+                                    let _e4186 = ((_e4171[2] * _e4177[0]) - (_e4171[0] * _e4177[2]));
+                                    let _e4189 = ((_e4171[0] * _e4177[1]) - (_e4171[1] * _e4177[0]));
+                                    let _e4192 = local_4[1u].member_1[1u];
+                                    let _e4198 = local_4[1u].member_2[1u];
+                                    let _e4204 = ((_e4192[1] * _e4198[2]) - (_e4192[2] * _e4198[1]));
+                                    let _e4207 = ((_e4192[2] * _e4198[0]) - (_e4192[0] * _e4198[2]));
+                                    let _e4210 = ((_e4192[0] * _e4198[1]) - (_e4192[1] * _e4198[0]));
+                                    let _e4213 = local_4[1u].member_1[0u];
+                                    let _e4219 = local_4[1u].member_2[1u];
+                                    let _e4234 = local_4[1u].member_1[1u];
+                                    let _e4240 = local_4[1u].member_2[0u];
+                                    let _e4253 = (((_e4213[1] * _e4219[2]) - (_e4213[2] * _e4219[1])) + ((_e4234[1] * _e4240[2]) - (_e4234[2] * _e4240[1])));
+                                    let _e4254 = (((_e4213[2] * _e4219[0]) - (_e4213[0] * _e4219[2])) + ((_e4234[2] * _e4240[0]) - (_e4234[0] * _e4240[2])));
+                                    let _e4255 = (((_e4213[0] * _e4219[1]) - (_e4213[1] * _e4219[0])) + ((_e4234[0] * _e4240[1]) - (_e4234[1] * _e4240[0])));
+                                    let _e4258 = local_4[1u].member[0u];
+                                    let _e4269 = local_4[1u].member[1u];
+                                    let _e4280 = local_4[1u].member[0u];
+                                    let _e4289 = ((((_e4269[0] * _e4183) + (_e4269[1] * _e4186)) + (_e4269[2] * _e4189)) + (((_e4280[0] * _e4253) + (_e4280[1] * _e4254)) + (_e4280[2] * _e4255)));
+                                    let _e4292 = local_4[1u].member[0u];
+                                    let _e4303 = local_4[1u].member[1u];
+                                    let _e4312 = ((((_e4292[0] * _e4204) + (_e4292[1] * _e4207)) + (_e4292[2] * _e4210)) + (((_e4303[0] * _e4253) + (_e4303[1] * _e4254)) + (_e4303[2] * _e4255)));
+                                    let _e4315 = local_4[1u].member[1u];
+                                    let _e4326 = local_4[1u].member[0u];
+                                    if (_e4326[0] < 0f) {
+                                        phi_6786_ = -(_e4326[0]);
                                     } else {
-                                        phi_6768_ = _e4318[0];
+                                        phi_6786_ = _e4326[0];
                                     }
-                                    let _e4325 = phi_6768_;
-                                    if (_e4318[1] < 0f) {
-                                        phi_6775_ = -(_e4318[1]);
+                                    let _e4333 = phi_6786_;
+                                    if (_e4326[1] < 0f) {
+                                        phi_6793_ = -(_e4326[1]);
                                     } else {
-                                        phi_6775_ = _e4318[1];
+                                        phi_6793_ = _e4326[1];
                                     }
-                                    let _e4329 = phi_6775_;
-                                    if (_e4325 > _e4329) {
-                                        phi_6780_ = _e4325;
+                                    let _e4337 = phi_6793_;
+                                    if (_e4333 > _e4337) {
+                                        phi_6798_ = _e4333;
                                     } else {
-                                        phi_6780_ = _e4329;
+                                        phi_6798_ = _e4337;
                                     }
-                                    let _e4332 = phi_6780_;
-                                    if (_e4318[2] < 0f) {
-                                        phi_6787_ = -(_e4318[2]);
+                                    let _e4340 = phi_6798_;
+                                    if (_e4326[2] < 0f) {
+                                        phi_6805_ = -(_e4326[2]);
                                     } else {
-                                        phi_6787_ = _e4318[2];
+                                        phi_6805_ = _e4326[2];
                                     }
-                                    let _e4336 = phi_6787_;
-                                    if (_e4332 > _e4336) {
-                                        phi_6792_ = _e4332;
+                                    let _e4344 = phi_6805_;
+                                    if (_e4340 > _e4344) {
+                                        phi_6810_ = _e4340;
                                     } else {
-                                        phi_6792_ = _e4336;
+                                        phi_6810_ = _e4344;
                                     }
-                                    let _e4339 = phi_6792_;
-                                    let _e4342 = local_4[1u].member[1u];
-                                    if (_e4342[0] < 0f) {
-                                        phi_6805_ = -(_e4342[0]);
+                                    let _e4347 = phi_6810_;
+                                    let _e4350 = local_4[1u].member[1u];
+                                    if (_e4350[0] < 0f) {
+                                        phi_6823_ = -(_e4350[0]);
                                     } else {
-                                        phi_6805_ = _e4342[0];
+                                        phi_6823_ = _e4350[0];
                                     }
-                                    let _e4349 = phi_6805_;
-                                    if (_e4342[1] < 0f) {
-                                        phi_6812_ = -(_e4342[1]);
+                                    let _e4357 = phi_6823_;
+                                    if (_e4350[1] < 0f) {
+                                        phi_6830_ = -(_e4350[1]);
                                     } else {
-                                        phi_6812_ = _e4342[1];
+                                        phi_6830_ = _e4350[1];
                                     }
-                                    let _e4353 = phi_6812_;
-                                    if (_e4349 > _e4353) {
-                                        phi_6817_ = _e4349;
+                                    let _e4361 = phi_6830_;
+                                    if (_e4357 > _e4361) {
+                                        phi_6835_ = _e4357;
                                     } else {
-                                        phi_6817_ = _e4353;
+                                        phi_6835_ = _e4361;
                                     }
-                                    let _e4356 = phi_6817_;
-                                    if (_e4342[2] < 0f) {
-                                        phi_6824_ = -(_e4342[2]);
+                                    let _e4364 = phi_6835_;
+                                    if (_e4350[2] < 0f) {
+                                        phi_6842_ = -(_e4350[2]);
                                     } else {
-                                        phi_6824_ = _e4342[2];
+                                        phi_6842_ = _e4350[2];
                                     }
-                                    let _e4360 = phi_6824_;
-                                    if (_e4356 > _e4360) {
-                                        phi_6829_ = _e4356;
+                                    let _e4368 = phi_6842_;
+                                    if (_e4364 > _e4368) {
+                                        phi_6847_ = _e4364;
                                     } else {
-                                        phi_6829_ = _e4360;
+                                        phi_6847_ = _e4368;
                                     }
-                                    let _e4363 = phi_6829_;
-                                    if (_e4339 > _e4363) {
-                                        phi_6834_ = _e4339;
+                                    let _e4371 = phi_6847_;
+                                    if (_e4347 > _e4371) {
+                                        phi_6852_ = _e4347;
                                     } else {
-                                        phi_6834_ = _e4363;
+                                        phi_6852_ = _e4371;
                                     }
-                                    let _e4366 = phi_6834_;
-                                    let _e4368 = local_4[1u].member_3;
-                                    let _e4369 = (_e4366 + _e4368);
-                                    let _e4372 = local_4[1u].member_1[0u];
-                                    if (_e4372[0] < 0f) {
-                                        phi_6851_ = -(_e4372[0]);
+                                    let _e4374 = phi_6852_;
+                                    let _e4376 = local_4[1u].member_3;
+                                    let _e4377 = (_e4374 + _e4376);
+                                    let _e4380 = local_4[1u].member_1[0u];
+                                    if (_e4380[0] < 0f) {
+                                        phi_6869_ = -(_e4380[0]);
                                     } else {
-                                        phi_6851_ = _e4372[0];
+                                        phi_6869_ = _e4380[0];
                                     }
-                                    let _e4379 = phi_6851_;
-                                    if (_e4372[1] < 0f) {
-                                        phi_6858_ = -(_e4372[1]);
+                                    let _e4387 = phi_6869_;
+                                    if (_e4380[1] < 0f) {
+                                        phi_6876_ = -(_e4380[1]);
                                     } else {
-                                        phi_6858_ = _e4372[1];
+                                        phi_6876_ = _e4380[1];
                                     }
-                                    let _e4383 = phi_6858_;
-                                    if (_e4379 > _e4383) {
-                                        phi_6863_ = _e4379;
+                                    let _e4391 = phi_6876_;
+                                    if (_e4387 > _e4391) {
+                                        phi_6881_ = _e4387;
                                     } else {
-                                        phi_6863_ = _e4383;
+                                        phi_6881_ = _e4391;
                                     }
-                                    let _e4386 = phi_6863_;
-                                    if (_e4372[2] < 0f) {
-                                        phi_6870_ = -(_e4372[2]);
+                                    let _e4394 = phi_6881_;
+                                    if (_e4380[2] < 0f) {
+                                        phi_6888_ = -(_e4380[2]);
                                     } else {
-                                        phi_6870_ = _e4372[2];
+                                        phi_6888_ = _e4380[2];
                                     }
-                                    let _e4390 = phi_6870_;
-                                    if (_e4386 > _e4390) {
-                                        phi_6875_ = _e4386;
+                                    let _e4398 = phi_6888_;
+                                    if (_e4394 > _e4398) {
+                                        phi_6893_ = _e4394;
                                     } else {
-                                        phi_6875_ = _e4390;
+                                        phi_6893_ = _e4398;
                                     }
-                                    let _e4393 = phi_6875_;
-                                    let _e4396 = local_4[1u].member_1[1u];
-                                    if (_e4396[0] < 0f) {
-                                        phi_6889_ = -(_e4396[0]);
+                                    let _e4401 = phi_6893_;
+                                    let _e4404 = local_4[1u].member_1[1u];
+                                    if (_e4404[0] < 0f) {
+                                        phi_6907_ = -(_e4404[0]);
                                     } else {
-                                        phi_6889_ = _e4396[0];
+                                        phi_6907_ = _e4404[0];
                                     }
-                                    let _e4403 = phi_6889_;
-                                    if (_e4396[1] < 0f) {
-                                        phi_6896_ = -(_e4396[1]);
+                                    let _e4411 = phi_6907_;
+                                    if (_e4404[1] < 0f) {
+                                        phi_6914_ = -(_e4404[1]);
                                     } else {
-                                        phi_6896_ = _e4396[1];
+                                        phi_6914_ = _e4404[1];
                                     }
-                                    let _e4407 = phi_6896_;
-                                    if (_e4403 > _e4407) {
-                                        phi_6901_ = _e4403;
+                                    let _e4415 = phi_6914_;
+                                    if (_e4411 > _e4415) {
+                                        phi_6919_ = _e4411;
                                     } else {
-                                        phi_6901_ = _e4407;
+                                        phi_6919_ = _e4415;
                                     }
-                                    let _e4410 = phi_6901_;
-                                    if (_e4396[2] < 0f) {
-                                        phi_6908_ = -(_e4396[2]);
+                                    let _e4418 = phi_6919_;
+                                    if (_e4404[2] < 0f) {
+                                        phi_6926_ = -(_e4404[2]);
                                     } else {
-                                        phi_6908_ = _e4396[2];
+                                        phi_6926_ = _e4404[2];
                                     }
-                                    let _e4414 = phi_6908_;
-                                    if (_e4410 > _e4414) {
-                                        phi_6913_ = _e4410;
+                                    let _e4422 = phi_6926_;
+                                    if (_e4418 > _e4422) {
+                                        phi_6931_ = _e4418;
                                     } else {
-                                        phi_6913_ = _e4414;
+                                        phi_6931_ = _e4422;
                                     }
-                                    let _e4417 = phi_6913_;
-                                    if (_e4393 > _e4417) {
-                                        phi_6918_ = _e4393;
+                                    let _e4425 = phi_6931_;
+                                    if (_e4401 > _e4425) {
+                                        phi_6936_ = _e4401;
                                     } else {
-                                        phi_6918_ = _e4417;
+                                        phi_6936_ = _e4425;
                                     }
-                                    let _e4420 = phi_6918_;
-                                    let _e4422 = local_4[1u].member_3;
-                                    let _e4423 = (_e4420 + _e4422);
-                                    let _e4426 = local_4[1u].member_2[0u];
-                                    if (_e4426[0] < 0f) {
-                                        phi_6935_ = -(_e4426[0]);
+                                    let _e4428 = phi_6936_;
+                                    let _e4430 = local_4[1u].member_3;
+                                    let _e4431 = (_e4428 + _e4430);
+                                    let _e4434 = local_4[1u].member_2[0u];
+                                    if (_e4434[0] < 0f) {
+                                        phi_6953_ = -(_e4434[0]);
                                     } else {
-                                        phi_6935_ = _e4426[0];
+                                        phi_6953_ = _e4434[0];
                                     }
-                                    let _e4433 = phi_6935_;
-                                    if (_e4426[1] < 0f) {
-                                        phi_6942_ = -(_e4426[1]);
+                                    let _e4441 = phi_6953_;
+                                    if (_e4434[1] < 0f) {
+                                        phi_6960_ = -(_e4434[1]);
                                     } else {
-                                        phi_6942_ = _e4426[1];
+                                        phi_6960_ = _e4434[1];
                                     }
-                                    let _e4437 = phi_6942_;
-                                    if (_e4433 > _e4437) {
-                                        phi_6947_ = _e4433;
+                                    let _e4445 = phi_6960_;
+                                    if (_e4441 > _e4445) {
+                                        phi_6965_ = _e4441;
                                     } else {
-                                        phi_6947_ = _e4437;
+                                        phi_6965_ = _e4445;
                                     }
-                                    let _e4440 = phi_6947_;
-                                    if (_e4426[2] < 0f) {
-                                        phi_6954_ = -(_e4426[2]);
+                                    let _e4448 = phi_6965_;
+                                    if (_e4434[2] < 0f) {
+                                        phi_6972_ = -(_e4434[2]);
                                     } else {
-                                        phi_6954_ = _e4426[2];
+                                        phi_6972_ = _e4434[2];
                                     }
-                                    let _e4444 = phi_6954_;
-                                    if (_e4440 > _e4444) {
-                                        phi_6959_ = _e4440;
+                                    let _e4452 = phi_6972_;
+                                    if (_e4448 > _e4452) {
+                                        phi_6977_ = _e4448;
                                     } else {
-                                        phi_6959_ = _e4444;
+                                        phi_6977_ = _e4452;
                                     }
-                                    let _e4447 = phi_6959_;
-                                    let _e4450 = local_4[1u].member_2[1u];
-                                    if (_e4450[0] < 0f) {
-                                        phi_6973_ = -(_e4450[0]);
+                                    let _e4455 = phi_6977_;
+                                    let _e4458 = local_4[1u].member_2[1u];
+                                    if (_e4458[0] < 0f) {
+                                        phi_6991_ = -(_e4458[0]);
                                     } else {
-                                        phi_6973_ = _e4450[0];
+                                        phi_6991_ = _e4458[0];
                                     }
-                                    let _e4457 = phi_6973_;
-                                    if (_e4450[1] < 0f) {
-                                        phi_6980_ = -(_e4450[1]);
+                                    let _e4465 = phi_6991_;
+                                    if (_e4458[1] < 0f) {
+                                        phi_6998_ = -(_e4458[1]);
                                     } else {
-                                        phi_6980_ = _e4450[1];
+                                        phi_6998_ = _e4458[1];
                                     }
-                                    let _e4461 = phi_6980_;
-                                    if (_e4457 > _e4461) {
-                                        phi_6985_ = _e4457;
+                                    let _e4469 = phi_6998_;
+                                    if (_e4465 > _e4469) {
+                                        phi_7003_ = _e4465;
                                     } else {
-                                        phi_6985_ = _e4461;
+                                        phi_7003_ = _e4469;
                                     }
-                                    let _e4464 = phi_6985_;
-                                    if (_e4450[2] < 0f) {
-                                        phi_6992_ = -(_e4450[2]);
+                                    let _e4472 = phi_7003_;
+                                    if (_e4458[2] < 0f) {
+                                        phi_7010_ = -(_e4458[2]);
                                     } else {
-                                        phi_6992_ = _e4450[2];
+                                        phi_7010_ = _e4458[2];
                                     }
-                                    let _e4468 = phi_6992_;
-                                    if (_e4464 > _e4468) {
-                                        phi_6997_ = _e4464;
+                                    let _e4476 = phi_7010_;
+                                    if (_e4472 > _e4476) {
+                                        phi_7015_ = _e4472;
                                     } else {
-                                        phi_6997_ = _e4468;
+                                        phi_7015_ = _e4476;
                                     }
-                                    let _e4471 = phi_6997_;
-                                    if (_e4447 > _e4471) {
-                                        phi_7002_ = _e4447;
+                                    let _e4479 = phi_7015_;
+                                    if (_e4455 > _e4479) {
+                                        phi_7020_ = _e4455;
                                     } else {
-                                        phi_7002_ = _e4471;
+                                        phi_7020_ = _e4479;
                                     }
-                                    let _e4474 = phi_7002_;
-                                    let _e4476 = local_4[1u].member_3;
-                                    let _e4477 = (_e4474 + _e4476);
-                                    let _e4479 = ((_e4423 * 8f) * _e4477);
-                                    let _e4486 = local_4[1u].member_3;
-                                    if (_e4175 < 0f) {
-                                        phi_7033_ = -(_e4175);
+                                    let _e4482 = phi_7020_;
+                                    let _e4484 = local_4[1u].member_3;
+                                    let _e4485 = (_e4482 + _e4484);
+                                    let _e4487 = ((_e4431 * 8f) * _e4485);
+                                    let _e4494 = local_4[1u].member_3;
+                                    if (_e4183 < 0f) {
+                                        phi_7051_ = -(_e4183);
                                     } else {
-                                        phi_7033_ = _e4175;
+                                        phi_7051_ = _e4183;
                                     }
-                                    let _e4503 = phi_7033_;
-                                    if (_e4178 < 0f) {
-                                        phi_7039_ = -(_e4178);
+                                    let _e4511 = phi_7051_;
+                                    if (_e4186 < 0f) {
+                                        phi_7057_ = -(_e4186);
                                     } else {
-                                        phi_7039_ = _e4178;
+                                        phi_7057_ = _e4186;
                                     }
-                                    let _e4507 = phi_7039_;
-                                    if (_e4181 < 0f) {
-                                        phi_7046_ = -(_e4181);
+                                    let _e4515 = phi_7057_;
+                                    if (_e4189 < 0f) {
+                                        phi_7064_ = -(_e4189);
                                     } else {
-                                        phi_7046_ = _e4181;
+                                        phi_7064_ = _e4189;
                                     }
-                                    let _e4512 = phi_7046_;
-                                    let _e4513 = ((_e4503 + _e4507) + _e4512);
-                                    if (_e4196 < 0f) {
-                                        phi_7053_ = -(_e4196);
+                                    let _e4520 = phi_7064_;
+                                    let _e4521 = ((_e4511 + _e4515) + _e4520);
+                                    if (_e4204 < 0f) {
+                                        phi_7071_ = -(_e4204);
                                     } else {
-                                        phi_7053_ = _e4196;
+                                        phi_7071_ = _e4204;
                                     }
-                                    let _e4517 = phi_7053_;
-                                    if (_e4199 < 0f) {
-                                        phi_7059_ = -(_e4199);
+                                    let _e4525 = phi_7071_;
+                                    if (_e4207 < 0f) {
+                                        phi_7077_ = -(_e4207);
                                     } else {
-                                        phi_7059_ = _e4199;
+                                        phi_7077_ = _e4207;
                                     }
-                                    let _e4521 = phi_7059_;
-                                    if (_e4202 < 0f) {
-                                        phi_7066_ = -(_e4202);
+                                    let _e4529 = phi_7077_;
+                                    if (_e4210 < 0f) {
+                                        phi_7084_ = -(_e4210);
                                     } else {
-                                        phi_7066_ = _e4202;
+                                        phi_7084_ = _e4210;
                                     }
-                                    let _e4526 = phi_7066_;
-                                    let _e4527 = ((_e4517 + _e4521) + _e4526);
-                                    if (_e4513 > _e4527) {
-                                        phi_7072_ = _e4513;
+                                    let _e4534 = phi_7084_;
+                                    let _e4535 = ((_e4525 + _e4529) + _e4534);
+                                    if (_e4521 > _e4535) {
+                                        phi_7090_ = _e4521;
                                     } else {
-                                        phi_7072_ = _e4527;
+                                        phi_7090_ = _e4535;
                                     }
-                                    let _e4530 = phi_7072_;
-                                    if (_e4245 < 0f) {
-                                        phi_7078_ = -(_e4245);
+                                    let _e4538 = phi_7090_;
+                                    if (_e4253 < 0f) {
+                                        phi_7096_ = -(_e4253);
                                     } else {
-                                        phi_7078_ = _e4245;
+                                        phi_7096_ = _e4253;
                                     }
-                                    let _e4534 = phi_7078_;
-                                    if (_e4246 < 0f) {
-                                        phi_7084_ = -(_e4246);
+                                    let _e4542 = phi_7096_;
+                                    if (_e4254 < 0f) {
+                                        phi_7102_ = -(_e4254);
                                     } else {
-                                        phi_7084_ = _e4246;
+                                        phi_7102_ = _e4254;
                                     }
-                                    let _e4538 = phi_7084_;
-                                    if (_e4247 < 0f) {
-                                        phi_7091_ = -(_e4247);
+                                    let _e4546 = phi_7102_;
+                                    if (_e4255 < 0f) {
+                                        phi_7109_ = -(_e4255);
                                     } else {
-                                        phi_7091_ = _e4247;
+                                        phi_7109_ = _e4255;
                                     }
-                                    let _e4543 = phi_7091_;
-                                    let _e4545 = (((_e4534 + _e4538) + _e4543) * 0.5f);
-                                    if (_e4530 > _e4545) {
-                                        phi_7098_ = _e4530;
+                                    let _e4551 = phi_7109_;
+                                    let _e4553 = (((_e4542 + _e4546) + _e4551) * 0.5f);
+                                    if (_e4538 > _e4553) {
+                                        phi_7116_ = _e4538;
                                     } else {
-                                        phi_7098_ = _e4545;
+                                        phi_7116_ = _e4553;
                                     }
-                                    let _e4548 = phi_7098_;
-                                    let _e4553 = local_4[1u].member_3;
-                                    let _e4566 = ((((_e4250[0] * _e4175) + (_e4250[1] * _e4178)) + (_e4250[2] * _e4181)) * 3f);
-                                    let _e4567 = ((((_e4307[0] * _e4196) + (_e4307[1] * _e4199)) + (_e4307[2] * _e4202)) * 3f);
-                                    if (_e4566 < _e4567) {
-                                        phi_7122_ = _e4566;
+                                    let _e4556 = phi_7116_;
+                                    let _e4561 = local_4[1u].member_3;
+                                    let _e4574 = ((((_e4258[0] * _e4183) + (_e4258[1] * _e4186)) + (_e4258[2] * _e4189)) * 3f);
+                                    let _e4575 = ((((_e4315[0] * _e4204) + (_e4315[1] * _e4207)) + (_e4315[2] * _e4210)) * 3f);
+                                    if (_e4574 < _e4575) {
+                                        phi_7140_ = _e4574;
                                     } else {
-                                        phi_7122_ = _e4567;
+                                        phi_7140_ = _e4575;
                                     }
-                                    let _e4570 = phi_7122_;
-                                    if (_e4281 < _e4304) {
-                                        phi_7127_ = _e4281;
+                                    let _e4578 = phi_7140_;
+                                    if (_e4289 < _e4312) {
+                                        phi_7145_ = _e4289;
                                     } else {
-                                        phi_7127_ = _e4304;
+                                        phi_7145_ = _e4312;
                                     }
-                                    let _e4573 = phi_7127_;
-                                    if (_e4570 < _e4573) {
-                                        phi_7132_ = _e4570;
+                                    let _e4581 = phi_7145_;
+                                    if (_e4578 < _e4581) {
+                                        phi_7150_ = _e4578;
                                     } else {
-                                        phi_7132_ = _e4573;
+                                        phi_7150_ = _e4581;
                                     }
-                                    let _e4576 = phi_7132_;
-                                    if (_e4566 > _e4567) {
-                                        phi_7137_ = _e4566;
+                                    let _e4584 = phi_7150_;
+                                    if (_e4574 > _e4575) {
+                                        phi_7155_ = _e4574;
                                     } else {
-                                        phi_7137_ = _e4567;
+                                        phi_7155_ = _e4575;
                                     }
-                                    let _e4579 = phi_7137_;
-                                    if (_e4281 > _e4304) {
-                                        phi_7142_ = _e4281;
+                                    let _e4587 = phi_7155_;
+                                    if (_e4289 > _e4312) {
+                                        phi_7160_ = _e4289;
                                     } else {
-                                        phi_7142_ = _e4304;
+                                        phi_7160_ = _e4312;
                                     }
-                                    let _e4582 = phi_7142_;
-                                    if (_e4579 > _e4582) {
-                                        phi_7147_ = _e4579;
+                                    let _e4590 = phi_7160_;
+                                    if (_e4587 > _e4590) {
+                                        phi_7165_ = _e4587;
                                     } else {
-                                        phi_7147_ = _e4582;
+                                        phi_7165_ = _e4590;
                                     }
-                                    let _e4585 = phi_7147_;
-                                    let _e4590 = -(_e4585);
-                                    if (_e4576 > _e4590) {
-                                        phi_7157_ = _e4576;
+                                    let _e4593 = phi_7165_;
+                                    let _e4598 = -(_e4593);
+                                    if (_e4584 > _e4598) {
+                                        phi_7175_ = _e4584;
                                     } else {
-                                        phi_7157_ = _e4590;
+                                        phi_7175_ = _e4598;
                                     }
-                                    let _e4593 = phi_7157_;
-                                    if ((_e4593 - ((((((_e4369 * 8f) * _e4479) * (0.000000059604645f * (490f / 64f))) + ((_e4486 * 19f) * ((_e4369 * (_e4423 + _e4477)) + (_e4423 * _e4477)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4369) * ((1f + _e4423) * (1f + _e4477))))) + ((_e2108 * (((_e4548 + (_e4479 * (0.000000059604645f * 4f))) + ((_e4553 * 6f) * (_e4423 + _e4477))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4423) * (1f + _e4477))))) * (3f * 1.0001f)))) > 0f) {
-                                        phi_8133_ = true;
+                                    let _e4601 = phi_7175_;
+                                    if ((_e4601 - ((((((_e4377 * 8f) * _e4487) * (0.000000059604645f * (490f / 64f))) + ((_e4494 * 19f) * ((_e4377 * (_e4431 + _e4485)) + (_e4431 * _e4485)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4377) * ((1f + _e4431) * (1f + _e4485))))) + ((_e2116 * (((_e4556 + (_e4487 * (0.000000059604645f * 4f))) + ((_e4561 * 6f) * (_e4431 + _e4485))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4431) * (1f + _e4485))))) * (3f * 1.0001f)))) > 0f) {
+                                        phi_8151_ = true;
                                     } else {
-                                        let _e4598 = local_4[1u].member_1[0u];
-                                        let _e4604 = local_4[1u].member_1[1u];
-                                        let _e4608 = (_e4598[0] + _e4604[0]);
-                                        let _e4609 = (_e4598[1] + _e4604[1]);
-                                        let _e4610 = (_e4598[2] + _e4604[2]);
-                                        let _e4613 = local_4[1u].member_2[0u];
-                                        let _e4619 = local_4[1u].member_2[1u];
-                                        let _e4623 = (_e4613[0] + _e4619[0]);
-                                        let _e4624 = (_e4613[1] + _e4619[1]);
-                                        let _e4625 = (_e4613[2] + _e4619[2]);
-                                        let _e4628 = ((_e4609 * _e4625) - (_e4610 * _e4624));
-                                        let _e4631 = ((_e4610 * _e4623) - (_e4608 * _e4625));
-                                        let _e4634 = ((_e4608 * _e4624) - (_e4609 * _e4623));
-                                        let _e4637 = local_4[1u].member[0u];
-                                        let _e4643 = local_4[1u].member_1[0u];
-                                        let _e4649 = local_4[1u].member_2[0u];
-                                        let _e4653 = (_e4637[0] - _e4643[0]);
-                                        let _e4654 = (_e4637[1] - _e4643[1]);
-                                        let _e4655 = (_e4637[2] - _e4643[2]);
-                                        let _e4664 = local_4[1u].member[1u];
-                                        let _e4670 = local_4[1u].member_1[1u];
-                                        let _e4676 = local_4[1u].member_2[1u];
-                                        let _e4680 = (_e4664[0] - _e4670[0]);
-                                        let _e4681 = (_e4664[1] - _e4670[1]);
-                                        let _e4682 = (_e4664[2] - _e4670[2]);
-                                        local = array<array<f32, 3>, 4>(_e4637, array<f32, 3>(_e4653, _e4654, _e4655), array<f32, 3>((_e4637[0] - _e4649[0]), (_e4637[1] - _e4649[1]), (_e4637[2] - _e4649[2])), array<f32, 3>((_e4653 - _e4649[0]), (_e4654 - _e4649[1]), (_e4655 - _e4649[2])));
-                                        local_1 = array<array<f32, 3>, 4>(_e4664, array<f32, 3>(_e4680, _e4681, _e4682), array<f32, 3>((_e4664[0] - _e4676[0]), (_e4664[1] - _e4676[1]), (_e4664[2] - _e4676[2])), array<f32, 3>((_e4680 - _e4676[0]), (_e4681 - _e4676[1]), (_e4682 - _e4676[2])));
-                                        let _e4699 = local_4[1u].member[0u];
-                                        if (_e4699[0] < 0f) {
-                                            phi_7408_ = -(_e4699[0]);
+                                        let _e4606 = local_4[1u].member_1[0u];
+                                        let _e4612 = local_4[1u].member_1[1u];
+                                        let _e4616 = (_e4606[0] + _e4612[0]);
+                                        let _e4617 = (_e4606[1] + _e4612[1]);
+                                        let _e4618 = (_e4606[2] + _e4612[2]);
+                                        let _e4621 = local_4[1u].member_2[0u];
+                                        let _e4627 = local_4[1u].member_2[1u];
+                                        let _e4631 = (_e4621[0] + _e4627[0]);
+                                        let _e4632 = (_e4621[1] + _e4627[1]);
+                                        let _e4633 = (_e4621[2] + _e4627[2]);
+                                        let _e4636 = ((_e4617 * _e4633) - (_e4618 * _e4632));
+                                        let _e4639 = ((_e4618 * _e4631) - (_e4616 * _e4633));
+                                        let _e4642 = ((_e4616 * _e4632) - (_e4617 * _e4631));
+                                        let _e4645 = local_4[1u].member[0u];
+                                        let _e4651 = local_4[1u].member_1[0u];
+                                        let _e4657 = local_4[1u].member_2[0u];
+                                        let _e4661 = (_e4645[0] - _e4651[0]);
+                                        let _e4662 = (_e4645[1] - _e4651[1]);
+                                        let _e4663 = (_e4645[2] - _e4651[2]);
+                                        let _e4672 = local_4[1u].member[1u];
+                                        let _e4678 = local_4[1u].member_1[1u];
+                                        let _e4684 = local_4[1u].member_2[1u];
+                                        let _e4688 = (_e4672[0] - _e4678[0]);
+                                        let _e4689 = (_e4672[1] - _e4678[1]);
+                                        let _e4690 = (_e4672[2] - _e4678[2]);
+                                        local = array<array<f32, 3>, 4>(_e4645, array<f32, 3>(_e4661, _e4662, _e4663), array<f32, 3>((_e4645[0] - _e4657[0]), (_e4645[1] - _e4657[1]), (_e4645[2] - _e4657[2])), array<f32, 3>((_e4661 - _e4657[0]), (_e4662 - _e4657[1]), (_e4663 - _e4657[2])));
+                                        local_1 = array<array<f32, 3>, 4>(_e4672, array<f32, 3>(_e4688, _e4689, _e4690), array<f32, 3>((_e4672[0] - _e4684[0]), (_e4672[1] - _e4684[1]), (_e4672[2] - _e4684[2])), array<f32, 3>((_e4688 - _e4684[0]), (_e4689 - _e4684[1]), (_e4690 - _e4684[2])));
+                                        let _e4707 = local_4[1u].member[0u];
+                                        if (_e4707[0] < 0f) {
+                                            phi_7426_ = -(_e4707[0]);
                                         } else {
-                                            phi_7408_ = _e4699[0];
+                                            phi_7426_ = _e4707[0];
                                         }
-                                        let _e4706 = phi_7408_;
-                                        if (_e4699[1] < 0f) {
-                                            phi_7415_ = -(_e4699[1]);
+                                        let _e4714 = phi_7426_;
+                                        if (_e4707[1] < 0f) {
+                                            phi_7433_ = -(_e4707[1]);
                                         } else {
-                                            phi_7415_ = _e4699[1];
+                                            phi_7433_ = _e4707[1];
                                         }
-                                        let _e4710 = phi_7415_;
-                                        if (_e4706 > _e4710) {
-                                            phi_7420_ = _e4706;
+                                        let _e4718 = phi_7433_;
+                                        if (_e4714 > _e4718) {
+                                            phi_7438_ = _e4714;
                                         } else {
-                                            phi_7420_ = _e4710;
+                                            phi_7438_ = _e4718;
                                         }
-                                        let _e4713 = phi_7420_;
-                                        if (_e4699[2] < 0f) {
-                                            phi_7427_ = -(_e4699[2]);
+                                        let _e4721 = phi_7438_;
+                                        if (_e4707[2] < 0f) {
+                                            phi_7445_ = -(_e4707[2]);
                                         } else {
-                                            phi_7427_ = _e4699[2];
+                                            phi_7445_ = _e4707[2];
                                         }
-                                        let _e4717 = phi_7427_;
-                                        if (_e4713 > _e4717) {
-                                            phi_7432_ = _e4713;
+                                        let _e4725 = phi_7445_;
+                                        if (_e4721 > _e4725) {
+                                            phi_7450_ = _e4721;
                                         } else {
-                                            phi_7432_ = _e4717;
+                                            phi_7450_ = _e4725;
                                         }
-                                        let _e4720 = phi_7432_;
-                                        let _e4723 = local_4[1u].member[1u];
-                                        if (_e4723[0] < 0f) {
-                                            phi_7445_ = -(_e4723[0]);
+                                        let _e4728 = phi_7450_;
+                                        let _e4731 = local_4[1u].member[1u];
+                                        if (_e4731[0] < 0f) {
+                                            phi_7463_ = -(_e4731[0]);
                                         } else {
-                                            phi_7445_ = _e4723[0];
+                                            phi_7463_ = _e4731[0];
                                         }
-                                        let _e4730 = phi_7445_;
-                                        if (_e4723[1] < 0f) {
-                                            phi_7452_ = -(_e4723[1]);
+                                        let _e4738 = phi_7463_;
+                                        if (_e4731[1] < 0f) {
+                                            phi_7470_ = -(_e4731[1]);
                                         } else {
-                                            phi_7452_ = _e4723[1];
+                                            phi_7470_ = _e4731[1];
                                         }
-                                        let _e4734 = phi_7452_;
-                                        if (_e4730 > _e4734) {
-                                            phi_7457_ = _e4730;
+                                        let _e4742 = phi_7470_;
+                                        if (_e4738 > _e4742) {
+                                            phi_7475_ = _e4738;
                                         } else {
-                                            phi_7457_ = _e4734;
+                                            phi_7475_ = _e4742;
                                         }
-                                        let _e4737 = phi_7457_;
-                                        if (_e4723[2] < 0f) {
-                                            phi_7464_ = -(_e4723[2]);
+                                        let _e4745 = phi_7475_;
+                                        if (_e4731[2] < 0f) {
+                                            phi_7482_ = -(_e4731[2]);
                                         } else {
-                                            phi_7464_ = _e4723[2];
+                                            phi_7482_ = _e4731[2];
                                         }
-                                        let _e4741 = phi_7464_;
-                                        if (_e4737 > _e4741) {
-                                            phi_7469_ = _e4737;
+                                        let _e4749 = phi_7482_;
+                                        if (_e4745 > _e4749) {
+                                            phi_7487_ = _e4745;
                                         } else {
-                                            phi_7469_ = _e4741;
+                                            phi_7487_ = _e4749;
                                         }
-                                        let _e4744 = phi_7469_;
-                                        if (_e4720 > _e4744) {
-                                            phi_7474_ = _e4720;
+                                        let _e4752 = phi_7487_;
+                                        if (_e4728 > _e4752) {
+                                            phi_7492_ = _e4728;
                                         } else {
-                                            phi_7474_ = _e4744;
+                                            phi_7492_ = _e4752;
                                         }
-                                        let _e4747 = phi_7474_;
-                                        let _e4749 = local_4[1u].member_3;
-                                        let _e4753 = local_4[1u].member_1[0u];
-                                        if (_e4753[0] < 0f) {
-                                            phi_7491_ = -(_e4753[0]);
+                                        let _e4755 = phi_7492_;
+                                        let _e4757 = local_4[1u].member_3;
+                                        let _e4761 = local_4[1u].member_1[0u];
+                                        if (_e4761[0] < 0f) {
+                                            phi_7509_ = -(_e4761[0]);
                                         } else {
-                                            phi_7491_ = _e4753[0];
+                                            phi_7509_ = _e4761[0];
                                         }
-                                        let _e4760 = phi_7491_;
-                                        if (_e4753[1] < 0f) {
-                                            phi_7498_ = -(_e4753[1]);
+                                        let _e4768 = phi_7509_;
+                                        if (_e4761[1] < 0f) {
+                                            phi_7516_ = -(_e4761[1]);
                                         } else {
-                                            phi_7498_ = _e4753[1];
+                                            phi_7516_ = _e4761[1];
                                         }
-                                        let _e4764 = phi_7498_;
-                                        if (_e4760 > _e4764) {
-                                            phi_7503_ = _e4760;
+                                        let _e4772 = phi_7516_;
+                                        if (_e4768 > _e4772) {
+                                            phi_7521_ = _e4768;
                                         } else {
-                                            phi_7503_ = _e4764;
+                                            phi_7521_ = _e4772;
                                         }
-                                        let _e4767 = phi_7503_;
-                                        if (_e4753[2] < 0f) {
-                                            phi_7510_ = -(_e4753[2]);
+                                        let _e4775 = phi_7521_;
+                                        if (_e4761[2] < 0f) {
+                                            phi_7528_ = -(_e4761[2]);
                                         } else {
-                                            phi_7510_ = _e4753[2];
+                                            phi_7528_ = _e4761[2];
                                         }
-                                        let _e4771 = phi_7510_;
-                                        if (_e4767 > _e4771) {
-                                            phi_7515_ = _e4767;
+                                        let _e4779 = phi_7528_;
+                                        if (_e4775 > _e4779) {
+                                            phi_7533_ = _e4775;
                                         } else {
-                                            phi_7515_ = _e4771;
+                                            phi_7533_ = _e4779;
                                         }
-                                        let _e4774 = phi_7515_;
-                                        let _e4777 = local_4[1u].member_1[1u];
-                                        if (_e4777[0] < 0f) {
-                                            phi_7529_ = -(_e4777[0]);
+                                        let _e4782 = phi_7533_;
+                                        let _e4785 = local_4[1u].member_1[1u];
+                                        if (_e4785[0] < 0f) {
+                                            phi_7547_ = -(_e4785[0]);
                                         } else {
-                                            phi_7529_ = _e4777[0];
+                                            phi_7547_ = _e4785[0];
                                         }
-                                        let _e4784 = phi_7529_;
-                                        if (_e4777[1] < 0f) {
-                                            phi_7536_ = -(_e4777[1]);
+                                        let _e4792 = phi_7547_;
+                                        if (_e4785[1] < 0f) {
+                                            phi_7554_ = -(_e4785[1]);
                                         } else {
-                                            phi_7536_ = _e4777[1];
+                                            phi_7554_ = _e4785[1];
                                         }
-                                        let _e4788 = phi_7536_;
-                                        if (_e4784 > _e4788) {
-                                            phi_7541_ = _e4784;
+                                        let _e4796 = phi_7554_;
+                                        if (_e4792 > _e4796) {
+                                            phi_7559_ = _e4792;
                                         } else {
-                                            phi_7541_ = _e4788;
+                                            phi_7559_ = _e4796;
                                         }
-                                        let _e4791 = phi_7541_;
-                                        if (_e4777[2] < 0f) {
-                                            phi_7548_ = -(_e4777[2]);
+                                        let _e4799 = phi_7559_;
+                                        if (_e4785[2] < 0f) {
+                                            phi_7566_ = -(_e4785[2]);
                                         } else {
-                                            phi_7548_ = _e4777[2];
+                                            phi_7566_ = _e4785[2];
                                         }
-                                        let _e4795 = phi_7548_;
-                                        if (_e4791 > _e4795) {
-                                            phi_7553_ = _e4791;
+                                        let _e4803 = phi_7566_;
+                                        if (_e4799 > _e4803) {
+                                            phi_7571_ = _e4799;
                                         } else {
-                                            phi_7553_ = _e4795;
+                                            phi_7571_ = _e4803;
                                         }
-                                        let _e4798 = phi_7553_;
-                                        if (_e4774 > _e4798) {
-                                            phi_7558_ = _e4774;
+                                        let _e4806 = phi_7571_;
+                                        if (_e4782 > _e4806) {
+                                            phi_7576_ = _e4782;
                                         } else {
-                                            phi_7558_ = _e4798;
+                                            phi_7576_ = _e4806;
                                         }
-                                        let _e4801 = phi_7558_;
-                                        let _e4803 = local_4[1u].member_3;
-                                        let _e4807 = local_4[1u].member_2[0u];
-                                        if (_e4807[0] < 0f) {
-                                            phi_7575_ = -(_e4807[0]);
+                                        let _e4809 = phi_7576_;
+                                        let _e4811 = local_4[1u].member_3;
+                                        let _e4815 = local_4[1u].member_2[0u];
+                                        if (_e4815[0] < 0f) {
+                                            phi_7593_ = -(_e4815[0]);
                                         } else {
-                                            phi_7575_ = _e4807[0];
+                                            phi_7593_ = _e4815[0];
                                         }
-                                        let _e4814 = phi_7575_;
-                                        if (_e4807[1] < 0f) {
-                                            phi_7582_ = -(_e4807[1]);
+                                        let _e4822 = phi_7593_;
+                                        if (_e4815[1] < 0f) {
+                                            phi_7600_ = -(_e4815[1]);
                                         } else {
-                                            phi_7582_ = _e4807[1];
+                                            phi_7600_ = _e4815[1];
                                         }
-                                        let _e4818 = phi_7582_;
-                                        if (_e4814 > _e4818) {
-                                            phi_7587_ = _e4814;
+                                        let _e4826 = phi_7600_;
+                                        if (_e4822 > _e4826) {
+                                            phi_7605_ = _e4822;
                                         } else {
-                                            phi_7587_ = _e4818;
+                                            phi_7605_ = _e4826;
                                         }
-                                        let _e4821 = phi_7587_;
-                                        if (_e4807[2] < 0f) {
-                                            phi_7594_ = -(_e4807[2]);
+                                        let _e4829 = phi_7605_;
+                                        if (_e4815[2] < 0f) {
+                                            phi_7612_ = -(_e4815[2]);
                                         } else {
-                                            phi_7594_ = _e4807[2];
+                                            phi_7612_ = _e4815[2];
                                         }
-                                        let _e4825 = phi_7594_;
-                                        if (_e4821 > _e4825) {
-                                            phi_7599_ = _e4821;
+                                        let _e4833 = phi_7612_;
+                                        if (_e4829 > _e4833) {
+                                            phi_7617_ = _e4829;
                                         } else {
-                                            phi_7599_ = _e4825;
+                                            phi_7617_ = _e4833;
                                         }
-                                        let _e4828 = phi_7599_;
-                                        let _e4831 = local_4[1u].member_2[1u];
-                                        if (_e4831[0] < 0f) {
-                                            phi_7613_ = -(_e4831[0]);
+                                        let _e4836 = phi_7617_;
+                                        let _e4839 = local_4[1u].member_2[1u];
+                                        if (_e4839[0] < 0f) {
+                                            phi_7631_ = -(_e4839[0]);
                                         } else {
-                                            phi_7613_ = _e4831[0];
+                                            phi_7631_ = _e4839[0];
                                         }
-                                        let _e4838 = phi_7613_;
-                                        if (_e4831[1] < 0f) {
-                                            phi_7620_ = -(_e4831[1]);
+                                        let _e4846 = phi_7631_;
+                                        if (_e4839[1] < 0f) {
+                                            phi_7638_ = -(_e4839[1]);
                                         } else {
-                                            phi_7620_ = _e4831[1];
+                                            phi_7638_ = _e4839[1];
                                         }
-                                        let _e4842 = phi_7620_;
-                                        if (_e4838 > _e4842) {
-                                            phi_7625_ = _e4838;
+                                        let _e4850 = phi_7638_;
+                                        if (_e4846 > _e4850) {
+                                            phi_7643_ = _e4846;
                                         } else {
-                                            phi_7625_ = _e4842;
+                                            phi_7643_ = _e4850;
                                         }
-                                        let _e4845 = phi_7625_;
-                                        if (_e4831[2] < 0f) {
-                                            phi_7632_ = -(_e4831[2]);
+                                        let _e4853 = phi_7643_;
+                                        if (_e4839[2] < 0f) {
+                                            phi_7650_ = -(_e4839[2]);
                                         } else {
-                                            phi_7632_ = _e4831[2];
+                                            phi_7650_ = _e4839[2];
                                         }
-                                        let _e4849 = phi_7632_;
-                                        if (_e4845 > _e4849) {
-                                            phi_7637_ = _e4845;
+                                        let _e4857 = phi_7650_;
+                                        if (_e4853 > _e4857) {
+                                            phi_7655_ = _e4853;
                                         } else {
-                                            phi_7637_ = _e4849;
+                                            phi_7655_ = _e4857;
                                         }
-                                        let _e4852 = phi_7637_;
-                                        if (_e4828 > _e4852) {
-                                            phi_7642_ = _e4828;
+                                        let _e4860 = phi_7655_;
+                                        if (_e4836 > _e4860) {
+                                            phi_7660_ = _e4836;
                                         } else {
-                                            phi_7642_ = _e4852;
+                                            phi_7660_ = _e4860;
                                         }
-                                        let _e4855 = phi_7642_;
-                                        let _e4857 = local_4[1u].member_3;
-                                        let _e4860 = (((_e4747 + _e4749) + (_e4801 + _e4803)) + (_e4855 + _e4857));
-                                        let _e4863 = local_4[1u].member_3;
-                                        let _e4867 = (((_e2108 * 1.0001f) + (_e4863 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                        let _e4870 = ((_e4631 * _e4610) - (_e4634 * _e4609));
-                                        let _e4873 = ((_e4634 * _e4608) - (_e4628 * _e4610));
-                                        let _e4876 = ((_e4628 * _e4609) - (_e4631 * _e4608));
-                                        let _e4878 = local[0u];
-                                        let _e4886 = (((_e4870 * _e4878[0]) + (_e4873 * _e4878[1])) + (_e4876 * _e4878[2]));
-                                        phi_7680_ = type_36(0u, 4u);
-                                        phi_7683_ = _e4886;
-                                        phi_7685_ = _e4886;
+                                        let _e4863 = phi_7660_;
+                                        let _e4865 = local_4[1u].member_3;
+                                        let _e4868 = (((_e4755 + _e4757) + (_e4809 + _e4811)) + (_e4863 + _e4865));
+                                        let _e4871 = local_4[1u].member_3;
+                                        let _e4875 = (((_e2116 * 1.0001f) + (_e4871 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                        let _e4878 = ((_e4639 * _e4618) - (_e4642 * _e4617));
+                                        let _e4881 = ((_e4642 * _e4616) - (_e4636 * _e4618));
+                                        let _e4884 = ((_e4636 * _e4617) - (_e4639 * _e4616));
+                                        let _e4886 = local[0u];
+                                        let _e4894 = (((_e4878 * _e4886[0]) + (_e4881 * _e4886[1])) + (_e4884 * _e4886[2]));
+                                        phi_7698_ = type_36(0u, 4u);
+                                        phi_7701_ = _e4894;
+                                        phi_7703_ = _e4894;
                                         loop {
-                                            let _e4888 = phi_7680_;
-                                            let _e4890 = phi_7683_;
-                                            let _e4892 = phi_7685_;
-                                            local_60 = _e4890;
-                                            local_61 = _e4892;
-                                            local_71 = _e4892;
-                                            if (_e4888.member < _e4888.member_1) {
-                                                phi_7681_ = type_36((_e4888.member + 1u), _e4888.member_1);
-                                                phi_7708_ = type_36(1u, _e4888.member);
+                                            let _e4896 = phi_7698_;
+                                            let _e4898 = phi_7701_;
+                                            let _e4900 = phi_7703_;
+                                            local_60 = _e4898;
+                                            local_61 = _e4900;
+                                            local_71 = _e4900;
+                                            if (_e4896.member < _e4896.member_1) {
+                                                phi_7699_ = type_36((_e4896.member + 1u), _e4896.member_1);
+                                                phi_7726_ = type_36(1u, _e4896.member);
                                             } else {
-                                                phi_7681_ = _e4888;
-                                                phi_7708_ = type_36(0u, type_36().member_1);
+                                                phi_7699_ = _e4896;
+                                                phi_7726_ = type_36(0u, type_36().member_1);
                                             }
-                                            let _e4906 = phi_7681_;
-                                            let _e4908 = phi_7708_;
-                                            let _e4912 = (bitcast<i32>(_e4908.member) != 0i);
-                                            if _e4912 {
-                                                if (_e4908.member_1 < 4u) {
+                                            let _e4914 = phi_7699_;
+                                            let _e4916 = phi_7726_;
+                                            let _e4920 = (bitcast<i32>(_e4916.member) != 0i);
+                                            if _e4920 {
+                                                if (_e4916.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e4915 = local[_e4908.member_1];
-                                                let _e4923 = (((_e4870 * _e4915[0]) + (_e4873 * _e4915[1])) + (_e4876 * _e4915[2]));
-                                                if (_e4908.member_1 < 4u) {
+                                                let _e4923 = local[_e4916.member_1];
+                                                let _e4931 = (((_e4878 * _e4923[0]) + (_e4881 * _e4923[1])) + (_e4884 * _e4923[2]));
+                                                if (_e4916.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e4926 = local_1[_e4908.member_1];
-                                                let _e4934 = (((_e4870 * _e4926[0]) + (_e4873 * _e4926[1])) + (_e4876 * _e4926[2]));
-                                                if (_e4892 < _e4923) {
-                                                    phi_7758_ = _e4892;
+                                                let _e4934 = local_1[_e4916.member_1];
+                                                let _e4942 = (((_e4878 * _e4934[0]) + (_e4881 * _e4934[1])) + (_e4884 * _e4934[2]));
+                                                if (_e4900 < _e4931) {
+                                                    phi_7776_ = _e4900;
                                                 } else {
-                                                    phi_7758_ = _e4923;
+                                                    phi_7776_ = _e4931;
                                                 }
-                                                let _e4937 = phi_7758_;
-                                                if (_e4937 < _e4934) {
-                                                    phi_7763_ = _e4937;
+                                                let _e4945 = phi_7776_;
+                                                if (_e4945 < _e4942) {
+                                                    phi_7781_ = _e4945;
                                                 } else {
-                                                    phi_7763_ = _e4934;
+                                                    phi_7781_ = _e4942;
                                                 }
-                                                let _e4940 = phi_7763_;
-                                                if (_e4890 > _e4923) {
-                                                    phi_7768_ = _e4890;
+                                                let _e4948 = phi_7781_;
+                                                if (_e4898 > _e4931) {
+                                                    phi_7786_ = _e4898;
                                                 } else {
-                                                    phi_7768_ = _e4923;
+                                                    phi_7786_ = _e4931;
                                                 }
-                                                let _e4943 = phi_7768_;
-                                                if (_e4943 > _e4934) {
-                                                    phi_7773_ = _e4943;
+                                                let _e4951 = phi_7786_;
+                                                if (_e4951 > _e4942) {
+                                                    phi_7791_ = _e4951;
                                                 } else {
-                                                    phi_7773_ = _e4934;
+                                                    phi_7791_ = _e4942;
                                                 }
-                                                let _e4946 = phi_7773_;
-                                                phi_7684_ = _e4946;
-                                                phi_7686_ = _e4940;
+                                                let _e4954 = phi_7791_;
+                                                phi_7702_ = _e4954;
+                                                phi_7704_ = _e4948;
                                             } else {
-                                                phi_7684_ = f32();
-                                                phi_7686_ = f32();
+                                                phi_7702_ = f32();
+                                                phi_7704_ = f32();
                                             }
-                                            let _e4948 = phi_7684_;
-                                            let _e4950 = phi_7686_;
+                                            let _e4956 = phi_7702_;
+                                            let _e4958 = phi_7704_;
                                             continue;
                                             continuing {
-                                                phi_7680_ = _e4906;
-                                                phi_7683_ = _e4948;
-                                                phi_7685_ = _e4950;
-                                                break if !(_e4912);
+                                                phi_7698_ = _e4914;
+                                                phi_7701_ = _e4956;
+                                                phi_7703_ = _e4958;
+                                                break if !(_e4920);
                                             }
                                         }
-                                        if (_e4870 < 0f) {
-                                            phi_7779_ = -(_e4870);
+                                        if (_e4878 < 0f) {
+                                            phi_7797_ = -(_e4878);
                                         } else {
-                                            phi_7779_ = _e4870;
+                                            phi_7797_ = _e4878;
                                         }
-                                        let _e4955 = phi_7779_;
-                                        if (_e4873 < 0f) {
-                                            phi_7785_ = -(_e4873);
+                                        let _e4963 = phi_7797_;
+                                        if (_e4881 < 0f) {
+                                            phi_7803_ = -(_e4881);
                                         } else {
-                                            phi_7785_ = _e4873;
+                                            phi_7803_ = _e4881;
                                         }
-                                        let _e4959 = phi_7785_;
-                                        if (_e4876 < 0f) {
-                                            phi_7792_ = -(_e4876);
+                                        let _e4967 = phi_7803_;
+                                        if (_e4884 < 0f) {
+                                            phi_7810_ = -(_e4884);
                                         } else {
-                                            phi_7792_ = _e4876;
+                                            phi_7810_ = _e4884;
                                         }
-                                        let _e4964 = phi_7792_;
-                                        let _e4965 = ((_e4955 + _e4959) + _e4964);
-                                        let _e4970 = local_60;
-                                        let _e4971 = -(_e4970);
-                                        let _e4973 = local_61;
-                                        if (_e4973 > _e4971) {
-                                            let _e5775 = local_71;
-                                            phi_7802_ = _e5775;
+                                        let _e4972 = phi_7810_;
+                                        let _e4973 = ((_e4963 + _e4967) + _e4972);
+                                        let _e4978 = local_60;
+                                        let _e4979 = -(_e4978);
+                                        let _e4981 = local_61;
+                                        if (_e4981 > _e4979) {
+                                            let _e5791 = local_71;
+                                            phi_7820_ = _e5791;
                                         } else {
-                                            phi_7802_ = _e4971;
+                                            phi_7820_ = _e4979;
                                         }
-                                        let _e4976 = phi_7802_;
-                                        let _e4981 = (((_e4976 - ((_e4965 * _e4860) * (0.000000059604645f * 17f))) - (_e4965 * _e4867)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        let _e4984 = ((_e4631 * _e4625) - (_e4634 * _e4624));
-                                        let _e4987 = ((_e4634 * _e4623) - (_e4628 * _e4625));
-                                        let _e4990 = ((_e4628 * _e4624) - (_e4631 * _e4623));
-                                        let _e4992 = local[0u];
-                                        let _e5000 = (((_e4984 * _e4992[0]) + (_e4987 * _e4992[1])) + (_e4990 * _e4992[2]));
-                                        phi_7833_ = type_36(0u, 4u);
-                                        phi_7836_ = _e5000;
-                                        phi_7838_ = _e5000;
+                                        let _e4984 = phi_7820_;
+                                        let _e4989 = (((_e4984 - ((_e4973 * _e4868) * (0.000000059604645f * 17f))) - (_e4973 * _e4875)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        let _e4992 = ((_e4639 * _e4633) - (_e4642 * _e4632));
+                                        let _e4995 = ((_e4642 * _e4631) - (_e4636 * _e4633));
+                                        let _e4998 = ((_e4636 * _e4632) - (_e4639 * _e4631));
+                                        let _e5000 = local[0u];
+                                        let _e5008 = (((_e4992 * _e5000[0]) + (_e4995 * _e5000[1])) + (_e4998 * _e5000[2]));
+                                        phi_7851_ = type_36(0u, 4u);
+                                        phi_7854_ = _e5008;
+                                        phi_7856_ = _e5008;
                                         loop {
-                                            let _e5002 = phi_7833_;
-                                            let _e5004 = phi_7836_;
-                                            let _e5006 = phi_7838_;
-                                            local_62 = _e5004;
-                                            local_63 = _e5006;
-                                            local_72 = _e5006;
-                                            if (_e5002.member < _e5002.member_1) {
-                                                phi_7834_ = type_36((_e5002.member + 1u), _e5002.member_1);
-                                                phi_7861_ = type_36(1u, _e5002.member);
+                                            let _e5010 = phi_7851_;
+                                            let _e5012 = phi_7854_;
+                                            let _e5014 = phi_7856_;
+                                            local_62 = _e5012;
+                                            local_63 = _e5014;
+                                            local_72 = _e5014;
+                                            if (_e5010.member < _e5010.member_1) {
+                                                phi_7852_ = type_36((_e5010.member + 1u), _e5010.member_1);
+                                                phi_7879_ = type_36(1u, _e5010.member);
                                             } else {
-                                                phi_7834_ = _e5002;
-                                                phi_7861_ = type_36(0u, type_36().member_1);
+                                                phi_7852_ = _e5010;
+                                                phi_7879_ = type_36(0u, type_36().member_1);
                                             }
-                                            let _e5020 = phi_7834_;
-                                            let _e5022 = phi_7861_;
-                                            let _e5026 = (bitcast<i32>(_e5022.member) != 0i);
-                                            if _e5026 {
-                                                if (_e5022.member_1 < 4u) {
+                                            let _e5028 = phi_7852_;
+                                            let _e5030 = phi_7879_;
+                                            let _e5034 = (bitcast<i32>(_e5030.member) != 0i);
+                                            if _e5034 {
+                                                if (_e5030.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e5029 = local[_e5022.member_1];
-                                                let _e5037 = (((_e4984 * _e5029[0]) + (_e4987 * _e5029[1])) + (_e4990 * _e5029[2]));
-                                                if (_e5022.member_1 < 4u) {
+                                                let _e5037 = local[_e5030.member_1];
+                                                let _e5045 = (((_e4992 * _e5037[0]) + (_e4995 * _e5037[1])) + (_e4998 * _e5037[2]));
+                                                if (_e5030.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e5040 = local_1[_e5022.member_1];
-                                                let _e5048 = (((_e4984 * _e5040[0]) + (_e4987 * _e5040[1])) + (_e4990 * _e5040[2]));
-                                                if (_e5006 < _e5037) {
-                                                    phi_7911_ = _e5006;
+                                                let _e5048 = local_1[_e5030.member_1];
+                                                let _e5056 = (((_e4992 * _e5048[0]) + (_e4995 * _e5048[1])) + (_e4998 * _e5048[2]));
+                                                if (_e5014 < _e5045) {
+                                                    phi_7929_ = _e5014;
                                                 } else {
-                                                    phi_7911_ = _e5037;
+                                                    phi_7929_ = _e5045;
                                                 }
-                                                let _e5051 = phi_7911_;
-                                                if (_e5051 < _e5048) {
-                                                    phi_7916_ = _e5051;
+                                                let _e5059 = phi_7929_;
+                                                if (_e5059 < _e5056) {
+                                                    phi_7934_ = _e5059;
                                                 } else {
-                                                    phi_7916_ = _e5048;
+                                                    phi_7934_ = _e5056;
                                                 }
-                                                let _e5054 = phi_7916_;
-                                                if (_e5004 > _e5037) {
-                                                    phi_7921_ = _e5004;
+                                                let _e5062 = phi_7934_;
+                                                if (_e5012 > _e5045) {
+                                                    phi_7939_ = _e5012;
                                                 } else {
-                                                    phi_7921_ = _e5037;
+                                                    phi_7939_ = _e5045;
                                                 }
-                                                let _e5057 = phi_7921_;
-                                                if (_e5057 > _e5048) {
-                                                    phi_7926_ = _e5057;
+                                                let _e5065 = phi_7939_;
+                                                if (_e5065 > _e5056) {
+                                                    phi_7944_ = _e5065;
                                                 } else {
-                                                    phi_7926_ = _e5048;
+                                                    phi_7944_ = _e5056;
                                                 }
-                                                let _e5060 = phi_7926_;
-                                                phi_7837_ = _e5060;
-                                                phi_7839_ = _e5054;
+                                                let _e5068 = phi_7944_;
+                                                phi_7855_ = _e5068;
+                                                phi_7857_ = _e5062;
                                             } else {
-                                                phi_7837_ = f32();
-                                                phi_7839_ = f32();
+                                                phi_7855_ = f32();
+                                                phi_7857_ = f32();
                                             }
-                                            let _e5062 = phi_7837_;
-                                            let _e5064 = phi_7839_;
+                                            let _e5070 = phi_7855_;
+                                            let _e5072 = phi_7857_;
                                             continue;
                                             continuing {
-                                                phi_7833_ = _e5020;
-                                                phi_7836_ = _e5062;
-                                                phi_7838_ = _e5064;
-                                                break if !(_e5026);
+                                                phi_7851_ = _e5028;
+                                                phi_7854_ = _e5070;
+                                                phi_7856_ = _e5072;
+                                                break if !(_e5034);
                                             }
                                         }
-                                        if (_e4984 < 0f) {
-                                            phi_7932_ = -(_e4984);
+                                        if (_e4992 < 0f) {
+                                            phi_7950_ = -(_e4992);
                                         } else {
-                                            phi_7932_ = _e4984;
+                                            phi_7950_ = _e4992;
                                         }
-                                        let _e5069 = phi_7932_;
-                                        if (_e4987 < 0f) {
-                                            phi_7938_ = -(_e4987);
+                                        let _e5077 = phi_7950_;
+                                        if (_e4995 < 0f) {
+                                            phi_7956_ = -(_e4995);
                                         } else {
-                                            phi_7938_ = _e4987;
+                                            phi_7956_ = _e4995;
                                         }
-                                        let _e5073 = phi_7938_;
-                                        if (_e4990 < 0f) {
-                                            phi_7945_ = -(_e4990);
+                                        let _e5081 = phi_7956_;
+                                        if (_e4998 < 0f) {
+                                            phi_7963_ = -(_e4998);
                                         } else {
-                                            phi_7945_ = _e4990;
+                                            phi_7963_ = _e4998;
                                         }
-                                        let _e5078 = phi_7945_;
-                                        let _e5079 = ((_e5069 + _e5073) + _e5078);
-                                        let _e5084 = local_62;
-                                        let _e5085 = -(_e5084);
-                                        let _e5087 = local_63;
-                                        if (_e5087 > _e5085) {
-                                            let _e5794 = local_72;
-                                            phi_7955_ = _e5794;
+                                        let _e5086 = phi_7963_;
+                                        let _e5087 = ((_e5077 + _e5081) + _e5086);
+                                        let _e5092 = local_62;
+                                        let _e5093 = -(_e5092);
+                                        let _e5095 = local_63;
+                                        if (_e5095 > _e5093) {
+                                            let _e5810 = local_72;
+                                            phi_7973_ = _e5810;
                                         } else {
-                                            phi_7955_ = _e5085;
+                                            phi_7973_ = _e5093;
                                         }
-                                        let _e5090 = phi_7955_;
-                                        let _e5095 = (((_e5090 - ((_e5079 * _e4860) * (0.000000059604645f * 17f))) - (_e5079 * _e4867)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4981 > _e5095) {
-                                            phi_7965_ = _e4981;
+                                        let _e5098 = phi_7973_;
+                                        let _e5103 = (((_e5098 - ((_e5087 * _e4868) * (0.000000059604645f * 17f))) - (_e5087 * _e4875)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4989 > _e5103) {
+                                            phi_7983_ = _e4989;
                                         } else {
-                                            phi_7965_ = _e5095;
+                                            phi_7983_ = _e5103;
                                         }
-                                        let _e5098 = phi_7965_;
-                                        phi_8133_ = (_e5098 > 0f);
+                                        let _e5106 = phi_7983_;
+                                        phi_8151_ = (_e5106 > 0f);
                                     }
-                                    let _e5101 = phi_8133_;
-                                    phi_8134_ = _e5101;
+                                    let _e5109 = phi_8151_;
+                                    phi_8152_ = _e5109;
                                 } else {
-                                    phi_8134_ = false;
+                                    phi_8152_ = false;
                                 }
-                                let _e5103 = phi_8134_;
-                                phi_8136_ = !(_e5103);
+                                let _e5111 = phi_8152_;
+                                phi_8154_ = !(_e5111);
                             }
-                            let _e5106 = phi_8136_;
-                            if _e5106 {
-                                let _e5108 = atomicAdd((&counters[5u]), 1u);
-                                hits[_e1343] = ((2147483648u | (_e5108 << bitcast<u32>(12i))) | _e1346);
+                            let _e5114 = phi_8154_;
+                            if _e5114 {
+                                let _e5116 = atomicAdd((&counters[5u]), 1u);
+                                hits[_e1351] = ((2147483648u | (_e5116 << bitcast<u32>(12i))) | _e1354);
                             }
                         }
-                        phi_8146_ = true;
+                        phi_8164_ = true;
                     }
-                    let _e5115 = phi_8146_;
-                    phi_8147_ = _e5115;
+                    let _e5123 = phi_8164_;
+                    phi_8165_ = _e5123;
                 } else {
-                    phi_8147_ = false;
+                    phi_8165_ = false;
                 }
-                let _e5117 = phi_8147_;
+                let _e5125 = phi_8165_;
                 continue;
                 continuing {
-                    phi_1882_ = _e1335;
-                    break if !(_e5117);
+                    phi_1900_ = _e1343;
+                    break if !(_e5125);
                 }
             }
             workgroupBarrier();
             if (_e110 == 0u) {
-                let _e5121 = atomicLoad((&counters[5u]));
-                if (_e5121 > 0u) {
-                    let _e5124 = atomicAdd((&output.member[0u]), _e5121);
-                    atomicStore((&counters[6u]), _e5124);
+                let _e5129 = atomicLoad((&counters[5u]));
+                if (_e5129 > 0u) {
+                    let _e5132 = atomicAdd((&output.member[0u]), _e5129);
+                    if ((_e5132 + _e5129) < _e5132) {
+                        let _e5136 = atomicAdd((&output.member[2u]), 1u);
+                    }
+                    atomicStore((&counters[6u]), _e5132);
                 }
             }
             workgroupBarrier();
-            let _e5127 = atomicLoad((&counters[6u]));
+            let _e5139 = atomicLoad((&counters[6u]));
             if (_e110 == 0u) {
-                let _e5130 = atomicLoad((&counters[7u]));
-                if (_e5130 > 0u) {
-                    let _e5133 = atomicAdd((&output.member[1u]), _e5130);
+                let _e5142 = atomicLoad((&counters[7u]));
+                if (_e5142 > 0u) {
+                    let _e5145 = atomicAdd((&output.member[1u]), _e5142);
+                    if ((_e5145 + _e5142) < _e5145) {
+                        let _e5149 = atomicAdd((&output.member[3u]), 1u);
+                    }
                 }
             }
-            phi_8179_ = type_36(0u, 16u);
+            phi_8215_ = type_36(0u, 16u);
             loop {
-                let _e5135 = phi_8179_;
-                if (_e5135.member < _e5135.member_1) {
-                    phi_8180_ = type_36((_e5135.member + 1u), _e5135.member_1);
-                    phi_8203_ = type_36(1u, _e5135.member);
+                let _e5151 = phi_8215_;
+                if (_e5151.member < _e5151.member_1) {
+                    phi_8216_ = type_36((_e5151.member + 1u), _e5151.member_1);
+                    phi_8239_ = type_36(1u, _e5151.member);
                 } else {
-                    phi_8180_ = _e5135;
-                    phi_8203_ = type_36(0u, type_36().member_1);
+                    phi_8216_ = _e5151;
+                    phi_8239_ = type_36(0u, type_36().member_1);
                 }
-                let _e5149 = phi_8180_;
-                let _e5151 = phi_8203_;
-                if (bitcast<i32>(_e5151.member) != 0i) {
-                    let _e5157 = (_e110 + (_e5151.member_1 * 128u));
-                    if (_e5157 >= _e1319) {
-                        phi_8301_ = false;
+                let _e5165 = phi_8216_;
+                let _e5167 = phi_8239_;
+                if (bitcast<i32>(_e5167.member) != 0i) {
+                    let _e5173 = (_e110 + (_e5167.member_1 * 128u));
+                    if (_e5173 >= _e1327) {
+                        phi_8337_ = false;
                     } else {
-                        let _e5160 = hits[_e5157];
-                        if ((_e5160 & 2147483648u) == 0u) {
-                            phi_8226_ = 4294967295u;
+                        let _e5176 = hits[_e5173];
+                        if ((_e5176 & 2147483648u) == 0u) {
+                            phi_8262_ = 4294967295u;
                         } else {
-                            phi_8226_ = ((_e5160 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_8262_ = ((_e5176 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e5167 = phi_8226_;
-                        if (_e5167 != 4294967295u) {
-                            let _e5171 = ((_e5160 >> bitcast<u32>(10i)) & 3u);
-                            let _e5178 = firsts[(2u * _e5171)];
-                            let _e5181 = leaves.member[(_e5178 + ((_e5160 >> bitcast<u32>(5i)) & 31u))];
-                            let _e5185 = firsts[((2u * _e5171) + 1u)];
-                            let _e5188 = leaves.member[(_e5185 + (_e5160 & 31u))];
-                            let _e5192 = params.member.member_16;
-                            let _e5193 = (_e5127 + _e5167);
-                            if (_e5181.member_1 < _e5188.member_1) {
-                                phi_8280_ = type_36(_e5181.member_1, _e5188.member_1);
+                        let _e5183 = phi_8262_;
+                        if (_e5183 != 4294967295u) {
+                            let _e5187 = ((_e5176 >> bitcast<u32>(10i)) & 3u);
+                            let _e5194 = firsts[(2u * _e5187)];
+                            let _e5197 = leaves.member[(_e5194 + ((_e5176 >> bitcast<u32>(5i)) & 31u))];
+                            let _e5201 = firsts[((2u * _e5187) + 1u)];
+                            let _e5204 = leaves.member[(_e5201 + (_e5176 & 31u))];
+                            let _e5208 = params.member.member_16;
+                            let _e5209 = (_e5139 + _e5183);
+                            if (_e5197.member_1 < _e5204.member_1) {
+                                phi_8316_ = type_36(_e5197.member_1, _e5204.member_1);
                             } else {
-                                phi_8280_ = type_36(_e5188.member_1, _e5181.member_1);
+                                phi_8316_ = type_36(_e5204.member_1, _e5197.member_1);
                             }
-                            let _e5198 = phi_8280_;
-                            if (_e5193 < _e5192) {
-                                atomicStore((&output.member[(4u + (2u * _e5193))]), _e5198.member);
-                                atomicStore((&output.member[((2u * _e5193) + 5u)]), _e5198.member_1);
+                            let _e5214 = phi_8316_;
+                            if (_e5209 < _e5208) {
+                                atomicStore((&output.member[(4u + (2u * _e5209))]), _e5214.member);
+                                atomicStore((&output.member[((2u * _e5209) + 5u)]), _e5214.member_1);
                             }
                         }
-                        phi_8301_ = true;
+                        phi_8337_ = true;
                     }
-                    let _e5209 = phi_8301_;
-                    phi_8302_ = _e5209;
+                    let _e5225 = phi_8337_;
+                    phi_8338_ = _e5225;
                 } else {
-                    phi_8302_ = false;
+                    phi_8338_ = false;
                 }
-                let _e5211 = phi_8302_;
+                let _e5227 = phi_8338_;
                 continue;
                 continuing {
-                    phi_8179_ = _e5149;
-                    break if !(_e5211);
+                    phi_8215_ = _e5165;
+                    break if !(_e5227);
                 }
             }
             workgroupBarrier();

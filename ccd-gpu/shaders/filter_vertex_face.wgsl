@@ -240,518 +240,518 @@ fn function_() {
     var phi_1818_: bool;
     var phi_1819_: bool;
     var phi_1823_: bool;
-    var phi_1870_: u32;
-    var phi_1871_: bool;
+    var phi_1888_: u32;
+    var phi_1889_: bool;
     var phi_816_: u32;
-    var phi_1872_: bool;
-    var phi_1879_: u32;
-    var phi_1882_: type_36;
-    var phi_1883_: type_36;
-    var phi_1906_: type_36;
-    var phi_2060_: bool;
-    var phi_2061_: bool;
-    var phi_2062_: bool;
-    var phi_2063_: bool;
-    var phi_2064_: bool;
-    var phi_2068_: bool;
-    var phi_2024_: bool;
-    var phi_2025_: bool;
-    var phi_2026_: bool;
-    var phi_2030_: bool;
-    var phi_2069_: bool;
-    var phi_2073_: bool;
-    var phi_2074_: bool;
-    var phi_2120_: bool;
-    var phi_2130_: bool;
-    var phi_2131_: bool;
-    var phi_2135_: bool;
-    var phi_2136_: bool;
-    var phi_2185_: type_36;
-    var phi_2188_: bool;
-    var phi_2186_: type_36;
-    var phi_2211_: type_36;
-    var phi_2268_: type_36;
-    var phi_2271_: array<u32, 2>;
-    var phi_2269_: type_36;
-    var phi_2294_: type_36;
-    var phi_2369_: bool;
-    var phi_2370_: bool;
-    var phi_2374_: array<u32, 2>;
-    var phi_2272_: array<u32, 2>;
-    var phi_2425_: type_36;
-    var phi_2428_: array<u32, 2>;
-    var phi_2426_: type_36;
-    var phi_2451_: type_36;
-    var phi_2527_: bool;
-    var phi_2528_: bool;
-    var phi_2532_: array<u32, 2>;
-    var phi_2429_: array<u32, 2>;
+    var phi_1890_: bool;
+    var phi_1897_: u32;
+    var phi_1900_: type_36;
+    var phi_1901_: type_36;
+    var phi_1924_: type_36;
+    var phi_2078_: bool;
+    var phi_2079_: bool;
+    var phi_2080_: bool;
+    var phi_2081_: bool;
+    var phi_2082_: bool;
+    var phi_2086_: bool;
+    var phi_2042_: bool;
+    var phi_2043_: bool;
+    var phi_2044_: bool;
+    var phi_2048_: bool;
+    var phi_2087_: bool;
+    var phi_2091_: bool;
+    var phi_2092_: bool;
+    var phi_2138_: bool;
+    var phi_2148_: bool;
+    var phi_2149_: bool;
+    var phi_2153_: bool;
+    var phi_2154_: bool;
+    var phi_2203_: type_36;
+    var phi_2206_: bool;
+    var phi_2204_: type_36;
+    var phi_2229_: type_36;
+    var phi_2286_: type_36;
+    var phi_2289_: array<u32, 2>;
+    var phi_2287_: type_36;
+    var phi_2312_: type_36;
+    var phi_2387_: bool;
+    var phi_2388_: bool;
+    var phi_2392_: array<u32, 2>;
+    var phi_2290_: array<u32, 2>;
+    var phi_2443_: type_36;
+    var phi_2446_: array<u32, 2>;
+    var phi_2444_: type_36;
+    var phi_2469_: type_36;
+    var phi_2545_: bool;
+    var phi_2546_: bool;
+    var phi_2550_: array<u32, 2>;
+    var phi_2447_: array<u32, 2>;
     var local_40: array<u32, 2>;
     var local_41: array<u32, 2>;
     var local_42: array<u32, 2>;
     var local_43: array<u32, 2>;
     var local_44: array<u32, 2>;
     var local_45: array<u32, 2>;
-    var phi_2548_: bool;
-    var phi_2549_: bool;
-    var phi_2600_: type_36;
-    var phi_2603_: array<u32, 2>;
-    var phi_2601_: type_36;
-    var phi_2626_: type_36;
-    var phi_2701_: bool;
-    var phi_2702_: bool;
-    var phi_2706_: array<u32, 2>;
-    var phi_2604_: array<u32, 2>;
-    var phi_2757_: type_36;
-    var phi_2760_: array<u32, 2>;
-    var phi_2758_: type_36;
-    var phi_2783_: type_36;
-    var phi_2859_: bool;
-    var phi_2860_: bool;
-    var phi_2864_: array<u32, 2>;
-    var phi_2761_: array<u32, 2>;
+    var phi_2566_: bool;
+    var phi_2567_: bool;
+    var phi_2618_: type_36;
+    var phi_2621_: array<u32, 2>;
+    var phi_2619_: type_36;
+    var phi_2644_: type_36;
+    var phi_2719_: bool;
+    var phi_2720_: bool;
+    var phi_2724_: array<u32, 2>;
+    var phi_2622_: array<u32, 2>;
+    var phi_2775_: type_36;
+    var phi_2778_: array<u32, 2>;
+    var phi_2776_: type_36;
+    var phi_2801_: type_36;
+    var phi_2877_: bool;
+    var phi_2878_: bool;
+    var phi_2882_: array<u32, 2>;
+    var phi_2779_: array<u32, 2>;
     var local_46: array<u32, 2>;
     var local_47: array<u32, 2>;
     var local_48: array<u32, 2>;
     var local_49: array<u32, 2>;
     var local_50: array<u32, 2>;
     var local_51: array<u32, 2>;
-    var phi_2880_: bool;
-    var phi_2881_: bool;
-    var phi_2189_: bool;
-    var phi_2885_: bool;
-    var phi_2886_: bool;
-    var phi_2887_: bool;
-    var phi_2891_: bool;
-    var phi_2892_: bool;
-    var phi_2893_: bool;
-    var phi_2894_: bool;
-    var phi_2895_: bool;
+    var phi_2898_: bool;
     var phi_2899_: bool;
-    var phi_3297_: f32;
-    var phi_3304_: f32;
-    var phi_3309_: f32;
-    var phi_3316_: f32;
-    var phi_3321_: f32;
+    var phi_2207_: bool;
+    var phi_2903_: bool;
+    var phi_2904_: bool;
+    var phi_2905_: bool;
+    var phi_2909_: bool;
+    var phi_2910_: bool;
+    var phi_2911_: bool;
+    var phi_2912_: bool;
+    var phi_2913_: bool;
+    var phi_2917_: bool;
+    var phi_3315_: f32;
+    var phi_3322_: f32;
+    var phi_3327_: f32;
     var phi_3334_: f32;
-    var phi_3341_: f32;
-    var phi_3346_: f32;
-    var phi_3353_: f32;
-    var phi_3358_: f32;
-    var phi_3363_: f32;
-    var phi_3380_: f32;
-    var phi_3387_: f32;
-    var phi_3392_: f32;
-    var phi_3399_: f32;
-    var phi_3404_: f32;
-    var phi_3418_: f32;
-    var phi_3425_: f32;
-    var phi_3430_: f32;
-    var phi_3437_: f32;
-    var phi_3442_: f32;
-    var phi_3447_: f32;
-    var phi_3464_: f32;
-    var phi_3471_: f32;
-    var phi_3476_: f32;
-    var phi_3483_: f32;
-    var phi_3488_: f32;
-    var phi_3502_: f32;
-    var phi_3509_: f32;
-    var phi_3514_: f32;
-    var phi_3521_: f32;
-    var phi_3526_: f32;
-    var phi_3531_: f32;
-    var phi_3562_: f32;
-    var phi_3568_: f32;
-    var phi_3575_: f32;
-    var phi_3582_: f32;
-    var phi_3588_: f32;
-    var phi_3595_: f32;
-    var phi_3601_: f32;
-    var phi_3607_: f32;
+    var phi_3339_: f32;
+    var phi_3352_: f32;
+    var phi_3359_: f32;
+    var phi_3364_: f32;
+    var phi_3371_: f32;
+    var phi_3376_: f32;
+    var phi_3381_: f32;
+    var phi_3398_: f32;
+    var phi_3405_: f32;
+    var phi_3410_: f32;
+    var phi_3417_: f32;
+    var phi_3422_: f32;
+    var phi_3436_: f32;
+    var phi_3443_: f32;
+    var phi_3448_: f32;
+    var phi_3455_: f32;
+    var phi_3460_: f32;
+    var phi_3465_: f32;
+    var phi_3482_: f32;
+    var phi_3489_: f32;
+    var phi_3494_: f32;
+    var phi_3501_: f32;
+    var phi_3506_: f32;
+    var phi_3520_: f32;
+    var phi_3527_: f32;
+    var phi_3532_: f32;
+    var phi_3539_: f32;
+    var phi_3544_: f32;
+    var phi_3549_: f32;
+    var phi_3580_: f32;
+    var phi_3586_: f32;
+    var phi_3593_: f32;
+    var phi_3600_: f32;
+    var phi_3606_: f32;
     var phi_3613_: f32;
-    var phi_3620_: f32;
-    var phi_3627_: f32;
-    var phi_3651_: f32;
-    var phi_3656_: f32;
-    var phi_3661_: f32;
-    var phi_3666_: f32;
-    var phi_3671_: f32;
-    var phi_3676_: f32;
-    var phi_3686_: f32;
-    var phi_3937_: f32;
-    var phi_3944_: f32;
-    var phi_3949_: f32;
-    var phi_3956_: f32;
-    var phi_3961_: f32;
+    var phi_3619_: f32;
+    var phi_3625_: f32;
+    var phi_3631_: f32;
+    var phi_3638_: f32;
+    var phi_3645_: f32;
+    var phi_3669_: f32;
+    var phi_3674_: f32;
+    var phi_3679_: f32;
+    var phi_3684_: f32;
+    var phi_3689_: f32;
+    var phi_3694_: f32;
+    var phi_3704_: f32;
+    var phi_3955_: f32;
+    var phi_3962_: f32;
+    var phi_3967_: f32;
     var phi_3974_: f32;
-    var phi_3981_: f32;
-    var phi_3986_: f32;
-    var phi_3993_: f32;
-    var phi_3998_: f32;
-    var phi_4003_: f32;
-    var phi_4020_: f32;
-    var phi_4027_: f32;
-    var phi_4032_: f32;
-    var phi_4039_: f32;
-    var phi_4044_: f32;
-    var phi_4058_: f32;
-    var phi_4065_: f32;
-    var phi_4070_: f32;
-    var phi_4077_: f32;
-    var phi_4082_: f32;
-    var phi_4087_: f32;
-    var phi_4104_: f32;
-    var phi_4111_: f32;
-    var phi_4116_: f32;
-    var phi_4123_: f32;
-    var phi_4128_: f32;
-    var phi_4142_: f32;
-    var phi_4149_: f32;
-    var phi_4154_: f32;
-    var phi_4161_: f32;
-    var phi_4166_: f32;
-    var phi_4171_: f32;
-    var phi_4209_: type_36;
-    var phi_4212_: f32;
-    var phi_4214_: f32;
-    var phi_4210_: type_36;
-    var phi_4237_: type_36;
-    var phi_4287_: f32;
-    var phi_4292_: f32;
-    var phi_4297_: f32;
-    var phi_4302_: f32;
-    var phi_4213_: f32;
-    var phi_4215_: f32;
-    var phi_4308_: f32;
-    var phi_4314_: f32;
-    var phi_4321_: f32;
+    var phi_3979_: f32;
+    var phi_3992_: f32;
+    var phi_3999_: f32;
+    var phi_4004_: f32;
+    var phi_4011_: f32;
+    var phi_4016_: f32;
+    var phi_4021_: f32;
+    var phi_4038_: f32;
+    var phi_4045_: f32;
+    var phi_4050_: f32;
+    var phi_4057_: f32;
+    var phi_4062_: f32;
+    var phi_4076_: f32;
+    var phi_4083_: f32;
+    var phi_4088_: f32;
+    var phi_4095_: f32;
+    var phi_4100_: f32;
+    var phi_4105_: f32;
+    var phi_4122_: f32;
+    var phi_4129_: f32;
+    var phi_4134_: f32;
+    var phi_4141_: f32;
+    var phi_4146_: f32;
+    var phi_4160_: f32;
+    var phi_4167_: f32;
+    var phi_4172_: f32;
+    var phi_4179_: f32;
+    var phi_4184_: f32;
+    var phi_4189_: f32;
+    var phi_4227_: type_36;
+    var phi_4230_: f32;
+    var phi_4232_: f32;
+    var phi_4228_: type_36;
+    var phi_4255_: type_36;
+    var phi_4305_: f32;
+    var phi_4310_: f32;
+    var phi_4315_: f32;
+    var phi_4320_: f32;
+    var phi_4231_: f32;
+    var phi_4233_: f32;
+    var phi_4326_: f32;
+    var phi_4332_: f32;
+    var phi_4339_: f32;
     var local_52: f32;
     var local_53: f32;
-    var phi_4331_: f32;
-    var phi_4362_: type_36;
-    var phi_4365_: f32;
-    var phi_4367_: f32;
-    var phi_4363_: type_36;
-    var phi_4390_: type_36;
-    var phi_4440_: f32;
-    var phi_4445_: f32;
-    var phi_4450_: f32;
-    var phi_4455_: f32;
-    var phi_4366_: f32;
-    var phi_4368_: f32;
-    var phi_4461_: f32;
-    var phi_4467_: f32;
-    var phi_4474_: f32;
+    var phi_4349_: f32;
+    var phi_4380_: type_36;
+    var phi_4383_: f32;
+    var phi_4385_: f32;
+    var phi_4381_: type_36;
+    var phi_4408_: type_36;
+    var phi_4458_: f32;
+    var phi_4463_: f32;
+    var phi_4468_: f32;
+    var phi_4473_: f32;
+    var phi_4384_: f32;
+    var phi_4386_: f32;
+    var phi_4479_: f32;
+    var phi_4485_: f32;
+    var phi_4492_: f32;
     var local_54: f32;
     var local_55: f32;
-    var phi_4484_: f32;
-    var phi_4494_: f32;
-    var phi_4527_: type_36;
-    var phi_4530_: f32;
-    var phi_4532_: f32;
-    var phi_4528_: type_36;
-    var phi_4555_: type_36;
-    var phi_4605_: f32;
-    var phi_4610_: f32;
-    var phi_4615_: f32;
-    var phi_4620_: f32;
-    var phi_4531_: f32;
-    var phi_4533_: f32;
-    var phi_4626_: f32;
-    var phi_4632_: f32;
-    var phi_4639_: f32;
+    var phi_4502_: f32;
+    var phi_4512_: f32;
+    var phi_4545_: type_36;
+    var phi_4548_: f32;
+    var phi_4550_: f32;
+    var phi_4546_: type_36;
+    var phi_4573_: type_36;
+    var phi_4623_: f32;
+    var phi_4628_: f32;
+    var phi_4633_: f32;
+    var phi_4638_: f32;
+    var phi_4549_: f32;
+    var phi_4551_: f32;
+    var phi_4644_: f32;
+    var phi_4650_: f32;
+    var phi_4657_: f32;
     var local_56: f32;
     var local_57: f32;
-    var phi_4649_: f32;
-    var phi_4659_: f32;
-    var phi_4662_: bool;
-    var phi_5119_: f32;
-    var phi_5126_: f32;
-    var phi_5131_: f32;
-    var phi_5138_: f32;
-    var phi_5143_: f32;
+    var phi_4667_: f32;
+    var phi_4677_: f32;
+    var phi_4680_: bool;
+    var phi_5137_: f32;
+    var phi_5144_: f32;
+    var phi_5149_: f32;
     var phi_5156_: f32;
-    var phi_5163_: f32;
-    var phi_5168_: f32;
-    var phi_5175_: f32;
-    var phi_5180_: f32;
-    var phi_5185_: f32;
-    var phi_5202_: f32;
-    var phi_5209_: f32;
-    var phi_5214_: f32;
-    var phi_5221_: f32;
-    var phi_5226_: f32;
-    var phi_5240_: f32;
-    var phi_5247_: f32;
-    var phi_5252_: f32;
-    var phi_5259_: f32;
-    var phi_5264_: f32;
-    var phi_5269_: f32;
-    var phi_5286_: f32;
-    var phi_5293_: f32;
-    var phi_5298_: f32;
-    var phi_5305_: f32;
-    var phi_5310_: f32;
-    var phi_5324_: f32;
-    var phi_5331_: f32;
-    var phi_5336_: f32;
-    var phi_5343_: f32;
-    var phi_5348_: f32;
-    var phi_5353_: f32;
-    var phi_5384_: f32;
-    var phi_5390_: f32;
-    var phi_5397_: f32;
-    var phi_5404_: f32;
-    var phi_5410_: f32;
-    var phi_5417_: f32;
-    var phi_5423_: f32;
-    var phi_5429_: f32;
+    var phi_5161_: f32;
+    var phi_5174_: f32;
+    var phi_5181_: f32;
+    var phi_5186_: f32;
+    var phi_5193_: f32;
+    var phi_5198_: f32;
+    var phi_5203_: f32;
+    var phi_5220_: f32;
+    var phi_5227_: f32;
+    var phi_5232_: f32;
+    var phi_5239_: f32;
+    var phi_5244_: f32;
+    var phi_5258_: f32;
+    var phi_5265_: f32;
+    var phi_5270_: f32;
+    var phi_5277_: f32;
+    var phi_5282_: f32;
+    var phi_5287_: f32;
+    var phi_5304_: f32;
+    var phi_5311_: f32;
+    var phi_5316_: f32;
+    var phi_5323_: f32;
+    var phi_5328_: f32;
+    var phi_5342_: f32;
+    var phi_5349_: f32;
+    var phi_5354_: f32;
+    var phi_5361_: f32;
+    var phi_5366_: f32;
+    var phi_5371_: f32;
+    var phi_5402_: f32;
+    var phi_5408_: f32;
+    var phi_5415_: f32;
+    var phi_5422_: f32;
+    var phi_5428_: f32;
     var phi_5435_: f32;
-    var phi_5442_: f32;
-    var phi_5449_: f32;
-    var phi_5473_: f32;
-    var phi_5478_: f32;
-    var phi_5483_: f32;
-    var phi_5488_: f32;
-    var phi_5493_: f32;
-    var phi_5498_: f32;
-    var phi_5508_: f32;
-    var phi_5759_: f32;
-    var phi_5766_: f32;
-    var phi_5771_: f32;
-    var phi_5778_: f32;
-    var phi_5783_: f32;
+    var phi_5441_: f32;
+    var phi_5447_: f32;
+    var phi_5453_: f32;
+    var phi_5460_: f32;
+    var phi_5467_: f32;
+    var phi_5491_: f32;
+    var phi_5496_: f32;
+    var phi_5501_: f32;
+    var phi_5506_: f32;
+    var phi_5511_: f32;
+    var phi_5516_: f32;
+    var phi_5526_: f32;
+    var phi_5777_: f32;
+    var phi_5784_: f32;
+    var phi_5789_: f32;
     var phi_5796_: f32;
-    var phi_5803_: f32;
-    var phi_5808_: f32;
-    var phi_5815_: f32;
-    var phi_5820_: f32;
-    var phi_5825_: f32;
-    var phi_5842_: f32;
-    var phi_5849_: f32;
-    var phi_5854_: f32;
-    var phi_5861_: f32;
-    var phi_5866_: f32;
-    var phi_5880_: f32;
-    var phi_5887_: f32;
-    var phi_5892_: f32;
-    var phi_5899_: f32;
-    var phi_5904_: f32;
-    var phi_5909_: f32;
-    var phi_5926_: f32;
-    var phi_5933_: f32;
-    var phi_5938_: f32;
-    var phi_5945_: f32;
-    var phi_5950_: f32;
-    var phi_5964_: f32;
-    var phi_5971_: f32;
-    var phi_5976_: f32;
-    var phi_5983_: f32;
-    var phi_5988_: f32;
-    var phi_5993_: f32;
-    var phi_6031_: type_36;
-    var phi_6034_: f32;
-    var phi_6036_: f32;
-    var phi_6032_: type_36;
-    var phi_6059_: type_36;
-    var phi_6109_: f32;
-    var phi_6114_: f32;
-    var phi_6119_: f32;
-    var phi_6124_: f32;
-    var phi_6035_: f32;
-    var phi_6037_: f32;
-    var phi_6130_: f32;
-    var phi_6136_: f32;
-    var phi_6143_: f32;
+    var phi_5801_: f32;
+    var phi_5814_: f32;
+    var phi_5821_: f32;
+    var phi_5826_: f32;
+    var phi_5833_: f32;
+    var phi_5838_: f32;
+    var phi_5843_: f32;
+    var phi_5860_: f32;
+    var phi_5867_: f32;
+    var phi_5872_: f32;
+    var phi_5879_: f32;
+    var phi_5884_: f32;
+    var phi_5898_: f32;
+    var phi_5905_: f32;
+    var phi_5910_: f32;
+    var phi_5917_: f32;
+    var phi_5922_: f32;
+    var phi_5927_: f32;
+    var phi_5944_: f32;
+    var phi_5951_: f32;
+    var phi_5956_: f32;
+    var phi_5963_: f32;
+    var phi_5968_: f32;
+    var phi_5982_: f32;
+    var phi_5989_: f32;
+    var phi_5994_: f32;
+    var phi_6001_: f32;
+    var phi_6006_: f32;
+    var phi_6011_: f32;
+    var phi_6049_: type_36;
+    var phi_6052_: f32;
+    var phi_6054_: f32;
+    var phi_6050_: type_36;
+    var phi_6077_: type_36;
+    var phi_6127_: f32;
+    var phi_6132_: f32;
+    var phi_6137_: f32;
+    var phi_6142_: f32;
+    var phi_6053_: f32;
+    var phi_6055_: f32;
+    var phi_6148_: f32;
+    var phi_6154_: f32;
+    var phi_6161_: f32;
     var local_58: f32;
     var local_59: f32;
-    var phi_6153_: f32;
-    var phi_6184_: type_36;
-    var phi_6187_: f32;
-    var phi_6189_: f32;
-    var phi_6185_: type_36;
-    var phi_6212_: type_36;
-    var phi_6262_: f32;
-    var phi_6267_: f32;
-    var phi_6272_: f32;
-    var phi_6277_: f32;
-    var phi_6188_: f32;
-    var phi_6190_: f32;
-    var phi_6283_: f32;
-    var phi_6289_: f32;
-    var phi_6296_: f32;
+    var phi_6171_: f32;
+    var phi_6202_: type_36;
+    var phi_6205_: f32;
+    var phi_6207_: f32;
+    var phi_6203_: type_36;
+    var phi_6230_: type_36;
+    var phi_6280_: f32;
+    var phi_6285_: f32;
+    var phi_6290_: f32;
+    var phi_6295_: f32;
+    var phi_6206_: f32;
+    var phi_6208_: f32;
+    var phi_6301_: f32;
+    var phi_6307_: f32;
+    var phi_6314_: f32;
     var local_60: f32;
     var local_61: f32;
-    var phi_6306_: f32;
-    var phi_6316_: f32;
-    var phi_6349_: type_36;
-    var phi_6352_: f32;
-    var phi_6354_: f32;
-    var phi_6350_: type_36;
-    var phi_6377_: type_36;
-    var phi_6427_: f32;
-    var phi_6432_: f32;
-    var phi_6437_: f32;
-    var phi_6442_: f32;
-    var phi_6353_: f32;
-    var phi_6355_: f32;
-    var phi_6448_: f32;
-    var phi_6454_: f32;
-    var phi_6461_: f32;
+    var phi_6324_: f32;
+    var phi_6334_: f32;
+    var phi_6367_: type_36;
+    var phi_6370_: f32;
+    var phi_6372_: f32;
+    var phi_6368_: type_36;
+    var phi_6395_: type_36;
+    var phi_6445_: f32;
+    var phi_6450_: f32;
+    var phi_6455_: f32;
+    var phi_6460_: f32;
+    var phi_6371_: f32;
+    var phi_6373_: f32;
+    var phi_6466_: f32;
+    var phi_6472_: f32;
+    var phi_6479_: f32;
     var local_62: f32;
     var local_63: f32;
-    var phi_6471_: f32;
-    var phi_6481_: f32;
-    var phi_6484_: bool;
-    var phi_6730_: f32;
-    var phi_6737_: f32;
-    var phi_6742_: f32;
-    var phi_6749_: f32;
-    var phi_6754_: f32;
+    var phi_6489_: f32;
+    var phi_6499_: f32;
+    var phi_6502_: bool;
+    var phi_6748_: f32;
+    var phi_6755_: f32;
+    var phi_6760_: f32;
     var phi_6767_: f32;
-    var phi_6774_: f32;
-    var phi_6779_: f32;
-    var phi_6786_: f32;
-    var phi_6791_: f32;
-    var phi_6796_: f32;
-    var phi_6813_: f32;
-    var phi_6820_: f32;
-    var phi_6825_: f32;
-    var phi_6832_: f32;
-    var phi_6837_: f32;
-    var phi_6851_: f32;
-    var phi_6858_: f32;
-    var phi_6863_: f32;
-    var phi_6870_: f32;
-    var phi_6875_: f32;
-    var phi_6880_: f32;
-    var phi_6897_: f32;
-    var phi_6904_: f32;
-    var phi_6909_: f32;
-    var phi_6916_: f32;
-    var phi_6921_: f32;
-    var phi_6935_: f32;
-    var phi_6942_: f32;
-    var phi_6947_: f32;
-    var phi_6954_: f32;
-    var phi_6959_: f32;
-    var phi_6964_: f32;
-    var phi_6995_: f32;
-    var phi_7001_: f32;
-    var phi_7008_: f32;
-    var phi_7015_: f32;
-    var phi_7021_: f32;
-    var phi_7028_: f32;
-    var phi_7034_: f32;
-    var phi_7040_: f32;
+    var phi_6772_: f32;
+    var phi_6785_: f32;
+    var phi_6792_: f32;
+    var phi_6797_: f32;
+    var phi_6804_: f32;
+    var phi_6809_: f32;
+    var phi_6814_: f32;
+    var phi_6831_: f32;
+    var phi_6838_: f32;
+    var phi_6843_: f32;
+    var phi_6850_: f32;
+    var phi_6855_: f32;
+    var phi_6869_: f32;
+    var phi_6876_: f32;
+    var phi_6881_: f32;
+    var phi_6888_: f32;
+    var phi_6893_: f32;
+    var phi_6898_: f32;
+    var phi_6915_: f32;
+    var phi_6922_: f32;
+    var phi_6927_: f32;
+    var phi_6934_: f32;
+    var phi_6939_: f32;
+    var phi_6953_: f32;
+    var phi_6960_: f32;
+    var phi_6965_: f32;
+    var phi_6972_: f32;
+    var phi_6977_: f32;
+    var phi_6982_: f32;
+    var phi_7013_: f32;
+    var phi_7019_: f32;
+    var phi_7026_: f32;
+    var phi_7033_: f32;
+    var phi_7039_: f32;
     var phi_7046_: f32;
-    var phi_7053_: f32;
-    var phi_7060_: f32;
-    var phi_7084_: f32;
-    var phi_7089_: f32;
-    var phi_7094_: f32;
-    var phi_7099_: f32;
-    var phi_7104_: f32;
-    var phi_7109_: f32;
-    var phi_7119_: f32;
-    var phi_7370_: f32;
-    var phi_7377_: f32;
-    var phi_7382_: f32;
-    var phi_7389_: f32;
-    var phi_7394_: f32;
+    var phi_7052_: f32;
+    var phi_7058_: f32;
+    var phi_7064_: f32;
+    var phi_7071_: f32;
+    var phi_7078_: f32;
+    var phi_7102_: f32;
+    var phi_7107_: f32;
+    var phi_7112_: f32;
+    var phi_7117_: f32;
+    var phi_7122_: f32;
+    var phi_7127_: f32;
+    var phi_7137_: f32;
+    var phi_7388_: f32;
+    var phi_7395_: f32;
+    var phi_7400_: f32;
     var phi_7407_: f32;
-    var phi_7414_: f32;
-    var phi_7419_: f32;
-    var phi_7426_: f32;
-    var phi_7431_: f32;
-    var phi_7436_: f32;
-    var phi_7453_: f32;
-    var phi_7460_: f32;
-    var phi_7465_: f32;
-    var phi_7472_: f32;
-    var phi_7477_: f32;
-    var phi_7491_: f32;
-    var phi_7498_: f32;
-    var phi_7503_: f32;
-    var phi_7510_: f32;
-    var phi_7515_: f32;
-    var phi_7520_: f32;
-    var phi_7537_: f32;
-    var phi_7544_: f32;
-    var phi_7549_: f32;
-    var phi_7556_: f32;
-    var phi_7561_: f32;
-    var phi_7575_: f32;
-    var phi_7582_: f32;
-    var phi_7587_: f32;
-    var phi_7594_: f32;
-    var phi_7599_: f32;
-    var phi_7604_: f32;
-    var phi_7642_: type_36;
-    var phi_7645_: f32;
-    var phi_7647_: f32;
-    var phi_7643_: type_36;
-    var phi_7670_: type_36;
-    var phi_7720_: f32;
-    var phi_7725_: f32;
-    var phi_7730_: f32;
-    var phi_7735_: f32;
-    var phi_7646_: f32;
-    var phi_7648_: f32;
-    var phi_7741_: f32;
-    var phi_7747_: f32;
-    var phi_7754_: f32;
+    var phi_7412_: f32;
+    var phi_7425_: f32;
+    var phi_7432_: f32;
+    var phi_7437_: f32;
+    var phi_7444_: f32;
+    var phi_7449_: f32;
+    var phi_7454_: f32;
+    var phi_7471_: f32;
+    var phi_7478_: f32;
+    var phi_7483_: f32;
+    var phi_7490_: f32;
+    var phi_7495_: f32;
+    var phi_7509_: f32;
+    var phi_7516_: f32;
+    var phi_7521_: f32;
+    var phi_7528_: f32;
+    var phi_7533_: f32;
+    var phi_7538_: f32;
+    var phi_7555_: f32;
+    var phi_7562_: f32;
+    var phi_7567_: f32;
+    var phi_7574_: f32;
+    var phi_7579_: f32;
+    var phi_7593_: f32;
+    var phi_7600_: f32;
+    var phi_7605_: f32;
+    var phi_7612_: f32;
+    var phi_7617_: f32;
+    var phi_7622_: f32;
+    var phi_7660_: type_36;
+    var phi_7663_: f32;
+    var phi_7665_: f32;
+    var phi_7661_: type_36;
+    var phi_7688_: type_36;
+    var phi_7738_: f32;
+    var phi_7743_: f32;
+    var phi_7748_: f32;
+    var phi_7753_: f32;
+    var phi_7664_: f32;
+    var phi_7666_: f32;
+    var phi_7759_: f32;
+    var phi_7765_: f32;
+    var phi_7772_: f32;
     var local_64: f32;
     var local_65: f32;
-    var phi_7764_: f32;
-    var phi_7795_: type_36;
-    var phi_7798_: f32;
-    var phi_7800_: f32;
-    var phi_7796_: type_36;
-    var phi_7823_: type_36;
-    var phi_7873_: f32;
-    var phi_7878_: f32;
-    var phi_7883_: f32;
-    var phi_7888_: f32;
-    var phi_7799_: f32;
-    var phi_7801_: f32;
-    var phi_7894_: f32;
-    var phi_7900_: f32;
-    var phi_7907_: f32;
+    var phi_7782_: f32;
+    var phi_7813_: type_36;
+    var phi_7816_: f32;
+    var phi_7818_: f32;
+    var phi_7814_: type_36;
+    var phi_7841_: type_36;
+    var phi_7891_: f32;
+    var phi_7896_: f32;
+    var phi_7901_: f32;
+    var phi_7906_: f32;
+    var phi_7817_: f32;
+    var phi_7819_: f32;
+    var phi_7912_: f32;
+    var phi_7918_: f32;
+    var phi_7925_: f32;
     var local_66: f32;
     var local_67: f32;
-    var phi_7917_: f32;
-    var phi_7927_: f32;
-    var phi_7960_: type_36;
-    var phi_7963_: f32;
-    var phi_7965_: f32;
-    var phi_7961_: type_36;
-    var phi_7988_: type_36;
-    var phi_8038_: f32;
-    var phi_8043_: f32;
-    var phi_8048_: f32;
-    var phi_8053_: f32;
-    var phi_7964_: f32;
-    var phi_7966_: f32;
-    var phi_8059_: f32;
-    var phi_8065_: f32;
-    var phi_8072_: f32;
+    var phi_7935_: f32;
+    var phi_7945_: f32;
+    var phi_7978_: type_36;
+    var phi_7981_: f32;
+    var phi_7983_: f32;
+    var phi_7979_: type_36;
+    var phi_8006_: type_36;
+    var phi_8056_: f32;
+    var phi_8061_: f32;
+    var phi_8066_: f32;
+    var phi_8071_: f32;
+    var phi_7982_: f32;
+    var phi_7984_: f32;
+    var phi_8077_: f32;
+    var phi_8083_: f32;
+    var phi_8090_: f32;
     var local_68: f32;
     var local_69: f32;
-    var phi_8082_: f32;
-    var phi_8092_: f32;
-    var phi_8095_: bool;
-    var phi_8096_: bool;
-    var phi_8098_: bool;
-    var phi_8108_: bool;
-    var phi_8109_: bool;
-    var phi_8141_: type_36;
-    var phi_8142_: type_36;
-    var phi_8165_: type_36;
-    var phi_8188_: u32;
-    var phi_8263_: bool;
-    var phi_8264_: bool;
+    var phi_8100_: f32;
+    var phi_8110_: f32;
+    var phi_8113_: bool;
+    var phi_8114_: bool;
+    var phi_8116_: bool;
+    var phi_8126_: bool;
+    var phi_8127_: bool;
+    var phi_8177_: type_36;
+    var phi_8178_: type_36;
+    var phi_8201_: type_36;
+    var phi_8224_: u32;
+    var phi_8299_: bool;
+    var phi_8300_: bool;
     var local_70: u32;
     var local_71: bool;
     var local_72: bool;
@@ -1036,8 +1036,8 @@ fn function_() {
                 }
             }
             phi_812_ = type_36(0u, 32u);
-            let _e5547 = local_70;
-            phi_815_ = _e5547;
+            let _e5563 = local_70;
+            phi_815_ = _e5563;
             loop {
                 let _e505 = phi_812_;
                 let _e507 = phi_815_;
@@ -1052,8 +1052,8 @@ fn function_() {
                 let _e523 = phi_838_;
                 if (bitcast<i32>(_e523.member) != 0i) {
                     if (_e507 == 0u) {
-                        phi_1870_ = u32();
-                        phi_1871_ = false;
+                        phi_1888_ = u32();
+                        phi_1889_ = false;
                     } else {
                         let _e534 = names[((_e134 * 32u) + select(firstTrailingBit(_e507), 32u, (_e507 == 0u)))];
                         let _e537 = (_e250 + _e135);
@@ -1541,8 +1541,8 @@ fn function_() {
                                                 break if !(_e750);
                                             }
                                         }
-                                        let _e5623 = local_71;
-                                        phi_1809_ = _e5623;
+                                        let _e5639 = local_71;
+                                        phi_1809_ = _e5639;
                                     }
                                     let _e1253 = phi_1809_;
                                     phi_1810_ = _e1253;
@@ -1586,3503 +1586,3515 @@ fn function_() {
                             let _e1273 = local_24.member_1;
                             let _e1275 = local_25.member_1;
                             let _e1277 = atomicAdd((&output.member[0u]), 1u);
+                            if ((_e1277 + 1u) < _e1277) {
+                                let _e1281 = atomicAdd((&output.member[2u]), 1u);
+                            }
                             if (_e1277 < _e1271) {
                                 atomicStore((&output.member[(4u + (2u * _e1277))]), _e1273);
                                 atomicStore((&output.member[((2u * _e1277) + 5u)]), _e1275);
                             }
-                            let _e1286 = atomicAdd((&output.member[1u]), 1u);
+                            let _e1290 = atomicAdd((&output.member[1u]), 1u);
+                            if ((_e1290 + 1u) < _e1290) {
+                                let _e1294 = atomicAdd((&output.member[3u]), 1u);
+                            }
                         }
-                        phi_1870_ = (_e507 & (_e507 - 1u));
-                        phi_1871_ = true;
+                        phi_1888_ = (_e507 & (_e507 - 1u));
+                        phi_1889_ = true;
                     }
-                    let _e1288 = phi_1870_;
-                    let _e1290 = phi_1871_;
-                    phi_816_ = _e1288;
-                    phi_1872_ = _e1290;
+                    let _e1296 = phi_1888_;
+                    let _e1298 = phi_1889_;
+                    phi_816_ = _e1296;
+                    phi_1890_ = _e1298;
                 } else {
                     phi_816_ = u32();
-                    phi_1872_ = false;
+                    phi_1890_ = false;
                 }
-                let _e1292 = phi_816_;
-                let _e1294 = phi_1872_;
+                let _e1300 = phi_816_;
+                let _e1302 = phi_1890_;
                 continue;
                 continuing {
                     phi_812_ = _e521;
-                    phi_815_ = _e1292;
-                    break if !(_e1294);
+                    phi_815_ = _e1300;
+                    break if !(_e1302);
                 }
             }
             workgroupBarrier();
-            let _e1297 = atomicLoad((&counters[4u]));
-            if (2048u < _e1297) {
-                phi_1879_ = 2048u;
+            let _e1305 = atomicLoad((&counters[4u]));
+            if (2048u < _e1305) {
+                phi_1897_ = 2048u;
             } else {
-                phi_1879_ = _e1297;
+                phi_1897_ = _e1305;
             }
-            let _e1300 = phi_1879_;
-            phi_1882_ = type_36(0u, 16u);
+            let _e1308 = phi_1897_;
+            phi_1900_ = type_36(0u, 16u);
             loop {
-                let _e1302 = phi_1882_;
-                if (_e1302.member < _e1302.member_1) {
-                    phi_1883_ = type_36((_e1302.member + 1u), _e1302.member_1);
-                    phi_1906_ = type_36(1u, _e1302.member);
+                let _e1310 = phi_1900_;
+                if (_e1310.member < _e1310.member_1) {
+                    phi_1901_ = type_36((_e1310.member + 1u), _e1310.member_1);
+                    phi_1924_ = type_36(1u, _e1310.member);
                 } else {
-                    phi_1883_ = _e1302;
-                    phi_1906_ = type_36(0u, type_36().member_1);
+                    phi_1901_ = _e1310;
+                    phi_1924_ = type_36(0u, type_36().member_1);
                 }
-                let _e1316 = phi_1883_;
-                let _e1318 = phi_1906_;
-                if (bitcast<i32>(_e1318.member) != 0i) {
-                    let _e1324 = (_e110 + (_e1318.member_1 * 128u));
-                    if (_e1324 >= _e1300) {
-                        phi_8108_ = false;
+                let _e1324 = phi_1901_;
+                let _e1326 = phi_1924_;
+                if (bitcast<i32>(_e1326.member) != 0i) {
+                    let _e1332 = (_e110 + (_e1326.member_1 * 128u));
+                    if (_e1332 >= _e1308) {
+                        phi_8126_ = false;
                     } else {
-                        let _e1327 = hits[_e1324];
-                        let _e1330 = ((_e1327 >> bitcast<u32>(10i)) & 3u);
-                        let _e1337 = firsts[(2u * _e1330)];
-                        let _e1338 = (_e1337 + ((_e1327 >> bitcast<u32>(5i)) & 31u));
-                        let _e1342 = firsts[((2u * _e1330) + 1u)];
-                        let _e1343 = (_e1342 + (_e1327 & 31u));
-                        let _e1345 = leaves.member[_e1338];
-                        let _e1347 = leaves.member[_e1343];
-                        local_26 = type_24(array<u32, 3>(_e1345.member[0], _e1345.member[1], _e1345.member[2]), _e1345.member_1);
-                        local_27 = type_24(array<u32, 3>(_e1347.member[0], _e1347.member[1], _e1347.member[2]), _e1347.member_1);
-                        let _e1363 = nodes.member[_e1338];
-                        let _e1365 = nodes.member[_e1343];
-                        let _e1367 = params.member.member_1;
-                        if ((_e1367 & 1u) != 0u) {
-                            let _e1371 = params.member.member_8;
-                            if (_e1371 == 0u) {
-                                let _e1415 = local_26.member[0u];
-                                let _e1418 = local_27.member[0u];
-                                if (_e1415 == _e1418) {
-                                    phi_2025_ = bool();
-                                    phi_2026_ = true;
+                        let _e1335 = hits[_e1332];
+                        let _e1338 = ((_e1335 >> bitcast<u32>(10i)) & 3u);
+                        let _e1345 = firsts[(2u * _e1338)];
+                        let _e1346 = (_e1345 + ((_e1335 >> bitcast<u32>(5i)) & 31u));
+                        let _e1350 = firsts[((2u * _e1338) + 1u)];
+                        let _e1351 = (_e1350 + (_e1335 & 31u));
+                        let _e1353 = leaves.member[_e1346];
+                        let _e1355 = leaves.member[_e1351];
+                        local_26 = type_24(array<u32, 3>(_e1353.member[0], _e1353.member[1], _e1353.member[2]), _e1353.member_1);
+                        local_27 = type_24(array<u32, 3>(_e1355.member[0], _e1355.member[1], _e1355.member[2]), _e1355.member_1);
+                        let _e1371 = nodes.member[_e1346];
+                        let _e1373 = nodes.member[_e1351];
+                        let _e1375 = params.member.member_1;
+                        if ((_e1375 & 1u) != 0u) {
+                            let _e1379 = params.member.member_8;
+                            if (_e1379 == 0u) {
+                                let _e1423 = local_26.member[0u];
+                                let _e1426 = local_27.member[0u];
+                                if (_e1423 == _e1426) {
+                                    phi_2043_ = bool();
+                                    phi_2044_ = true;
                                 } else {
-                                    let _e1422 = local_26.member[0u];
-                                    let _e1425 = local_27.member[1u];
-                                    let _e1426 = (_e1422 == _e1425);
-                                    if _e1426 {
-                                        phi_2024_ = bool();
+                                    let _e1430 = local_26.member[0u];
+                                    let _e1433 = local_27.member[1u];
+                                    let _e1434 = (_e1430 == _e1433);
+                                    if _e1434 {
+                                        phi_2042_ = bool();
                                     } else {
-                                        let _e1429 = local_26.member[0u];
-                                        let _e1432 = local_27.member[2u];
-                                        phi_2024_ = (_e1429 == _e1432);
+                                        let _e1437 = local_26.member[0u];
+                                        let _e1440 = local_27.member[2u];
+                                        phi_2042_ = (_e1437 == _e1440);
                                     }
-                                    let _e1435 = phi_2024_;
-                                    phi_2025_ = _e1435;
-                                    phi_2026_ = _e1426;
+                                    let _e1443 = phi_2042_;
+                                    phi_2043_ = _e1443;
+                                    phi_2044_ = _e1434;
                                 }
-                                let _e1437 = phi_2025_;
-                                let _e1439 = phi_2026_;
-                                if _e1439 {
-                                    phi_2030_ = true;
+                                let _e1445 = phi_2043_;
+                                let _e1447 = phi_2044_;
+                                if _e1447 {
+                                    phi_2048_ = true;
                                 } else {
-                                    phi_2030_ = _e1437;
+                                    phi_2048_ = _e1445;
                                 }
-                                let _e1441 = phi_2030_;
-                                phi_2069_ = _e1441;
+                                let _e1449 = phi_2048_;
+                                phi_2087_ = _e1449;
                             } else {
-                                let _e1375 = local_26.member[0u];
-                                let _e1378 = local_27.member[0u];
-                                if (_e1375 == _e1378) {
-                                    phi_2063_ = bool();
-                                    phi_2064_ = true;
+                                let _e1383 = local_26.member[0u];
+                                let _e1386 = local_27.member[0u];
+                                if (_e1383 == _e1386) {
+                                    phi_2081_ = bool();
+                                    phi_2082_ = true;
                                 } else {
-                                    let _e1382 = local_26.member[0u];
-                                    let _e1385 = local_27.member[1u];
-                                    if (_e1382 == _e1385) {
-                                        phi_2061_ = bool();
-                                        phi_2062_ = true;
+                                    let _e1390 = local_26.member[0u];
+                                    let _e1393 = local_27.member[1u];
+                                    if (_e1390 == _e1393) {
+                                        phi_2079_ = bool();
+                                        phi_2080_ = true;
                                     } else {
-                                        let _e1389 = local_26.member[1u];
-                                        let _e1392 = local_27.member[0u];
-                                        let _e1393 = (_e1389 == _e1392);
-                                        if _e1393 {
-                                            phi_2060_ = bool();
+                                        let _e1397 = local_26.member[1u];
+                                        let _e1400 = local_27.member[0u];
+                                        let _e1401 = (_e1397 == _e1400);
+                                        if _e1401 {
+                                            phi_2078_ = bool();
                                         } else {
-                                            let _e1396 = local_26.member[1u];
-                                            let _e1399 = local_27.member[1u];
-                                            phi_2060_ = (_e1396 == _e1399);
+                                            let _e1404 = local_26.member[1u];
+                                            let _e1407 = local_27.member[1u];
+                                            phi_2078_ = (_e1404 == _e1407);
                                         }
-                                        let _e1402 = phi_2060_;
-                                        phi_2061_ = _e1402;
-                                        phi_2062_ = _e1393;
+                                        let _e1410 = phi_2078_;
+                                        phi_2079_ = _e1410;
+                                        phi_2080_ = _e1401;
                                     }
-                                    let _e1404 = phi_2061_;
-                                    let _e1406 = phi_2062_;
-                                    phi_2063_ = _e1404;
-                                    phi_2064_ = _e1406;
+                                    let _e1412 = phi_2079_;
+                                    let _e1414 = phi_2080_;
+                                    phi_2081_ = _e1412;
+                                    phi_2082_ = _e1414;
                                 }
-                                let _e1408 = phi_2063_;
-                                let _e1410 = phi_2064_;
-                                if _e1410 {
-                                    phi_2068_ = true;
+                                let _e1416 = phi_2081_;
+                                let _e1418 = phi_2082_;
+                                if _e1418 {
+                                    phi_2086_ = true;
                                 } else {
-                                    phi_2068_ = _e1408;
+                                    phi_2086_ = _e1416;
                                 }
-                                let _e1412 = phi_2068_;
-                                phi_2069_ = _e1412;
+                                let _e1420 = phi_2086_;
+                                phi_2087_ = _e1420;
                             }
-                            let _e1443 = phi_2069_;
-                            if _e1443 {
-                                phi_2073_ = false;
+                            let _e1451 = phi_2087_;
+                            if _e1451 {
+                                phi_2091_ = false;
                             } else {
-                                phi_2073_ = true;
+                                phi_2091_ = true;
                             }
-                            let _e1445 = phi_2073_;
-                            phi_2074_ = _e1445;
+                            let _e1453 = phi_2091_;
+                            phi_2092_ = _e1453;
                         } else {
-                            phi_2074_ = true;
+                            phi_2092_ = true;
                         }
-                        let _e1447 = phi_2074_;
-                        if _e1447 {
-                            let _e1449 = params.member.member_1;
-                            if ((_e1449 & 2u) != 0u) {
-                                let _e1454 = local_26.member[0u];
-                                let _e1456 = bodies.member[_e1454];
-                                let _e1459 = local_27.member[0u];
-                                let _e1461 = bodies.member[_e1459];
-                                if ((_e1456 / 2u) == (_e1461 / 2u)) {
-                                    let _e1466 = params.member.member_1;
-                                    phi_2120_ = !(((_e1466 & 4u) != 0u));
+                        let _e1455 = phi_2092_;
+                        if _e1455 {
+                            let _e1457 = params.member.member_1;
+                            if ((_e1457 & 2u) != 0u) {
+                                let _e1462 = local_26.member[0u];
+                                let _e1464 = bodies.member[_e1462];
+                                let _e1467 = local_27.member[0u];
+                                let _e1469 = bodies.member[_e1467];
+                                if ((_e1464 / 2u) == (_e1469 / 2u)) {
+                                    let _e1474 = params.member.member_1;
+                                    phi_2138_ = !(((_e1474 & 4u) != 0u));
                                 } else {
-                                    phi_2120_ = false;
+                                    phi_2138_ = false;
                                 }
-                                let _e1471 = phi_2120_;
-                                if _e1471 {
-                                    phi_2131_ = true;
+                                let _e1479 = phi_2138_;
+                                if _e1479 {
+                                    phi_2149_ = true;
                                 } else {
-                                    if (((_e1456 & _e1461) & 1u) == 0u) {
-                                        phi_2130_ = false;
+                                    if (((_e1464 & _e1469) & 1u) == 0u) {
+                                        phi_2148_ = false;
                                     } else {
-                                        phi_2130_ = true;
+                                        phi_2148_ = true;
                                     }
-                                    let _e1476 = phi_2130_;
-                                    phi_2131_ = _e1476;
+                                    let _e1484 = phi_2148_;
+                                    phi_2149_ = _e1484;
                                 }
-                                let _e1478 = phi_2131_;
-                                if _e1478 {
-                                    phi_2135_ = false;
+                                let _e1486 = phi_2149_;
+                                if _e1486 {
+                                    phi_2153_ = false;
                                 } else {
-                                    phi_2135_ = true;
+                                    phi_2153_ = true;
                                 }
-                                let _e1480 = phi_2135_;
-                                phi_2136_ = _e1480;
+                                let _e1488 = phi_2153_;
+                                phi_2154_ = _e1488;
                             } else {
-                                phi_2136_ = true;
+                                phi_2154_ = true;
                             }
-                            let _e1482 = phi_2136_;
-                            if _e1482 {
-                                let _e1484 = params.member.member_1;
-                                if ((_e1484 & 32u) != 0u) {
-                                    let _e1488 = params.member.member_6;
-                                    let _e1529 = (((((((_e1363.member_1[0] - _e1365.member[0]) > _e1488) && ((_e1365.member_1[0] - _e1363.member[0]) > _e1488)) && ((_e1363.member_1[1] - _e1365.member[1]) > _e1488)) && ((_e1365.member_1[1] - _e1363.member[1]) > _e1488)) && ((_e1363.member_1[2] - _e1365.member[2]) > _e1488)) && ((_e1365.member_1[2] - _e1363.member[2]) > _e1488));
-                                    if _e1529 {
-                                        phi_2885_ = bool();
+                            let _e1490 = phi_2154_;
+                            if _e1490 {
+                                let _e1492 = params.member.member_1;
+                                if ((_e1492 & 32u) != 0u) {
+                                    let _e1496 = params.member.member_6;
+                                    let _e1537 = (((((((_e1371.member_1[0] - _e1373.member[0]) > _e1496) && ((_e1373.member_1[0] - _e1371.member[0]) > _e1496)) && ((_e1371.member_1[1] - _e1373.member[1]) > _e1496)) && ((_e1373.member_1[1] - _e1371.member[1]) > _e1496)) && ((_e1371.member_1[2] - _e1373.member[2]) > _e1496)) && ((_e1373.member_1[2] - _e1371.member[2]) > _e1496));
+                                    if _e1537 {
+                                        phi_2903_ = bool();
                                     } else {
-                                        phi_2185_ = type_36(0u, 3u);
-                                        phi_2188_ = true;
+                                        phi_2203_ = type_36(0u, 3u);
+                                        phi_2206_ = true;
                                         loop {
-                                            let _e1533 = phi_2185_;
-                                            let _e1535 = phi_2188_;
-                                            local_72 = _e1535;
-                                            if (_e1533.member < _e1533.member_1) {
-                                                phi_2186_ = type_36((_e1533.member + 1u), _e1533.member_1);
-                                                phi_2211_ = type_36(1u, _e1533.member);
+                                            let _e1541 = phi_2203_;
+                                            let _e1543 = phi_2206_;
+                                            local_72 = _e1543;
+                                            if (_e1541.member < _e1541.member_1) {
+                                                phi_2204_ = type_36((_e1541.member + 1u), _e1541.member_1);
+                                                phi_2229_ = type_36(1u, _e1541.member);
                                             } else {
-                                                phi_2186_ = _e1533;
-                                                phi_2211_ = type_36(0u, type_36().member_1);
+                                                phi_2204_ = _e1541;
+                                                phi_2229_ = type_36(0u, type_36().member_1);
                                             }
-                                            let _e1549 = phi_2186_;
-                                            let _e1551 = phi_2211_;
-                                            let _e1555 = (bitcast<i32>(_e1551.member) != 0i);
-                                            if _e1555 {
-                                                let _e1557 = local_26.member[0u];
-                                                let _e1559 = keys.member[_e1557];
-                                                local_14 = array<array<u32, 2>, 6>(array<u32, 2>(_e1559[0][0], _e1559[0][1]), array<u32, 2>(_e1559[1][0], _e1559[1][1]), array<u32, 2>(_e1559[2][0], _e1559[2][1]), array<u32, 2>(_e1559[3][0], _e1559[3][1]), array<u32, 2>(_e1559[4][0], _e1559[4][1]), array<u32, 2>(_e1559[5][0], _e1559[5][1]));
-                                                if (_e1551.member_1 < 6u) {
+                                            let _e1557 = phi_2204_;
+                                            let _e1559 = phi_2229_;
+                                            let _e1563 = (bitcast<i32>(_e1559.member) != 0i);
+                                            if _e1563 {
+                                                let _e1565 = local_26.member[0u];
+                                                let _e1567 = keys.member[_e1565];
+                                                local_14 = array<array<u32, 2>, 6>(array<u32, 2>(_e1567[0][0], _e1567[0][1]), array<u32, 2>(_e1567[1][0], _e1567[1][1]), array<u32, 2>(_e1567[2][0], _e1567[2][1]), array<u32, 2>(_e1567[3][0], _e1567[3][1]), array<u32, 2>(_e1567[4][0], _e1567[4][1]), array<u32, 2>(_e1567[5][0], _e1567[5][1]));
+                                                if (_e1559.member_1 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1587 = local_14[_e1551.member_1];
-                                                phi_2268_ = type_36(1u, 3u);
-                                                phi_2271_ = array<u32, 2>(_e1587[0], _e1587[1]);
+                                                let _e1595 = local_14[_e1559.member_1];
+                                                phi_2286_ = type_36(1u, 3u);
+                                                phi_2289_ = array<u32, 2>(_e1595[0], _e1595[1]);
                                                 loop {
-                                                    let _e1592 = phi_2268_;
-                                                    let _e1594 = phi_2271_;
-                                                    local_40 = _e1594;
-                                                    local_42 = _e1594;
-                                                    local_44 = _e1594;
-                                                    if (_e1592.member < _e1592.member_1) {
-                                                        phi_2269_ = type_36((_e1592.member + 1u), _e1592.member_1);
-                                                        phi_2294_ = type_36(1u, _e1592.member);
+                                                    let _e1600 = phi_2286_;
+                                                    let _e1602 = phi_2289_;
+                                                    local_40 = _e1602;
+                                                    local_42 = _e1602;
+                                                    local_44 = _e1602;
+                                                    if (_e1600.member < _e1600.member_1) {
+                                                        phi_2287_ = type_36((_e1600.member + 1u), _e1600.member_1);
+                                                        phi_2312_ = type_36(1u, _e1600.member);
                                                     } else {
-                                                        phi_2269_ = _e1592;
-                                                        phi_2294_ = type_36(0u, type_36().member_1);
+                                                        phi_2287_ = _e1600;
+                                                        phi_2312_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1608 = phi_2269_;
-                                                    let _e1610 = phi_2294_;
-                                                    let _e1614 = (bitcast<i32>(_e1610.member) != 0i);
-                                                    if _e1614 {
-                                                        if (_e1610.member_1 < 3u) {
+                                                    let _e1616 = phi_2287_;
+                                                    let _e1618 = phi_2312_;
+                                                    let _e1622 = (bitcast<i32>(_e1618.member) != 0i);
+                                                    if _e1622 {
+                                                        if (_e1618.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1617 = local_26.member[_e1610.member_1];
-                                                        let _e1619 = keys.member[_e1617];
-                                                        local_15 = array<array<u32, 2>, 6>(array<u32, 2>(_e1619[0][0], _e1619[0][1]), array<u32, 2>(_e1619[1][0], _e1619[1][1]), array<u32, 2>(_e1619[2][0], _e1619[2][1]), array<u32, 2>(_e1619[3][0], _e1619[3][1]), array<u32, 2>(_e1619[4][0], _e1619[4][1]), array<u32, 2>(_e1619[5][0], _e1619[5][1]));
-                                                        if (_e1551.member_1 < 6u) {
+                                                        let _e1625 = local_26.member[_e1618.member_1];
+                                                        let _e1627 = keys.member[_e1625];
+                                                        local_15 = array<array<u32, 2>, 6>(array<u32, 2>(_e1627[0][0], _e1627[0][1]), array<u32, 2>(_e1627[1][0], _e1627[1][1]), array<u32, 2>(_e1627[2][0], _e1627[2][1]), array<u32, 2>(_e1627[3][0], _e1627[3][1]), array<u32, 2>(_e1627[4][0], _e1627[4][1]), array<u32, 2>(_e1627[5][0], _e1627[5][1]));
+                                                        if (_e1559.member_1 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1647 = local_15[_e1551.member_1];
-                                                        if (_e1594[1] > _e1647[1]) {
-                                                            phi_2370_ = true;
+                                                        let _e1655 = local_15[_e1559.member_1];
+                                                        if (_e1602[1] > _e1655[1]) {
+                                                            phi_2388_ = true;
                                                         } else {
-                                                            if (_e1594[1] == _e1647[1]) {
-                                                                phi_2369_ = (_e1594[0] > _e1647[0]);
+                                                            if (_e1602[1] == _e1655[1]) {
+                                                                phi_2387_ = (_e1602[0] > _e1655[0]);
                                                             } else {
-                                                                phi_2369_ = false;
+                                                                phi_2387_ = false;
                                                             }
-                                                            let _e1658 = phi_2369_;
-                                                            phi_2370_ = _e1658;
+                                                            let _e1666 = phi_2387_;
+                                                            phi_2388_ = _e1666;
                                                         }
-                                                        let _e1660 = phi_2370_;
-                                                        if _e1660 {
-                                                            phi_2374_ = array<u32, 2>(_e1647[0], _e1647[1]);
+                                                        let _e1668 = phi_2388_;
+                                                        if _e1668 {
+                                                            phi_2392_ = array<u32, 2>(_e1655[0], _e1655[1]);
                                                         } else {
-                                                            phi_2374_ = _e1594;
+                                                            phi_2392_ = _e1602;
                                                         }
-                                                        let _e1662 = phi_2374_;
-                                                        phi_2272_ = _e1662;
+                                                        let _e1670 = phi_2392_;
+                                                        phi_2290_ = _e1670;
                                                     } else {
-                                                        phi_2272_ = array<u32, 2>();
+                                                        phi_2290_ = array<u32, 2>();
                                                     }
-                                                    let _e1664 = phi_2272_;
+                                                    let _e1672 = phi_2290_;
                                                     continue;
                                                     continuing {
-                                                        phi_2268_ = _e1608;
-                                                        phi_2271_ = _e1664;
-                                                        break if !(_e1614);
+                                                        phi_2286_ = _e1616;
+                                                        phi_2289_ = _e1672;
+                                                        break if !(_e1622);
                                                     }
                                                 }
-                                                let _e1667 = local_27.member[0u];
-                                                let _e1669 = keys.member[_e1667];
-                                                local_12 = array<array<u32, 2>, 6>(array<u32, 2>(_e1669[0][0], _e1669[0][1]), array<u32, 2>(_e1669[1][0], _e1669[1][1]), array<u32, 2>(_e1669[2][0], _e1669[2][1]), array<u32, 2>(_e1669[3][0], _e1669[3][1]), array<u32, 2>(_e1669[4][0], _e1669[4][1]), array<u32, 2>(_e1669[5][0], _e1669[5][1]));
-                                                let _e1695 = (3u + _e1551.member_1);
-                                                if (_e1695 < 6u) {
+                                                let _e1675 = local_27.member[0u];
+                                                let _e1677 = keys.member[_e1675];
+                                                local_12 = array<array<u32, 2>, 6>(array<u32, 2>(_e1677[0][0], _e1677[0][1]), array<u32, 2>(_e1677[1][0], _e1677[1][1]), array<u32, 2>(_e1677[2][0], _e1677[2][1]), array<u32, 2>(_e1677[3][0], _e1677[3][1]), array<u32, 2>(_e1677[4][0], _e1677[4][1]), array<u32, 2>(_e1677[5][0], _e1677[5][1]));
+                                                let _e1703 = (3u + _e1559.member_1);
+                                                if (_e1703 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1698 = local_12[_e1695];
-                                                phi_2425_ = type_36(1u, 3u);
-                                                phi_2428_ = array<u32, 2>(_e1698[0], _e1698[1]);
+                                                let _e1706 = local_12[_e1703];
+                                                phi_2443_ = type_36(1u, 3u);
+                                                phi_2446_ = array<u32, 2>(_e1706[0], _e1706[1]);
                                                 loop {
-                                                    let _e1703 = phi_2425_;
-                                                    let _e1705 = phi_2428_;
-                                                    local_41 = _e1705;
-                                                    local_43 = _e1705;
-                                                    local_45 = _e1705;
-                                                    if (_e1703.member < _e1703.member_1) {
-                                                        phi_2426_ = type_36((_e1703.member + 1u), _e1703.member_1);
-                                                        phi_2451_ = type_36(1u, _e1703.member);
+                                                    let _e1711 = phi_2443_;
+                                                    let _e1713 = phi_2446_;
+                                                    local_41 = _e1713;
+                                                    local_43 = _e1713;
+                                                    local_45 = _e1713;
+                                                    if (_e1711.member < _e1711.member_1) {
+                                                        phi_2444_ = type_36((_e1711.member + 1u), _e1711.member_1);
+                                                        phi_2469_ = type_36(1u, _e1711.member);
                                                     } else {
-                                                        phi_2426_ = _e1703;
-                                                        phi_2451_ = type_36(0u, type_36().member_1);
+                                                        phi_2444_ = _e1711;
+                                                        phi_2469_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1719 = phi_2426_;
-                                                    let _e1721 = phi_2451_;
-                                                    let _e1725 = (bitcast<i32>(_e1721.member) != 0i);
-                                                    if _e1725 {
-                                                        if (_e1721.member_1 < 3u) {
+                                                    let _e1727 = phi_2444_;
+                                                    let _e1729 = phi_2469_;
+                                                    let _e1733 = (bitcast<i32>(_e1729.member) != 0i);
+                                                    if _e1733 {
+                                                        if (_e1729.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1728 = local_27.member[_e1721.member_1];
-                                                        let _e1730 = keys.member[_e1728];
-                                                        local_13 = array<array<u32, 2>, 6>(array<u32, 2>(_e1730[0][0], _e1730[0][1]), array<u32, 2>(_e1730[1][0], _e1730[1][1]), array<u32, 2>(_e1730[2][0], _e1730[2][1]), array<u32, 2>(_e1730[3][0], _e1730[3][1]), array<u32, 2>(_e1730[4][0], _e1730[4][1]), array<u32, 2>(_e1730[5][0], _e1730[5][1]));
-                                                        let _e1756 = (3u + _e1551.member_1);
-                                                        if (_e1756 < 6u) {
+                                                        let _e1736 = local_27.member[_e1729.member_1];
+                                                        let _e1738 = keys.member[_e1736];
+                                                        local_13 = array<array<u32, 2>, 6>(array<u32, 2>(_e1738[0][0], _e1738[0][1]), array<u32, 2>(_e1738[1][0], _e1738[1][1]), array<u32, 2>(_e1738[2][0], _e1738[2][1]), array<u32, 2>(_e1738[3][0], _e1738[3][1]), array<u32, 2>(_e1738[4][0], _e1738[4][1]), array<u32, 2>(_e1738[5][0], _e1738[5][1]));
+                                                        let _e1764 = (3u + _e1559.member_1);
+                                                        if (_e1764 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1759 = local_13[_e1756];
-                                                        if (_e1759[1] > _e1705[1]) {
-                                                            phi_2528_ = true;
+                                                        let _e1767 = local_13[_e1764];
+                                                        if (_e1767[1] > _e1713[1]) {
+                                                            phi_2546_ = true;
                                                         } else {
-                                                            if (_e1759[1] == _e1705[1]) {
-                                                                phi_2527_ = (_e1759[0] > _e1705[0]);
+                                                            if (_e1767[1] == _e1713[1]) {
+                                                                phi_2545_ = (_e1767[0] > _e1713[0]);
                                                             } else {
-                                                                phi_2527_ = false;
+                                                                phi_2545_ = false;
                                                             }
-                                                            let _e1770 = phi_2527_;
-                                                            phi_2528_ = _e1770;
+                                                            let _e1778 = phi_2545_;
+                                                            phi_2546_ = _e1778;
                                                         }
-                                                        let _e1772 = phi_2528_;
-                                                        if _e1772 {
-                                                            phi_2532_ = array<u32, 2>(_e1759[0], _e1759[1]);
+                                                        let _e1780 = phi_2546_;
+                                                        if _e1780 {
+                                                            phi_2550_ = array<u32, 2>(_e1767[0], _e1767[1]);
                                                         } else {
-                                                            phi_2532_ = _e1705;
+                                                            phi_2550_ = _e1713;
                                                         }
-                                                        let _e1774 = phi_2532_;
-                                                        phi_2429_ = _e1774;
+                                                        let _e1782 = phi_2550_;
+                                                        phi_2447_ = _e1782;
                                                     } else {
-                                                        phi_2429_ = array<u32, 2>();
+                                                        phi_2447_ = array<u32, 2>();
                                                     }
-                                                    let _e1776 = phi_2429_;
+                                                    let _e1784 = phi_2447_;
                                                     continue;
                                                     continuing {
-                                                        phi_2425_ = _e1719;
-                                                        phi_2428_ = _e1776;
-                                                        break if !(_e1725);
+                                                        phi_2443_ = _e1727;
+                                                        phi_2446_ = _e1784;
+                                                        break if !(_e1733);
                                                     }
                                                 }
-                                                let _e1779 = local_40;
-                                                let _e1782 = local_41;
-                                                if (_e1779[1] > _e1782[1]) {
-                                                    phi_2549_ = true;
+                                                let _e1787 = local_40;
+                                                let _e1790 = local_41;
+                                                if (_e1787[1] > _e1790[1]) {
+                                                    phi_2567_ = true;
                                                 } else {
-                                                    let _e1786 = local_42;
-                                                    let _e1789 = local_43;
-                                                    if (_e1786[1] == _e1789[1]) {
-                                                        let _e1793 = local_44;
-                                                        let _e1796 = local_45;
-                                                        phi_2548_ = (_e1793[0] > _e1796[0]);
+                                                    let _e1794 = local_42;
+                                                    let _e1797 = local_43;
+                                                    if (_e1794[1] == _e1797[1]) {
+                                                        let _e1801 = local_44;
+                                                        let _e1804 = local_45;
+                                                        phi_2566_ = (_e1801[0] > _e1804[0]);
                                                     } else {
-                                                        phi_2548_ = false;
+                                                        phi_2566_ = false;
                                                     }
-                                                    let _e1800 = phi_2548_;
-                                                    phi_2549_ = _e1800;
+                                                    let _e1808 = phi_2566_;
+                                                    phi_2567_ = _e1808;
                                                 }
-                                                let _e1802 = phi_2549_;
-                                                let _e1805 = local_27.member[0u];
-                                                let _e1807 = keys.member[_e1805];
-                                                local_10 = array<array<u32, 2>, 6>(array<u32, 2>(_e1807[0][0], _e1807[0][1]), array<u32, 2>(_e1807[1][0], _e1807[1][1]), array<u32, 2>(_e1807[2][0], _e1807[2][1]), array<u32, 2>(_e1807[3][0], _e1807[3][1]), array<u32, 2>(_e1807[4][0], _e1807[4][1]), array<u32, 2>(_e1807[5][0], _e1807[5][1]));
-                                                if (_e1551.member_1 < 6u) {
+                                                let _e1810 = phi_2567_;
+                                                let _e1813 = local_27.member[0u];
+                                                let _e1815 = keys.member[_e1813];
+                                                local_10 = array<array<u32, 2>, 6>(array<u32, 2>(_e1815[0][0], _e1815[0][1]), array<u32, 2>(_e1815[1][0], _e1815[1][1]), array<u32, 2>(_e1815[2][0], _e1815[2][1]), array<u32, 2>(_e1815[3][0], _e1815[3][1]), array<u32, 2>(_e1815[4][0], _e1815[4][1]), array<u32, 2>(_e1815[5][0], _e1815[5][1]));
+                                                if (_e1559.member_1 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1835 = local_10[_e1551.member_1];
-                                                phi_2600_ = type_36(1u, 3u);
-                                                phi_2603_ = array<u32, 2>(_e1835[0], _e1835[1]);
+                                                let _e1843 = local_10[_e1559.member_1];
+                                                phi_2618_ = type_36(1u, 3u);
+                                                phi_2621_ = array<u32, 2>(_e1843[0], _e1843[1]);
                                                 loop {
-                                                    let _e1840 = phi_2600_;
-                                                    let _e1842 = phi_2603_;
-                                                    local_46 = _e1842;
-                                                    local_48 = _e1842;
-                                                    local_50 = _e1842;
-                                                    if (_e1840.member < _e1840.member_1) {
-                                                        phi_2601_ = type_36((_e1840.member + 1u), _e1840.member_1);
-                                                        phi_2626_ = type_36(1u, _e1840.member);
+                                                    let _e1848 = phi_2618_;
+                                                    let _e1850 = phi_2621_;
+                                                    local_46 = _e1850;
+                                                    local_48 = _e1850;
+                                                    local_50 = _e1850;
+                                                    if (_e1848.member < _e1848.member_1) {
+                                                        phi_2619_ = type_36((_e1848.member + 1u), _e1848.member_1);
+                                                        phi_2644_ = type_36(1u, _e1848.member);
                                                     } else {
-                                                        phi_2601_ = _e1840;
-                                                        phi_2626_ = type_36(0u, type_36().member_1);
+                                                        phi_2619_ = _e1848;
+                                                        phi_2644_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1856 = phi_2601_;
-                                                    let _e1858 = phi_2626_;
-                                                    let _e1862 = (bitcast<i32>(_e1858.member) != 0i);
-                                                    if _e1862 {
-                                                        if (_e1858.member_1 < 3u) {
+                                                    let _e1864 = phi_2619_;
+                                                    let _e1866 = phi_2644_;
+                                                    let _e1870 = (bitcast<i32>(_e1866.member) != 0i);
+                                                    if _e1870 {
+                                                        if (_e1866.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1865 = local_27.member[_e1858.member_1];
-                                                        let _e1867 = keys.member[_e1865];
-                                                        local_11 = array<array<u32, 2>, 6>(array<u32, 2>(_e1867[0][0], _e1867[0][1]), array<u32, 2>(_e1867[1][0], _e1867[1][1]), array<u32, 2>(_e1867[2][0], _e1867[2][1]), array<u32, 2>(_e1867[3][0], _e1867[3][1]), array<u32, 2>(_e1867[4][0], _e1867[4][1]), array<u32, 2>(_e1867[5][0], _e1867[5][1]));
-                                                        if (_e1551.member_1 < 6u) {
+                                                        let _e1873 = local_27.member[_e1866.member_1];
+                                                        let _e1875 = keys.member[_e1873];
+                                                        local_11 = array<array<u32, 2>, 6>(array<u32, 2>(_e1875[0][0], _e1875[0][1]), array<u32, 2>(_e1875[1][0], _e1875[1][1]), array<u32, 2>(_e1875[2][0], _e1875[2][1]), array<u32, 2>(_e1875[3][0], _e1875[3][1]), array<u32, 2>(_e1875[4][0], _e1875[4][1]), array<u32, 2>(_e1875[5][0], _e1875[5][1]));
+                                                        if (_e1559.member_1 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1895 = local_11[_e1551.member_1];
-                                                        if (_e1842[1] > _e1895[1]) {
-                                                            phi_2702_ = true;
+                                                        let _e1903 = local_11[_e1559.member_1];
+                                                        if (_e1850[1] > _e1903[1]) {
+                                                            phi_2720_ = true;
                                                         } else {
-                                                            if (_e1842[1] == _e1895[1]) {
-                                                                phi_2701_ = (_e1842[0] > _e1895[0]);
+                                                            if (_e1850[1] == _e1903[1]) {
+                                                                phi_2719_ = (_e1850[0] > _e1903[0]);
                                                             } else {
-                                                                phi_2701_ = false;
+                                                                phi_2719_ = false;
                                                             }
-                                                            let _e1906 = phi_2701_;
-                                                            phi_2702_ = _e1906;
+                                                            let _e1914 = phi_2719_;
+                                                            phi_2720_ = _e1914;
                                                         }
-                                                        let _e1908 = phi_2702_;
-                                                        if _e1908 {
-                                                            phi_2706_ = array<u32, 2>(_e1895[0], _e1895[1]);
+                                                        let _e1916 = phi_2720_;
+                                                        if _e1916 {
+                                                            phi_2724_ = array<u32, 2>(_e1903[0], _e1903[1]);
                                                         } else {
-                                                            phi_2706_ = _e1842;
+                                                            phi_2724_ = _e1850;
                                                         }
-                                                        let _e1910 = phi_2706_;
-                                                        phi_2604_ = _e1910;
+                                                        let _e1918 = phi_2724_;
+                                                        phi_2622_ = _e1918;
                                                     } else {
-                                                        phi_2604_ = array<u32, 2>();
+                                                        phi_2622_ = array<u32, 2>();
                                                     }
-                                                    let _e1912 = phi_2604_;
+                                                    let _e1920 = phi_2622_;
                                                     continue;
                                                     continuing {
-                                                        phi_2600_ = _e1856;
-                                                        phi_2603_ = _e1912;
-                                                        break if !(_e1862);
+                                                        phi_2618_ = _e1864;
+                                                        phi_2621_ = _e1920;
+                                                        break if !(_e1870);
                                                     }
                                                 }
-                                                let _e1915 = local_26.member[0u];
-                                                let _e1917 = keys.member[_e1915];
-                                                local_8 = array<array<u32, 2>, 6>(array<u32, 2>(_e1917[0][0], _e1917[0][1]), array<u32, 2>(_e1917[1][0], _e1917[1][1]), array<u32, 2>(_e1917[2][0], _e1917[2][1]), array<u32, 2>(_e1917[3][0], _e1917[3][1]), array<u32, 2>(_e1917[4][0], _e1917[4][1]), array<u32, 2>(_e1917[5][0], _e1917[5][1]));
-                                                let _e1943 = (3u + _e1551.member_1);
-                                                if (_e1943 < 6u) {
+                                                let _e1923 = local_26.member[0u];
+                                                let _e1925 = keys.member[_e1923];
+                                                local_8 = array<array<u32, 2>, 6>(array<u32, 2>(_e1925[0][0], _e1925[0][1]), array<u32, 2>(_e1925[1][0], _e1925[1][1]), array<u32, 2>(_e1925[2][0], _e1925[2][1]), array<u32, 2>(_e1925[3][0], _e1925[3][1]), array<u32, 2>(_e1925[4][0], _e1925[4][1]), array<u32, 2>(_e1925[5][0], _e1925[5][1]));
+                                                let _e1951 = (3u + _e1559.member_1);
+                                                if (_e1951 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1946 = local_8[_e1943];
-                                                phi_2757_ = type_36(1u, 3u);
-                                                phi_2760_ = array<u32, 2>(_e1946[0], _e1946[1]);
+                                                let _e1954 = local_8[_e1951];
+                                                phi_2775_ = type_36(1u, 3u);
+                                                phi_2778_ = array<u32, 2>(_e1954[0], _e1954[1]);
                                                 loop {
-                                                    let _e1951 = phi_2757_;
-                                                    let _e1953 = phi_2760_;
-                                                    local_47 = _e1953;
-                                                    local_49 = _e1953;
-                                                    local_51 = _e1953;
-                                                    if (_e1951.member < _e1951.member_1) {
-                                                        phi_2758_ = type_36((_e1951.member + 1u), _e1951.member_1);
-                                                        phi_2783_ = type_36(1u, _e1951.member);
+                                                    let _e1959 = phi_2775_;
+                                                    let _e1961 = phi_2778_;
+                                                    local_47 = _e1961;
+                                                    local_49 = _e1961;
+                                                    local_51 = _e1961;
+                                                    if (_e1959.member < _e1959.member_1) {
+                                                        phi_2776_ = type_36((_e1959.member + 1u), _e1959.member_1);
+                                                        phi_2801_ = type_36(1u, _e1959.member);
                                                     } else {
-                                                        phi_2758_ = _e1951;
-                                                        phi_2783_ = type_36(0u, type_36().member_1);
+                                                        phi_2776_ = _e1959;
+                                                        phi_2801_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1967 = phi_2758_;
-                                                    let _e1969 = phi_2783_;
-                                                    let _e1973 = (bitcast<i32>(_e1969.member) != 0i);
-                                                    if _e1973 {
-                                                        if (_e1969.member_1 < 3u) {
+                                                    let _e1975 = phi_2776_;
+                                                    let _e1977 = phi_2801_;
+                                                    let _e1981 = (bitcast<i32>(_e1977.member) != 0i);
+                                                    if _e1981 {
+                                                        if (_e1977.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1976 = local_26.member[_e1969.member_1];
-                                                        let _e1978 = keys.member[_e1976];
-                                                        local_9 = array<array<u32, 2>, 6>(array<u32, 2>(_e1978[0][0], _e1978[0][1]), array<u32, 2>(_e1978[1][0], _e1978[1][1]), array<u32, 2>(_e1978[2][0], _e1978[2][1]), array<u32, 2>(_e1978[3][0], _e1978[3][1]), array<u32, 2>(_e1978[4][0], _e1978[4][1]), array<u32, 2>(_e1978[5][0], _e1978[5][1]));
-                                                        let _e2004 = (3u + _e1551.member_1);
-                                                        if (_e2004 < 6u) {
+                                                        let _e1984 = local_26.member[_e1977.member_1];
+                                                        let _e1986 = keys.member[_e1984];
+                                                        local_9 = array<array<u32, 2>, 6>(array<u32, 2>(_e1986[0][0], _e1986[0][1]), array<u32, 2>(_e1986[1][0], _e1986[1][1]), array<u32, 2>(_e1986[2][0], _e1986[2][1]), array<u32, 2>(_e1986[3][0], _e1986[3][1]), array<u32, 2>(_e1986[4][0], _e1986[4][1]), array<u32, 2>(_e1986[5][0], _e1986[5][1]));
+                                                        let _e2012 = (3u + _e1559.member_1);
+                                                        if (_e2012 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2007 = local_9[_e2004];
-                                                        if (_e2007[1] > _e1953[1]) {
-                                                            phi_2860_ = true;
+                                                        let _e2015 = local_9[_e2012];
+                                                        if (_e2015[1] > _e1961[1]) {
+                                                            phi_2878_ = true;
                                                         } else {
-                                                            if (_e2007[1] == _e1953[1]) {
-                                                                phi_2859_ = (_e2007[0] > _e1953[0]);
+                                                            if (_e2015[1] == _e1961[1]) {
+                                                                phi_2877_ = (_e2015[0] > _e1961[0]);
                                                             } else {
-                                                                phi_2859_ = false;
+                                                                phi_2877_ = false;
                                                             }
-                                                            let _e2018 = phi_2859_;
-                                                            phi_2860_ = _e2018;
+                                                            let _e2026 = phi_2877_;
+                                                            phi_2878_ = _e2026;
                                                         }
-                                                        let _e2020 = phi_2860_;
-                                                        if _e2020 {
-                                                            phi_2864_ = array<u32, 2>(_e2007[0], _e2007[1]);
+                                                        let _e2028 = phi_2878_;
+                                                        if _e2028 {
+                                                            phi_2882_ = array<u32, 2>(_e2015[0], _e2015[1]);
                                                         } else {
-                                                            phi_2864_ = _e1953;
+                                                            phi_2882_ = _e1961;
                                                         }
-                                                        let _e2022 = phi_2864_;
-                                                        phi_2761_ = _e2022;
+                                                        let _e2030 = phi_2882_;
+                                                        phi_2779_ = _e2030;
                                                     } else {
-                                                        phi_2761_ = array<u32, 2>();
+                                                        phi_2779_ = array<u32, 2>();
                                                     }
-                                                    let _e2024 = phi_2761_;
+                                                    let _e2032 = phi_2779_;
                                                     continue;
                                                     continuing {
-                                                        phi_2757_ = _e1967;
-                                                        phi_2760_ = _e2024;
-                                                        break if !(_e1973);
+                                                        phi_2775_ = _e1975;
+                                                        phi_2778_ = _e2032;
+                                                        break if !(_e1981);
                                                     }
                                                 }
-                                                let _e2027 = local_46;
-                                                let _e2030 = local_47;
-                                                if (_e2027[1] > _e2030[1]) {
-                                                    phi_2881_ = true;
+                                                let _e2035 = local_46;
+                                                let _e2038 = local_47;
+                                                if (_e2035[1] > _e2038[1]) {
+                                                    phi_2899_ = true;
                                                 } else {
-                                                    let _e2034 = local_48;
-                                                    let _e2037 = local_49;
-                                                    if (_e2034[1] == _e2037[1]) {
-                                                        let _e2041 = local_50;
-                                                        let _e2044 = local_51;
-                                                        phi_2880_ = (_e2041[0] > _e2044[0]);
+                                                    let _e2042 = local_48;
+                                                    let _e2045 = local_49;
+                                                    if (_e2042[1] == _e2045[1]) {
+                                                        let _e2049 = local_50;
+                                                        let _e2052 = local_51;
+                                                        phi_2898_ = (_e2049[0] > _e2052[0]);
                                                     } else {
-                                                        phi_2880_ = false;
+                                                        phi_2898_ = false;
                                                     }
-                                                    let _e2048 = phi_2880_;
-                                                    phi_2881_ = _e2048;
+                                                    let _e2056 = phi_2898_;
+                                                    phi_2899_ = _e2056;
                                                 }
-                                                let _e2050 = phi_2881_;
-                                                phi_2189_ = (_e1535 && (!(_e1802) && !(_e2050)));
+                                                let _e2058 = phi_2899_;
+                                                phi_2207_ = (_e1543 && (!(_e1810) && !(_e2058)));
                                             } else {
-                                                phi_2189_ = bool();
+                                                phi_2207_ = bool();
                                             }
-                                            let _e2055 = phi_2189_;
+                                            let _e2063 = phi_2207_;
                                             continue;
                                             continuing {
-                                                phi_2185_ = _e1549;
-                                                phi_2188_ = _e2055;
-                                                break if !(_e1555);
+                                                phi_2203_ = _e1557;
+                                                phi_2206_ = _e2063;
+                                                break if !(_e1563);
                                             }
                                         }
-                                        let _e5713 = local_72;
-                                        phi_2885_ = _e5713;
+                                        let _e5729 = local_72;
+                                        phi_2903_ = _e5729;
                                     }
-                                    let _e2058 = phi_2885_;
-                                    phi_2886_ = _e2058;
-                                    phi_2887_ = _e1529;
+                                    let _e2066 = phi_2903_;
+                                    phi_2904_ = _e2066;
+                                    phi_2905_ = _e1537;
                                 } else {
-                                    phi_2886_ = bool();
-                                    phi_2887_ = true;
+                                    phi_2904_ = bool();
+                                    phi_2905_ = true;
                                 }
-                                let _e2060 = phi_2886_;
-                                let _e2062 = phi_2887_;
-                                if _e2062 {
-                                    phi_2891_ = false;
+                                let _e2068 = phi_2904_;
+                                let _e2070 = phi_2905_;
+                                if _e2070 {
+                                    phi_2909_ = false;
                                 } else {
-                                    phi_2891_ = true;
+                                    phi_2909_ = true;
                                 }
-                                let _e2064 = phi_2891_;
-                                phi_2892_ = _e2060;
-                                phi_2893_ = _e2064;
+                                let _e2072 = phi_2909_;
+                                phi_2910_ = _e2068;
+                                phi_2911_ = _e2072;
                             } else {
-                                phi_2892_ = false;
-                                phi_2893_ = true;
+                                phi_2910_ = false;
+                                phi_2911_ = true;
                             }
-                            let _e2066 = phi_2892_;
-                            let _e2068 = phi_2893_;
-                            phi_2894_ = _e2066;
-                            phi_2895_ = _e2068;
+                            let _e2074 = phi_2910_;
+                            let _e2076 = phi_2911_;
+                            phi_2912_ = _e2074;
+                            phi_2913_ = _e2076;
                         } else {
-                            phi_2894_ = false;
-                            phi_2895_ = true;
+                            phi_2912_ = false;
+                            phi_2913_ = true;
                         }
-                        let _e2070 = phi_2894_;
-                        let _e2072 = phi_2895_;
-                        if _e2072 {
-                            phi_2899_ = _e2070;
+                        let _e2078 = phi_2912_;
+                        let _e2080 = phi_2913_;
+                        if _e2080 {
+                            phi_2917_ = _e2078;
                         } else {
-                            phi_2899_ = true;
+                            phi_2917_ = true;
                         }
-                        let _e2074 = phi_2899_;
-                        if _e2074 {
-                            let _e2076 = atomicAdd((&counters[7u]), 1u);
-                            let _e2078 = params.member.member_4;
-                            let _e2080 = params.member.member_5;
-                            let _e2083 = local_26.member[0u];
-                            let _e2086 = local_27.member[0u];
-                            let _e2089 = local_27.member[1u];
-                            let _e2092 = local_27.member[2u];
-                            let _e2094 = paths.member[_e2083];
-                            let _e2096 = paths.member[_e2086];
-                            let _e2102 = paths.member[_e2089];
-                            let _e2104 = paths.member[_e2092];
-                            local_7 = type_71(array<array<f32, 3>, 2>(array<f32, 3>((_e2094.member[0] - _e2096.member[0]), (_e2094.member[1] - _e2096.member[1]), (_e2094.member[2] - _e2096.member[2])), array<f32, 3>((_e2094.member_1[0] - _e2096.member_1[0]), (_e2094.member_1[1] - _e2096.member_1[1]), (_e2094.member_1[2] - _e2096.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2102.member[0] - _e2096.member[0]), (_e2102.member[1] - _e2096.member[1]), (_e2102.member[2] - _e2096.member[2])), array<f32, 3>((_e2102.member_1[0] - _e2096.member_1[0]), (_e2102.member_1[1] - _e2096.member_1[1]), (_e2102.member_1[2] - _e2096.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2104.member[0] - _e2096.member[0]), (_e2104.member[1] - _e2096.member[1]), (_e2104.member[2] - _e2096.member[2])), array<f32, 3>((_e2104.member_1[0] - _e2096.member_1[0]), (_e2104.member_1[1] - _e2096.member_1[1]), (_e2104.member_1[2] - _e2096.member_1[2]))), (_e2078 + _e2078));
-                            let _e2164 = local_7.member_1[0u];
-                            let _e2170 = local_7.member_2[0u];
-                            let _e2176 = ((_e2164[1] * _e2170[2]) - (_e2164[2] * _e2170[1]));
-                            let _e2179 = ((_e2164[2] * _e2170[0]) - (_e2164[0] * _e2170[2]));
-                            let _e2182 = ((_e2164[0] * _e2170[1]) - (_e2164[1] * _e2170[0]));
-                            let _e2185 = local_7.member_1[1u];
-                            let _e2191 = local_7.member_2[1u];
-                            let _e2197 = ((_e2185[1] * _e2191[2]) - (_e2185[2] * _e2191[1]));
-                            let _e2200 = ((_e2185[2] * _e2191[0]) - (_e2185[0] * _e2191[2]));
-                            let _e2203 = ((_e2185[0] * _e2191[1]) - (_e2185[1] * _e2191[0]));
-                            let _e2206 = local_7.member_1[0u];
-                            let _e2212 = local_7.member_2[1u];
-                            let _e2227 = local_7.member_1[1u];
-                            let _e2233 = local_7.member_2[0u];
-                            let _e2246 = (((_e2206[1] * _e2212[2]) - (_e2206[2] * _e2212[1])) + ((_e2227[1] * _e2233[2]) - (_e2227[2] * _e2233[1])));
-                            let _e2247 = (((_e2206[2] * _e2212[0]) - (_e2206[0] * _e2212[2])) + ((_e2227[2] * _e2233[0]) - (_e2227[0] * _e2233[2])));
-                            let _e2248 = (((_e2206[0] * _e2212[1]) - (_e2206[1] * _e2212[0])) + ((_e2227[0] * _e2233[1]) - (_e2227[1] * _e2233[0])));
-                            let _e2251 = local_7.member[0u];
-                            let _e2262 = local_7.member[1u];
-                            let _e2273 = local_7.member[0u];
-                            let _e2282 = ((((_e2262[0] * _e2176) + (_e2262[1] * _e2179)) + (_e2262[2] * _e2182)) + (((_e2273[0] * _e2246) + (_e2273[1] * _e2247)) + (_e2273[2] * _e2248)));
-                            let _e2285 = local_7.member[0u];
-                            let _e2296 = local_7.member[1u];
-                            let _e2305 = ((((_e2285[0] * _e2197) + (_e2285[1] * _e2200)) + (_e2285[2] * _e2203)) + (((_e2296[0] * _e2246) + (_e2296[1] * _e2247)) + (_e2296[2] * _e2248)));
-                            let _e2308 = local_7.member[1u];
-                            let _e2319 = local_7.member[0u];
-                            if (_e2319[0] < 0f) {
-                                phi_3297_ = -(_e2319[0]);
+                        let _e2082 = phi_2917_;
+                        if _e2082 {
+                            let _e2084 = atomicAdd((&counters[7u]), 1u);
+                            let _e2086 = params.member.member_4;
+                            let _e2088 = params.member.member_5;
+                            let _e2091 = local_26.member[0u];
+                            let _e2094 = local_27.member[0u];
+                            let _e2097 = local_27.member[1u];
+                            let _e2100 = local_27.member[2u];
+                            let _e2102 = paths.member[_e2091];
+                            let _e2104 = paths.member[_e2094];
+                            let _e2110 = paths.member[_e2097];
+                            let _e2112 = paths.member[_e2100];
+                            local_7 = type_71(array<array<f32, 3>, 2>(array<f32, 3>((_e2102.member[0] - _e2104.member[0]), (_e2102.member[1] - _e2104.member[1]), (_e2102.member[2] - _e2104.member[2])), array<f32, 3>((_e2102.member_1[0] - _e2104.member_1[0]), (_e2102.member_1[1] - _e2104.member_1[1]), (_e2102.member_1[2] - _e2104.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2110.member[0] - _e2104.member[0]), (_e2110.member[1] - _e2104.member[1]), (_e2110.member[2] - _e2104.member[2])), array<f32, 3>((_e2110.member_1[0] - _e2104.member_1[0]), (_e2110.member_1[1] - _e2104.member_1[1]), (_e2110.member_1[2] - _e2104.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2112.member[0] - _e2104.member[0]), (_e2112.member[1] - _e2104.member[1]), (_e2112.member[2] - _e2104.member[2])), array<f32, 3>((_e2112.member_1[0] - _e2104.member_1[0]), (_e2112.member_1[1] - _e2104.member_1[1]), (_e2112.member_1[2] - _e2104.member_1[2]))), (_e2086 + _e2086));
+                            let _e2172 = local_7.member_1[0u];
+                            let _e2178 = local_7.member_2[0u];
+                            let _e2184 = ((_e2172[1] * _e2178[2]) - (_e2172[2] * _e2178[1]));
+                            let _e2187 = ((_e2172[2] * _e2178[0]) - (_e2172[0] * _e2178[2]));
+                            let _e2190 = ((_e2172[0] * _e2178[1]) - (_e2172[1] * _e2178[0]));
+                            let _e2193 = local_7.member_1[1u];
+                            let _e2199 = local_7.member_2[1u];
+                            let _e2205 = ((_e2193[1] * _e2199[2]) - (_e2193[2] * _e2199[1]));
+                            let _e2208 = ((_e2193[2] * _e2199[0]) - (_e2193[0] * _e2199[2]));
+                            let _e2211 = ((_e2193[0] * _e2199[1]) - (_e2193[1] * _e2199[0]));
+                            let _e2214 = local_7.member_1[0u];
+                            let _e2220 = local_7.member_2[1u];
+                            let _e2235 = local_7.member_1[1u];
+                            let _e2241 = local_7.member_2[0u];
+                            let _e2254 = (((_e2214[1] * _e2220[2]) - (_e2214[2] * _e2220[1])) + ((_e2235[1] * _e2241[2]) - (_e2235[2] * _e2241[1])));
+                            let _e2255 = (((_e2214[2] * _e2220[0]) - (_e2214[0] * _e2220[2])) + ((_e2235[2] * _e2241[0]) - (_e2235[0] * _e2241[2])));
+                            let _e2256 = (((_e2214[0] * _e2220[1]) - (_e2214[1] * _e2220[0])) + ((_e2235[0] * _e2241[1]) - (_e2235[1] * _e2241[0])));
+                            let _e2259 = local_7.member[0u];
+                            let _e2270 = local_7.member[1u];
+                            let _e2281 = local_7.member[0u];
+                            let _e2290 = ((((_e2270[0] * _e2184) + (_e2270[1] * _e2187)) + (_e2270[2] * _e2190)) + (((_e2281[0] * _e2254) + (_e2281[1] * _e2255)) + (_e2281[2] * _e2256)));
+                            let _e2293 = local_7.member[0u];
+                            let _e2304 = local_7.member[1u];
+                            let _e2313 = ((((_e2293[0] * _e2205) + (_e2293[1] * _e2208)) + (_e2293[2] * _e2211)) + (((_e2304[0] * _e2254) + (_e2304[1] * _e2255)) + (_e2304[2] * _e2256)));
+                            let _e2316 = local_7.member[1u];
+                            let _e2327 = local_7.member[0u];
+                            if (_e2327[0] < 0f) {
+                                phi_3315_ = -(_e2327[0]);
                             } else {
-                                phi_3297_ = _e2319[0];
+                                phi_3315_ = _e2327[0];
                             }
-                            let _e2326 = phi_3297_;
-                            if (_e2319[1] < 0f) {
-                                phi_3304_ = -(_e2319[1]);
+                            let _e2334 = phi_3315_;
+                            if (_e2327[1] < 0f) {
+                                phi_3322_ = -(_e2327[1]);
                             } else {
-                                phi_3304_ = _e2319[1];
+                                phi_3322_ = _e2327[1];
                             }
-                            let _e2330 = phi_3304_;
-                            if (_e2326 > _e2330) {
-                                phi_3309_ = _e2326;
+                            let _e2338 = phi_3322_;
+                            if (_e2334 > _e2338) {
+                                phi_3327_ = _e2334;
                             } else {
-                                phi_3309_ = _e2330;
+                                phi_3327_ = _e2338;
                             }
-                            let _e2333 = phi_3309_;
-                            if (_e2319[2] < 0f) {
-                                phi_3316_ = -(_e2319[2]);
+                            let _e2341 = phi_3327_;
+                            if (_e2327[2] < 0f) {
+                                phi_3334_ = -(_e2327[2]);
                             } else {
-                                phi_3316_ = _e2319[2];
+                                phi_3334_ = _e2327[2];
                             }
-                            let _e2337 = phi_3316_;
-                            if (_e2333 > _e2337) {
-                                phi_3321_ = _e2333;
+                            let _e2345 = phi_3334_;
+                            if (_e2341 > _e2345) {
+                                phi_3339_ = _e2341;
                             } else {
-                                phi_3321_ = _e2337;
+                                phi_3339_ = _e2345;
                             }
-                            let _e2340 = phi_3321_;
-                            let _e2343 = local_7.member[1u];
-                            if (_e2343[0] < 0f) {
-                                phi_3334_ = -(_e2343[0]);
+                            let _e2348 = phi_3339_;
+                            let _e2351 = local_7.member[1u];
+                            if (_e2351[0] < 0f) {
+                                phi_3352_ = -(_e2351[0]);
                             } else {
-                                phi_3334_ = _e2343[0];
+                                phi_3352_ = _e2351[0];
                             }
-                            let _e2350 = phi_3334_;
-                            if (_e2343[1] < 0f) {
-                                phi_3341_ = -(_e2343[1]);
+                            let _e2358 = phi_3352_;
+                            if (_e2351[1] < 0f) {
+                                phi_3359_ = -(_e2351[1]);
                             } else {
-                                phi_3341_ = _e2343[1];
+                                phi_3359_ = _e2351[1];
                             }
-                            let _e2354 = phi_3341_;
-                            if (_e2350 > _e2354) {
-                                phi_3346_ = _e2350;
+                            let _e2362 = phi_3359_;
+                            if (_e2358 > _e2362) {
+                                phi_3364_ = _e2358;
                             } else {
-                                phi_3346_ = _e2354;
+                                phi_3364_ = _e2362;
                             }
-                            let _e2357 = phi_3346_;
-                            if (_e2343[2] < 0f) {
-                                phi_3353_ = -(_e2343[2]);
+                            let _e2365 = phi_3364_;
+                            if (_e2351[2] < 0f) {
+                                phi_3371_ = -(_e2351[2]);
                             } else {
-                                phi_3353_ = _e2343[2];
+                                phi_3371_ = _e2351[2];
                             }
-                            let _e2361 = phi_3353_;
-                            if (_e2357 > _e2361) {
-                                phi_3358_ = _e2357;
+                            let _e2369 = phi_3371_;
+                            if (_e2365 > _e2369) {
+                                phi_3376_ = _e2365;
                             } else {
-                                phi_3358_ = _e2361;
+                                phi_3376_ = _e2369;
                             }
-                            let _e2364 = phi_3358_;
-                            if (_e2340 > _e2364) {
-                                phi_3363_ = _e2340;
+                            let _e2372 = phi_3376_;
+                            if (_e2348 > _e2372) {
+                                phi_3381_ = _e2348;
                             } else {
-                                phi_3363_ = _e2364;
+                                phi_3381_ = _e2372;
                             }
-                            let _e2367 = phi_3363_;
-                            let _e2369 = local_7.member_3;
-                            let _e2370 = (_e2367 + _e2369);
-                            let _e2373 = local_7.member_1[0u];
-                            if (_e2373[0] < 0f) {
-                                phi_3380_ = -(_e2373[0]);
+                            let _e2375 = phi_3381_;
+                            let _e2377 = local_7.member_3;
+                            let _e2378 = (_e2375 + _e2377);
+                            let _e2381 = local_7.member_1[0u];
+                            if (_e2381[0] < 0f) {
+                                phi_3398_ = -(_e2381[0]);
                             } else {
-                                phi_3380_ = _e2373[0];
+                                phi_3398_ = _e2381[0];
                             }
-                            let _e2380 = phi_3380_;
-                            if (_e2373[1] < 0f) {
-                                phi_3387_ = -(_e2373[1]);
+                            let _e2388 = phi_3398_;
+                            if (_e2381[1] < 0f) {
+                                phi_3405_ = -(_e2381[1]);
                             } else {
-                                phi_3387_ = _e2373[1];
+                                phi_3405_ = _e2381[1];
                             }
-                            let _e2384 = phi_3387_;
-                            if (_e2380 > _e2384) {
-                                phi_3392_ = _e2380;
+                            let _e2392 = phi_3405_;
+                            if (_e2388 > _e2392) {
+                                phi_3410_ = _e2388;
                             } else {
-                                phi_3392_ = _e2384;
+                                phi_3410_ = _e2392;
                             }
-                            let _e2387 = phi_3392_;
-                            if (_e2373[2] < 0f) {
-                                phi_3399_ = -(_e2373[2]);
+                            let _e2395 = phi_3410_;
+                            if (_e2381[2] < 0f) {
+                                phi_3417_ = -(_e2381[2]);
                             } else {
-                                phi_3399_ = _e2373[2];
+                                phi_3417_ = _e2381[2];
                             }
-                            let _e2391 = phi_3399_;
-                            if (_e2387 > _e2391) {
-                                phi_3404_ = _e2387;
+                            let _e2399 = phi_3417_;
+                            if (_e2395 > _e2399) {
+                                phi_3422_ = _e2395;
                             } else {
-                                phi_3404_ = _e2391;
+                                phi_3422_ = _e2399;
                             }
-                            let _e2394 = phi_3404_;
-                            let _e2397 = local_7.member_1[1u];
-                            if (_e2397[0] < 0f) {
-                                phi_3418_ = -(_e2397[0]);
+                            let _e2402 = phi_3422_;
+                            let _e2405 = local_7.member_1[1u];
+                            if (_e2405[0] < 0f) {
+                                phi_3436_ = -(_e2405[0]);
                             } else {
-                                phi_3418_ = _e2397[0];
+                                phi_3436_ = _e2405[0];
                             }
-                            let _e2404 = phi_3418_;
-                            if (_e2397[1] < 0f) {
-                                phi_3425_ = -(_e2397[1]);
+                            let _e2412 = phi_3436_;
+                            if (_e2405[1] < 0f) {
+                                phi_3443_ = -(_e2405[1]);
                             } else {
-                                phi_3425_ = _e2397[1];
+                                phi_3443_ = _e2405[1];
                             }
-                            let _e2408 = phi_3425_;
-                            if (_e2404 > _e2408) {
-                                phi_3430_ = _e2404;
+                            let _e2416 = phi_3443_;
+                            if (_e2412 > _e2416) {
+                                phi_3448_ = _e2412;
                             } else {
-                                phi_3430_ = _e2408;
+                                phi_3448_ = _e2416;
                             }
-                            let _e2411 = phi_3430_;
-                            if (_e2397[2] < 0f) {
-                                phi_3437_ = -(_e2397[2]);
+                            let _e2419 = phi_3448_;
+                            if (_e2405[2] < 0f) {
+                                phi_3455_ = -(_e2405[2]);
                             } else {
-                                phi_3437_ = _e2397[2];
+                                phi_3455_ = _e2405[2];
                             }
-                            let _e2415 = phi_3437_;
-                            if (_e2411 > _e2415) {
-                                phi_3442_ = _e2411;
+                            let _e2423 = phi_3455_;
+                            if (_e2419 > _e2423) {
+                                phi_3460_ = _e2419;
                             } else {
-                                phi_3442_ = _e2415;
+                                phi_3460_ = _e2423;
                             }
-                            let _e2418 = phi_3442_;
-                            if (_e2394 > _e2418) {
-                                phi_3447_ = _e2394;
+                            let _e2426 = phi_3460_;
+                            if (_e2402 > _e2426) {
+                                phi_3465_ = _e2402;
                             } else {
-                                phi_3447_ = _e2418;
+                                phi_3465_ = _e2426;
                             }
-                            let _e2421 = phi_3447_;
-                            let _e2423 = local_7.member_3;
-                            let _e2424 = (_e2421 + _e2423);
-                            let _e2427 = local_7.member_2[0u];
-                            if (_e2427[0] < 0f) {
-                                phi_3464_ = -(_e2427[0]);
+                            let _e2429 = phi_3465_;
+                            let _e2431 = local_7.member_3;
+                            let _e2432 = (_e2429 + _e2431);
+                            let _e2435 = local_7.member_2[0u];
+                            if (_e2435[0] < 0f) {
+                                phi_3482_ = -(_e2435[0]);
                             } else {
-                                phi_3464_ = _e2427[0];
+                                phi_3482_ = _e2435[0];
                             }
-                            let _e2434 = phi_3464_;
-                            if (_e2427[1] < 0f) {
-                                phi_3471_ = -(_e2427[1]);
+                            let _e2442 = phi_3482_;
+                            if (_e2435[1] < 0f) {
+                                phi_3489_ = -(_e2435[1]);
                             } else {
-                                phi_3471_ = _e2427[1];
+                                phi_3489_ = _e2435[1];
                             }
-                            let _e2438 = phi_3471_;
-                            if (_e2434 > _e2438) {
-                                phi_3476_ = _e2434;
+                            let _e2446 = phi_3489_;
+                            if (_e2442 > _e2446) {
+                                phi_3494_ = _e2442;
                             } else {
-                                phi_3476_ = _e2438;
+                                phi_3494_ = _e2446;
                             }
-                            let _e2441 = phi_3476_;
-                            if (_e2427[2] < 0f) {
-                                phi_3483_ = -(_e2427[2]);
+                            let _e2449 = phi_3494_;
+                            if (_e2435[2] < 0f) {
+                                phi_3501_ = -(_e2435[2]);
                             } else {
-                                phi_3483_ = _e2427[2];
+                                phi_3501_ = _e2435[2];
                             }
-                            let _e2445 = phi_3483_;
-                            if (_e2441 > _e2445) {
-                                phi_3488_ = _e2441;
+                            let _e2453 = phi_3501_;
+                            if (_e2449 > _e2453) {
+                                phi_3506_ = _e2449;
                             } else {
-                                phi_3488_ = _e2445;
+                                phi_3506_ = _e2453;
                             }
-                            let _e2448 = phi_3488_;
-                            let _e2451 = local_7.member_2[1u];
-                            if (_e2451[0] < 0f) {
-                                phi_3502_ = -(_e2451[0]);
+                            let _e2456 = phi_3506_;
+                            let _e2459 = local_7.member_2[1u];
+                            if (_e2459[0] < 0f) {
+                                phi_3520_ = -(_e2459[0]);
                             } else {
-                                phi_3502_ = _e2451[0];
+                                phi_3520_ = _e2459[0];
                             }
-                            let _e2458 = phi_3502_;
-                            if (_e2451[1] < 0f) {
-                                phi_3509_ = -(_e2451[1]);
+                            let _e2466 = phi_3520_;
+                            if (_e2459[1] < 0f) {
+                                phi_3527_ = -(_e2459[1]);
                             } else {
-                                phi_3509_ = _e2451[1];
+                                phi_3527_ = _e2459[1];
                             }
-                            let _e2462 = phi_3509_;
-                            if (_e2458 > _e2462) {
-                                phi_3514_ = _e2458;
+                            let _e2470 = phi_3527_;
+                            if (_e2466 > _e2470) {
+                                phi_3532_ = _e2466;
                             } else {
-                                phi_3514_ = _e2462;
+                                phi_3532_ = _e2470;
                             }
-                            let _e2465 = phi_3514_;
-                            if (_e2451[2] < 0f) {
-                                phi_3521_ = -(_e2451[2]);
+                            let _e2473 = phi_3532_;
+                            if (_e2459[2] < 0f) {
+                                phi_3539_ = -(_e2459[2]);
                             } else {
-                                phi_3521_ = _e2451[2];
+                                phi_3539_ = _e2459[2];
                             }
-                            let _e2469 = phi_3521_;
-                            if (_e2465 > _e2469) {
-                                phi_3526_ = _e2465;
+                            let _e2477 = phi_3539_;
+                            if (_e2473 > _e2477) {
+                                phi_3544_ = _e2473;
                             } else {
-                                phi_3526_ = _e2469;
+                                phi_3544_ = _e2477;
                             }
-                            let _e2472 = phi_3526_;
-                            if (_e2448 > _e2472) {
-                                phi_3531_ = _e2448;
+                            let _e2480 = phi_3544_;
+                            if (_e2456 > _e2480) {
+                                phi_3549_ = _e2456;
                             } else {
-                                phi_3531_ = _e2472;
+                                phi_3549_ = _e2480;
                             }
-                            let _e2475 = phi_3531_;
-                            let _e2477 = local_7.member_3;
-                            let _e2478 = (_e2475 + _e2477);
-                            let _e2480 = ((_e2424 * 8f) * _e2478);
-                            let _e2487 = local_7.member_3;
-                            if (_e2176 < 0f) {
-                                phi_3562_ = -(_e2176);
+                            let _e2483 = phi_3549_;
+                            let _e2485 = local_7.member_3;
+                            let _e2486 = (_e2483 + _e2485);
+                            let _e2488 = ((_e2432 * 8f) * _e2486);
+                            let _e2495 = local_7.member_3;
+                            if (_e2184 < 0f) {
+                                phi_3580_ = -(_e2184);
                             } else {
-                                phi_3562_ = _e2176;
+                                phi_3580_ = _e2184;
                             }
-                            let _e2504 = phi_3562_;
-                            if (_e2179 < 0f) {
-                                phi_3568_ = -(_e2179);
+                            let _e2512 = phi_3580_;
+                            if (_e2187 < 0f) {
+                                phi_3586_ = -(_e2187);
                             } else {
-                                phi_3568_ = _e2179;
+                                phi_3586_ = _e2187;
                             }
-                            let _e2508 = phi_3568_;
-                            if (_e2182 < 0f) {
-                                phi_3575_ = -(_e2182);
+                            let _e2516 = phi_3586_;
+                            if (_e2190 < 0f) {
+                                phi_3593_ = -(_e2190);
                             } else {
-                                phi_3575_ = _e2182;
+                                phi_3593_ = _e2190;
                             }
-                            let _e2513 = phi_3575_;
-                            let _e2514 = ((_e2504 + _e2508) + _e2513);
-                            if (_e2197 < 0f) {
-                                phi_3582_ = -(_e2197);
+                            let _e2521 = phi_3593_;
+                            let _e2522 = ((_e2512 + _e2516) + _e2521);
+                            if (_e2205 < 0f) {
+                                phi_3600_ = -(_e2205);
                             } else {
-                                phi_3582_ = _e2197;
+                                phi_3600_ = _e2205;
                             }
-                            let _e2518 = phi_3582_;
-                            if (_e2200 < 0f) {
-                                phi_3588_ = -(_e2200);
+                            let _e2526 = phi_3600_;
+                            if (_e2208 < 0f) {
+                                phi_3606_ = -(_e2208);
                             } else {
-                                phi_3588_ = _e2200;
+                                phi_3606_ = _e2208;
                             }
-                            let _e2522 = phi_3588_;
-                            if (_e2203 < 0f) {
-                                phi_3595_ = -(_e2203);
+                            let _e2530 = phi_3606_;
+                            if (_e2211 < 0f) {
+                                phi_3613_ = -(_e2211);
                             } else {
-                                phi_3595_ = _e2203;
+                                phi_3613_ = _e2211;
                             }
-                            let _e2527 = phi_3595_;
-                            let _e2528 = ((_e2518 + _e2522) + _e2527);
-                            if (_e2514 > _e2528) {
-                                phi_3601_ = _e2514;
+                            let _e2535 = phi_3613_;
+                            let _e2536 = ((_e2526 + _e2530) + _e2535);
+                            if (_e2522 > _e2536) {
+                                phi_3619_ = _e2522;
                             } else {
-                                phi_3601_ = _e2528;
+                                phi_3619_ = _e2536;
                             }
-                            let _e2531 = phi_3601_;
-                            if (_e2246 < 0f) {
-                                phi_3607_ = -(_e2246);
+                            let _e2539 = phi_3619_;
+                            if (_e2254 < 0f) {
+                                phi_3625_ = -(_e2254);
                             } else {
-                                phi_3607_ = _e2246;
+                                phi_3625_ = _e2254;
                             }
-                            let _e2535 = phi_3607_;
-                            if (_e2247 < 0f) {
-                                phi_3613_ = -(_e2247);
+                            let _e2543 = phi_3625_;
+                            if (_e2255 < 0f) {
+                                phi_3631_ = -(_e2255);
                             } else {
-                                phi_3613_ = _e2247;
+                                phi_3631_ = _e2255;
                             }
-                            let _e2539 = phi_3613_;
-                            if (_e2248 < 0f) {
-                                phi_3620_ = -(_e2248);
+                            let _e2547 = phi_3631_;
+                            if (_e2256 < 0f) {
+                                phi_3638_ = -(_e2256);
                             } else {
-                                phi_3620_ = _e2248;
+                                phi_3638_ = _e2256;
                             }
-                            let _e2544 = phi_3620_;
-                            let _e2546 = (((_e2535 + _e2539) + _e2544) * 0.5f);
-                            if (_e2531 > _e2546) {
-                                phi_3627_ = _e2531;
+                            let _e2552 = phi_3638_;
+                            let _e2554 = (((_e2543 + _e2547) + _e2552) * 0.5f);
+                            if (_e2539 > _e2554) {
+                                phi_3645_ = _e2539;
                             } else {
-                                phi_3627_ = _e2546;
+                                phi_3645_ = _e2554;
                             }
-                            let _e2549 = phi_3627_;
-                            let _e2554 = local_7.member_3;
-                            let _e2567 = ((((_e2251[0] * _e2176) + (_e2251[1] * _e2179)) + (_e2251[2] * _e2182)) * 3f);
-                            let _e2568 = ((((_e2308[0] * _e2197) + (_e2308[1] * _e2200)) + (_e2308[2] * _e2203)) * 3f);
-                            if (_e2567 < _e2568) {
-                                phi_3651_ = _e2567;
+                            let _e2557 = phi_3645_;
+                            let _e2562 = local_7.member_3;
+                            let _e2575 = ((((_e2259[0] * _e2184) + (_e2259[1] * _e2187)) + (_e2259[2] * _e2190)) * 3f);
+                            let _e2576 = ((((_e2316[0] * _e2205) + (_e2316[1] * _e2208)) + (_e2316[2] * _e2211)) * 3f);
+                            if (_e2575 < _e2576) {
+                                phi_3669_ = _e2575;
                             } else {
-                                phi_3651_ = _e2568;
+                                phi_3669_ = _e2576;
                             }
-                            let _e2571 = phi_3651_;
-                            if (_e2282 < _e2305) {
-                                phi_3656_ = _e2282;
+                            let _e2579 = phi_3669_;
+                            if (_e2290 < _e2313) {
+                                phi_3674_ = _e2290;
                             } else {
-                                phi_3656_ = _e2305;
+                                phi_3674_ = _e2313;
                             }
-                            let _e2574 = phi_3656_;
-                            if (_e2571 < _e2574) {
-                                phi_3661_ = _e2571;
+                            let _e2582 = phi_3674_;
+                            if (_e2579 < _e2582) {
+                                phi_3679_ = _e2579;
                             } else {
-                                phi_3661_ = _e2574;
+                                phi_3679_ = _e2582;
                             }
-                            let _e2577 = phi_3661_;
-                            if (_e2567 > _e2568) {
-                                phi_3666_ = _e2567;
+                            let _e2585 = phi_3679_;
+                            if (_e2575 > _e2576) {
+                                phi_3684_ = _e2575;
                             } else {
-                                phi_3666_ = _e2568;
+                                phi_3684_ = _e2576;
                             }
-                            let _e2580 = phi_3666_;
-                            if (_e2282 > _e2305) {
-                                phi_3671_ = _e2282;
+                            let _e2588 = phi_3684_;
+                            if (_e2290 > _e2313) {
+                                phi_3689_ = _e2290;
                             } else {
-                                phi_3671_ = _e2305;
+                                phi_3689_ = _e2313;
                             }
-                            let _e2583 = phi_3671_;
-                            if (_e2580 > _e2583) {
-                                phi_3676_ = _e2580;
+                            let _e2591 = phi_3689_;
+                            if (_e2588 > _e2591) {
+                                phi_3694_ = _e2588;
                             } else {
-                                phi_3676_ = _e2583;
+                                phi_3694_ = _e2591;
                             }
-                            let _e2586 = phi_3676_;
-                            let _e2591 = -(_e2586);
-                            if (_e2577 > _e2591) {
-                                phi_3686_ = _e2577;
+                            let _e2594 = phi_3694_;
+                            let _e2599 = -(_e2594);
+                            if (_e2585 > _e2599) {
+                                phi_3704_ = _e2585;
                             } else {
-                                phi_3686_ = _e2591;
+                                phi_3704_ = _e2599;
                             }
-                            let _e2594 = phi_3686_;
-                            if ((_e2594 - ((((((_e2370 * 8f) * _e2480) * (0.000000059604645f * (490f / 64f))) + ((_e2487 * 19f) * ((_e2370 * (_e2424 + _e2478)) + (_e2424 * _e2478)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2370) * ((1f + _e2424) * (1f + _e2478))))) + ((_e2080 * (((_e2549 + (_e2480 * (0.000000059604645f * 4f))) + ((_e2554 * 6f) * (_e2424 + _e2478))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2424) * (1f + _e2478))))) * (3f * 1.0001f)))) > 0f) {
-                                phi_4662_ = true;
+                            let _e2602 = phi_3704_;
+                            if ((_e2602 - ((((((_e2378 * 8f) * _e2488) * (0.000000059604645f * (490f / 64f))) + ((_e2495 * 19f) * ((_e2378 * (_e2432 + _e2486)) + (_e2432 * _e2486)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2378) * ((1f + _e2432) * (1f + _e2486))))) + ((_e2088 * (((_e2557 + (_e2488 * (0.000000059604645f * 4f))) + ((_e2562 * 6f) * (_e2432 + _e2486))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2432) * (1f + _e2486))))) * (3f * 1.0001f)))) > 0f) {
+                                phi_4680_ = true;
                             } else {
-                                let _e2599 = local_7.member_1[0u];
-                                let _e2605 = local_7.member_1[1u];
-                                let _e2609 = (_e2599[0] + _e2605[0]);
-                                let _e2610 = (_e2599[1] + _e2605[1]);
-                                let _e2611 = (_e2599[2] + _e2605[2]);
-                                let _e2614 = local_7.member_2[0u];
-                                let _e2620 = local_7.member_2[1u];
-                                let _e2624 = (_e2614[0] + _e2620[0]);
-                                let _e2625 = (_e2614[1] + _e2620[1]);
-                                let _e2626 = (_e2614[2] + _e2620[2]);
-                                let _e2629 = ((_e2610 * _e2626) - (_e2611 * _e2625));
-                                let _e2632 = ((_e2611 * _e2624) - (_e2609 * _e2626));
-                                let _e2635 = ((_e2609 * _e2625) - (_e2610 * _e2624));
-                                let _e2638 = local_7.member[0u];
-                                let _e2644 = local_7.member_1[0u];
-                                let _e2650 = local_7.member_2[0u];
-                                let _e2662 = local_7.member[1u];
-                                let _e2668 = local_7.member_1[1u];
-                                let _e2674 = local_7.member_2[1u];
-                                local_5 = array<array<f32, 3>, 4>(_e2638, array<f32, 3>((_e2638[0] - _e2644[0]), (_e2638[1] - _e2644[1]), (_e2638[2] - _e2644[2])), array<f32, 3>((_e2638[0] - _e2650[0]), (_e2638[1] - _e2650[1]), (_e2638[2] - _e2650[2])), _e2638);
-                                local_6 = array<array<f32, 3>, 4>(_e2662, array<f32, 3>((_e2662[0] - _e2668[0]), (_e2662[1] - _e2668[1]), (_e2662[2] - _e2668[2])), array<f32, 3>((_e2662[0] - _e2674[0]), (_e2662[1] - _e2674[1]), (_e2662[2] - _e2674[2])), _e2662);
-                                let _e2692 = local_7.member[0u];
-                                if (_e2692[0] < 0f) {
-                                    phi_3937_ = -(_e2692[0]);
+                                let _e2607 = local_7.member_1[0u];
+                                let _e2613 = local_7.member_1[1u];
+                                let _e2617 = (_e2607[0] + _e2613[0]);
+                                let _e2618 = (_e2607[1] + _e2613[1]);
+                                let _e2619 = (_e2607[2] + _e2613[2]);
+                                let _e2622 = local_7.member_2[0u];
+                                let _e2628 = local_7.member_2[1u];
+                                let _e2632 = (_e2622[0] + _e2628[0]);
+                                let _e2633 = (_e2622[1] + _e2628[1]);
+                                let _e2634 = (_e2622[2] + _e2628[2]);
+                                let _e2637 = ((_e2618 * _e2634) - (_e2619 * _e2633));
+                                let _e2640 = ((_e2619 * _e2632) - (_e2617 * _e2634));
+                                let _e2643 = ((_e2617 * _e2633) - (_e2618 * _e2632));
+                                let _e2646 = local_7.member[0u];
+                                let _e2652 = local_7.member_1[0u];
+                                let _e2658 = local_7.member_2[0u];
+                                let _e2670 = local_7.member[1u];
+                                let _e2676 = local_7.member_1[1u];
+                                let _e2682 = local_7.member_2[1u];
+                                local_5 = array<array<f32, 3>, 4>(_e2646, array<f32, 3>((_e2646[0] - _e2652[0]), (_e2646[1] - _e2652[1]), (_e2646[2] - _e2652[2])), array<f32, 3>((_e2646[0] - _e2658[0]), (_e2646[1] - _e2658[1]), (_e2646[2] - _e2658[2])), _e2646);
+                                local_6 = array<array<f32, 3>, 4>(_e2670, array<f32, 3>((_e2670[0] - _e2676[0]), (_e2670[1] - _e2676[1]), (_e2670[2] - _e2676[2])), array<f32, 3>((_e2670[0] - _e2682[0]), (_e2670[1] - _e2682[1]), (_e2670[2] - _e2682[2])), _e2670);
+                                let _e2700 = local_7.member[0u];
+                                if (_e2700[0] < 0f) {
+                                    phi_3955_ = -(_e2700[0]);
                                 } else {
-                                    phi_3937_ = _e2692[0];
+                                    phi_3955_ = _e2700[0];
                                 }
-                                let _e2699 = phi_3937_;
-                                if (_e2692[1] < 0f) {
-                                    phi_3944_ = -(_e2692[1]);
+                                let _e2707 = phi_3955_;
+                                if (_e2700[1] < 0f) {
+                                    phi_3962_ = -(_e2700[1]);
                                 } else {
-                                    phi_3944_ = _e2692[1];
+                                    phi_3962_ = _e2700[1];
                                 }
-                                let _e2703 = phi_3944_;
-                                if (_e2699 > _e2703) {
-                                    phi_3949_ = _e2699;
+                                let _e2711 = phi_3962_;
+                                if (_e2707 > _e2711) {
+                                    phi_3967_ = _e2707;
                                 } else {
-                                    phi_3949_ = _e2703;
+                                    phi_3967_ = _e2711;
                                 }
-                                let _e2706 = phi_3949_;
-                                if (_e2692[2] < 0f) {
-                                    phi_3956_ = -(_e2692[2]);
+                                let _e2714 = phi_3967_;
+                                if (_e2700[2] < 0f) {
+                                    phi_3974_ = -(_e2700[2]);
                                 } else {
-                                    phi_3956_ = _e2692[2];
+                                    phi_3974_ = _e2700[2];
                                 }
-                                let _e2710 = phi_3956_;
-                                if (_e2706 > _e2710) {
-                                    phi_3961_ = _e2706;
+                                let _e2718 = phi_3974_;
+                                if (_e2714 > _e2718) {
+                                    phi_3979_ = _e2714;
                                 } else {
-                                    phi_3961_ = _e2710;
+                                    phi_3979_ = _e2718;
                                 }
-                                let _e2713 = phi_3961_;
-                                let _e2716 = local_7.member[1u];
-                                if (_e2716[0] < 0f) {
-                                    phi_3974_ = -(_e2716[0]);
+                                let _e2721 = phi_3979_;
+                                let _e2724 = local_7.member[1u];
+                                if (_e2724[0] < 0f) {
+                                    phi_3992_ = -(_e2724[0]);
                                 } else {
-                                    phi_3974_ = _e2716[0];
+                                    phi_3992_ = _e2724[0];
                                 }
-                                let _e2723 = phi_3974_;
-                                if (_e2716[1] < 0f) {
-                                    phi_3981_ = -(_e2716[1]);
+                                let _e2731 = phi_3992_;
+                                if (_e2724[1] < 0f) {
+                                    phi_3999_ = -(_e2724[1]);
                                 } else {
-                                    phi_3981_ = _e2716[1];
+                                    phi_3999_ = _e2724[1];
                                 }
-                                let _e2727 = phi_3981_;
-                                if (_e2723 > _e2727) {
-                                    phi_3986_ = _e2723;
+                                let _e2735 = phi_3999_;
+                                if (_e2731 > _e2735) {
+                                    phi_4004_ = _e2731;
                                 } else {
-                                    phi_3986_ = _e2727;
+                                    phi_4004_ = _e2735;
                                 }
-                                let _e2730 = phi_3986_;
-                                if (_e2716[2] < 0f) {
-                                    phi_3993_ = -(_e2716[2]);
+                                let _e2738 = phi_4004_;
+                                if (_e2724[2] < 0f) {
+                                    phi_4011_ = -(_e2724[2]);
                                 } else {
-                                    phi_3993_ = _e2716[2];
+                                    phi_4011_ = _e2724[2];
                                 }
-                                let _e2734 = phi_3993_;
-                                if (_e2730 > _e2734) {
-                                    phi_3998_ = _e2730;
+                                let _e2742 = phi_4011_;
+                                if (_e2738 > _e2742) {
+                                    phi_4016_ = _e2738;
                                 } else {
-                                    phi_3998_ = _e2734;
+                                    phi_4016_ = _e2742;
                                 }
-                                let _e2737 = phi_3998_;
-                                if (_e2713 > _e2737) {
-                                    phi_4003_ = _e2713;
+                                let _e2745 = phi_4016_;
+                                if (_e2721 > _e2745) {
+                                    phi_4021_ = _e2721;
                                 } else {
-                                    phi_4003_ = _e2737;
+                                    phi_4021_ = _e2745;
                                 }
-                                let _e2740 = phi_4003_;
-                                let _e2742 = local_7.member_3;
-                                let _e2746 = local_7.member_1[0u];
-                                if (_e2746[0] < 0f) {
-                                    phi_4020_ = -(_e2746[0]);
+                                let _e2748 = phi_4021_;
+                                let _e2750 = local_7.member_3;
+                                let _e2754 = local_7.member_1[0u];
+                                if (_e2754[0] < 0f) {
+                                    phi_4038_ = -(_e2754[0]);
                                 } else {
-                                    phi_4020_ = _e2746[0];
+                                    phi_4038_ = _e2754[0];
                                 }
-                                let _e2753 = phi_4020_;
-                                if (_e2746[1] < 0f) {
-                                    phi_4027_ = -(_e2746[1]);
+                                let _e2761 = phi_4038_;
+                                if (_e2754[1] < 0f) {
+                                    phi_4045_ = -(_e2754[1]);
                                 } else {
-                                    phi_4027_ = _e2746[1];
+                                    phi_4045_ = _e2754[1];
                                 }
-                                let _e2757 = phi_4027_;
-                                if (_e2753 > _e2757) {
-                                    phi_4032_ = _e2753;
+                                let _e2765 = phi_4045_;
+                                if (_e2761 > _e2765) {
+                                    phi_4050_ = _e2761;
                                 } else {
-                                    phi_4032_ = _e2757;
+                                    phi_4050_ = _e2765;
                                 }
-                                let _e2760 = phi_4032_;
-                                if (_e2746[2] < 0f) {
-                                    phi_4039_ = -(_e2746[2]);
+                                let _e2768 = phi_4050_;
+                                if (_e2754[2] < 0f) {
+                                    phi_4057_ = -(_e2754[2]);
                                 } else {
-                                    phi_4039_ = _e2746[2];
+                                    phi_4057_ = _e2754[2];
                                 }
-                                let _e2764 = phi_4039_;
-                                if (_e2760 > _e2764) {
-                                    phi_4044_ = _e2760;
+                                let _e2772 = phi_4057_;
+                                if (_e2768 > _e2772) {
+                                    phi_4062_ = _e2768;
                                 } else {
-                                    phi_4044_ = _e2764;
+                                    phi_4062_ = _e2772;
                                 }
-                                let _e2767 = phi_4044_;
-                                let _e2770 = local_7.member_1[1u];
-                                if (_e2770[0] < 0f) {
-                                    phi_4058_ = -(_e2770[0]);
+                                let _e2775 = phi_4062_;
+                                let _e2778 = local_7.member_1[1u];
+                                if (_e2778[0] < 0f) {
+                                    phi_4076_ = -(_e2778[0]);
                                 } else {
-                                    phi_4058_ = _e2770[0];
+                                    phi_4076_ = _e2778[0];
                                 }
-                                let _e2777 = phi_4058_;
-                                if (_e2770[1] < 0f) {
-                                    phi_4065_ = -(_e2770[1]);
+                                let _e2785 = phi_4076_;
+                                if (_e2778[1] < 0f) {
+                                    phi_4083_ = -(_e2778[1]);
                                 } else {
-                                    phi_4065_ = _e2770[1];
+                                    phi_4083_ = _e2778[1];
                                 }
-                                let _e2781 = phi_4065_;
-                                if (_e2777 > _e2781) {
-                                    phi_4070_ = _e2777;
+                                let _e2789 = phi_4083_;
+                                if (_e2785 > _e2789) {
+                                    phi_4088_ = _e2785;
                                 } else {
-                                    phi_4070_ = _e2781;
+                                    phi_4088_ = _e2789;
                                 }
-                                let _e2784 = phi_4070_;
-                                if (_e2770[2] < 0f) {
-                                    phi_4077_ = -(_e2770[2]);
+                                let _e2792 = phi_4088_;
+                                if (_e2778[2] < 0f) {
+                                    phi_4095_ = -(_e2778[2]);
                                 } else {
-                                    phi_4077_ = _e2770[2];
+                                    phi_4095_ = _e2778[2];
                                 }
-                                let _e2788 = phi_4077_;
-                                if (_e2784 > _e2788) {
-                                    phi_4082_ = _e2784;
+                                let _e2796 = phi_4095_;
+                                if (_e2792 > _e2796) {
+                                    phi_4100_ = _e2792;
                                 } else {
-                                    phi_4082_ = _e2788;
+                                    phi_4100_ = _e2796;
                                 }
-                                let _e2791 = phi_4082_;
-                                if (_e2767 > _e2791) {
-                                    phi_4087_ = _e2767;
+                                let _e2799 = phi_4100_;
+                                if (_e2775 > _e2799) {
+                                    phi_4105_ = _e2775;
                                 } else {
-                                    phi_4087_ = _e2791;
+                                    phi_4105_ = _e2799;
                                 }
-                                let _e2794 = phi_4087_;
-                                let _e2796 = local_7.member_3;
-                                let _e2800 = local_7.member_2[0u];
-                                if (_e2800[0] < 0f) {
-                                    phi_4104_ = -(_e2800[0]);
+                                let _e2802 = phi_4105_;
+                                let _e2804 = local_7.member_3;
+                                let _e2808 = local_7.member_2[0u];
+                                if (_e2808[0] < 0f) {
+                                    phi_4122_ = -(_e2808[0]);
                                 } else {
-                                    phi_4104_ = _e2800[0];
+                                    phi_4122_ = _e2808[0];
                                 }
-                                let _e2807 = phi_4104_;
-                                if (_e2800[1] < 0f) {
-                                    phi_4111_ = -(_e2800[1]);
+                                let _e2815 = phi_4122_;
+                                if (_e2808[1] < 0f) {
+                                    phi_4129_ = -(_e2808[1]);
                                 } else {
-                                    phi_4111_ = _e2800[1];
+                                    phi_4129_ = _e2808[1];
                                 }
-                                let _e2811 = phi_4111_;
-                                if (_e2807 > _e2811) {
-                                    phi_4116_ = _e2807;
+                                let _e2819 = phi_4129_;
+                                if (_e2815 > _e2819) {
+                                    phi_4134_ = _e2815;
                                 } else {
-                                    phi_4116_ = _e2811;
+                                    phi_4134_ = _e2819;
                                 }
-                                let _e2814 = phi_4116_;
-                                if (_e2800[2] < 0f) {
-                                    phi_4123_ = -(_e2800[2]);
+                                let _e2822 = phi_4134_;
+                                if (_e2808[2] < 0f) {
+                                    phi_4141_ = -(_e2808[2]);
                                 } else {
-                                    phi_4123_ = _e2800[2];
+                                    phi_4141_ = _e2808[2];
                                 }
-                                let _e2818 = phi_4123_;
-                                if (_e2814 > _e2818) {
-                                    phi_4128_ = _e2814;
+                                let _e2826 = phi_4141_;
+                                if (_e2822 > _e2826) {
+                                    phi_4146_ = _e2822;
                                 } else {
-                                    phi_4128_ = _e2818;
+                                    phi_4146_ = _e2826;
                                 }
-                                let _e2821 = phi_4128_;
-                                let _e2824 = local_7.member_2[1u];
-                                if (_e2824[0] < 0f) {
-                                    phi_4142_ = -(_e2824[0]);
+                                let _e2829 = phi_4146_;
+                                let _e2832 = local_7.member_2[1u];
+                                if (_e2832[0] < 0f) {
+                                    phi_4160_ = -(_e2832[0]);
                                 } else {
-                                    phi_4142_ = _e2824[0];
+                                    phi_4160_ = _e2832[0];
                                 }
-                                let _e2831 = phi_4142_;
-                                if (_e2824[1] < 0f) {
-                                    phi_4149_ = -(_e2824[1]);
+                                let _e2839 = phi_4160_;
+                                if (_e2832[1] < 0f) {
+                                    phi_4167_ = -(_e2832[1]);
                                 } else {
-                                    phi_4149_ = _e2824[1];
+                                    phi_4167_ = _e2832[1];
                                 }
-                                let _e2835 = phi_4149_;
-                                if (_e2831 > _e2835) {
-                                    phi_4154_ = _e2831;
+                                let _e2843 = phi_4167_;
+                                if (_e2839 > _e2843) {
+                                    phi_4172_ = _e2839;
                                 } else {
-                                    phi_4154_ = _e2835;
+                                    phi_4172_ = _e2843;
                                 }
-                                let _e2838 = phi_4154_;
-                                if (_e2824[2] < 0f) {
-                                    phi_4161_ = -(_e2824[2]);
+                                let _e2846 = phi_4172_;
+                                if (_e2832[2] < 0f) {
+                                    phi_4179_ = -(_e2832[2]);
                                 } else {
-                                    phi_4161_ = _e2824[2];
+                                    phi_4179_ = _e2832[2];
                                 }
-                                let _e2842 = phi_4161_;
-                                if (_e2838 > _e2842) {
-                                    phi_4166_ = _e2838;
+                                let _e2850 = phi_4179_;
+                                if (_e2846 > _e2850) {
+                                    phi_4184_ = _e2846;
                                 } else {
-                                    phi_4166_ = _e2842;
+                                    phi_4184_ = _e2850;
                                 }
-                                let _e2845 = phi_4166_;
-                                if (_e2821 > _e2845) {
-                                    phi_4171_ = _e2821;
+                                let _e2853 = phi_4184_;
+                                if (_e2829 > _e2853) {
+                                    phi_4189_ = _e2829;
                                 } else {
-                                    phi_4171_ = _e2845;
+                                    phi_4189_ = _e2853;
                                 }
-                                let _e2848 = phi_4171_;
-                                let _e2850 = local_7.member_3;
-                                let _e2853 = (((_e2740 + _e2742) + (_e2794 + _e2796)) + (_e2848 + _e2850));
-                                let _e2856 = local_7.member_3;
-                                let _e2860 = (((_e2080 * 1.0001f) + (_e2856 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                let _e2863 = ((_e2632 * _e2611) - (_e2635 * _e2610));
-                                let _e2866 = ((_e2635 * _e2609) - (_e2629 * _e2611));
-                                let _e2869 = ((_e2629 * _e2610) - (_e2632 * _e2609));
-                                let _e2871 = local_5[0u];
-                                let _e2879 = (((_e2863 * _e2871[0]) + (_e2866 * _e2871[1])) + (_e2869 * _e2871[2]));
-                                phi_4209_ = type_36(0u, 4u);
-                                phi_4212_ = _e2879;
-                                phi_4214_ = _e2879;
+                                let _e2856 = phi_4189_;
+                                let _e2858 = local_7.member_3;
+                                let _e2861 = (((_e2748 + _e2750) + (_e2802 + _e2804)) + (_e2856 + _e2858));
+                                let _e2864 = local_7.member_3;
+                                let _e2868 = (((_e2088 * 1.0001f) + (_e2864 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                let _e2871 = ((_e2640 * _e2619) - (_e2643 * _e2618));
+                                let _e2874 = ((_e2643 * _e2617) - (_e2637 * _e2619));
+                                let _e2877 = ((_e2637 * _e2618) - (_e2640 * _e2617));
+                                let _e2879 = local_5[0u];
+                                let _e2887 = (((_e2871 * _e2879[0]) + (_e2874 * _e2879[1])) + (_e2877 * _e2879[2]));
+                                phi_4227_ = type_36(0u, 4u);
+                                phi_4230_ = _e2887;
+                                phi_4232_ = _e2887;
                                 loop {
-                                    let _e2881 = phi_4209_;
-                                    let _e2883 = phi_4212_;
-                                    let _e2885 = phi_4214_;
-                                    local_52 = _e2883;
-                                    local_53 = _e2885;
-                                    local_73 = _e2885;
-                                    if (_e2881.member < _e2881.member_1) {
-                                        phi_4210_ = type_36((_e2881.member + 1u), _e2881.member_1);
-                                        phi_4237_ = type_36(1u, _e2881.member);
+                                    let _e2889 = phi_4227_;
+                                    let _e2891 = phi_4230_;
+                                    let _e2893 = phi_4232_;
+                                    local_52 = _e2891;
+                                    local_53 = _e2893;
+                                    local_73 = _e2893;
+                                    if (_e2889.member < _e2889.member_1) {
+                                        phi_4228_ = type_36((_e2889.member + 1u), _e2889.member_1);
+                                        phi_4255_ = type_36(1u, _e2889.member);
                                     } else {
-                                        phi_4210_ = _e2881;
-                                        phi_4237_ = type_36(0u, type_36().member_1);
+                                        phi_4228_ = _e2889;
+                                        phi_4255_ = type_36(0u, type_36().member_1);
                                     }
-                                    let _e2899 = phi_4210_;
-                                    let _e2901 = phi_4237_;
-                                    let _e2905 = (bitcast<i32>(_e2901.member) != 0i);
-                                    if _e2905 {
-                                        if (_e2901.member_1 < 4u) {
+                                    let _e2907 = phi_4228_;
+                                    let _e2909 = phi_4255_;
+                                    let _e2913 = (bitcast<i32>(_e2909.member) != 0i);
+                                    if _e2913 {
+                                        if (_e2909.member_1 < 4u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2908 = local_5[_e2901.member_1];
-                                        let _e2916 = (((_e2863 * _e2908[0]) + (_e2866 * _e2908[1])) + (_e2869 * _e2908[2]));
-                                        if (_e2901.member_1 < 4u) {
+                                        let _e2916 = local_5[_e2909.member_1];
+                                        let _e2924 = (((_e2871 * _e2916[0]) + (_e2874 * _e2916[1])) + (_e2877 * _e2916[2]));
+                                        if (_e2909.member_1 < 4u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2919 = local_6[_e2901.member_1];
-                                        let _e2927 = (((_e2863 * _e2919[0]) + (_e2866 * _e2919[1])) + (_e2869 * _e2919[2]));
-                                        if (_e2885 < _e2916) {
-                                            phi_4287_ = _e2885;
+                                        let _e2927 = local_6[_e2909.member_1];
+                                        let _e2935 = (((_e2871 * _e2927[0]) + (_e2874 * _e2927[1])) + (_e2877 * _e2927[2]));
+                                        if (_e2893 < _e2924) {
+                                            phi_4305_ = _e2893;
                                         } else {
-                                            phi_4287_ = _e2916;
+                                            phi_4305_ = _e2924;
                                         }
-                                        let _e2930 = phi_4287_;
-                                        if (_e2930 < _e2927) {
-                                            phi_4292_ = _e2930;
+                                        let _e2938 = phi_4305_;
+                                        if (_e2938 < _e2935) {
+                                            phi_4310_ = _e2938;
                                         } else {
-                                            phi_4292_ = _e2927;
+                                            phi_4310_ = _e2935;
                                         }
-                                        let _e2933 = phi_4292_;
-                                        if (_e2883 > _e2916) {
-                                            phi_4297_ = _e2883;
+                                        let _e2941 = phi_4310_;
+                                        if (_e2891 > _e2924) {
+                                            phi_4315_ = _e2891;
                                         } else {
-                                            phi_4297_ = _e2916;
+                                            phi_4315_ = _e2924;
                                         }
-                                        let _e2936 = phi_4297_;
-                                        if (_e2936 > _e2927) {
-                                            phi_4302_ = _e2936;
+                                        let _e2944 = phi_4315_;
+                                        if (_e2944 > _e2935) {
+                                            phi_4320_ = _e2944;
                                         } else {
-                                            phi_4302_ = _e2927;
+                                            phi_4320_ = _e2935;
                                         }
-                                        let _e2939 = phi_4302_;
-                                        phi_4213_ = _e2939;
-                                        phi_4215_ = _e2933;
+                                        let _e2947 = phi_4320_;
+                                        phi_4231_ = _e2947;
+                                        phi_4233_ = _e2941;
                                     } else {
-                                        phi_4213_ = f32();
-                                        phi_4215_ = f32();
+                                        phi_4231_ = f32();
+                                        phi_4233_ = f32();
                                     }
-                                    let _e2941 = phi_4213_;
-                                    let _e2943 = phi_4215_;
+                                    let _e2949 = phi_4231_;
+                                    let _e2951 = phi_4233_;
                                     continue;
                                     continuing {
-                                        phi_4209_ = _e2899;
-                                        phi_4212_ = _e2941;
-                                        phi_4214_ = _e2943;
-                                        break if !(_e2905);
+                                        phi_4227_ = _e2907;
+                                        phi_4230_ = _e2949;
+                                        phi_4232_ = _e2951;
+                                        break if !(_e2913);
                                     }
                                 }
-                                if (_e2863 < 0f) {
-                                    phi_4308_ = -(_e2863);
+                                if (_e2871 < 0f) {
+                                    phi_4326_ = -(_e2871);
                                 } else {
-                                    phi_4308_ = _e2863;
+                                    phi_4326_ = _e2871;
                                 }
-                                let _e2948 = phi_4308_;
-                                if (_e2866 < 0f) {
-                                    phi_4314_ = -(_e2866);
+                                let _e2956 = phi_4326_;
+                                if (_e2874 < 0f) {
+                                    phi_4332_ = -(_e2874);
                                 } else {
-                                    phi_4314_ = _e2866;
+                                    phi_4332_ = _e2874;
                                 }
-                                let _e2952 = phi_4314_;
-                                if (_e2869 < 0f) {
-                                    phi_4321_ = -(_e2869);
+                                let _e2960 = phi_4332_;
+                                if (_e2877 < 0f) {
+                                    phi_4339_ = -(_e2877);
                                 } else {
-                                    phi_4321_ = _e2869;
+                                    phi_4339_ = _e2877;
                                 }
-                                let _e2957 = phi_4321_;
-                                let _e2958 = ((_e2948 + _e2952) + _e2957);
-                                let _e2963 = local_52;
-                                let _e2964 = -(_e2963);
-                                let _e2966 = local_53;
-                                if (_e2966 > _e2964) {
-                                    let _e5824 = local_73;
-                                    phi_4331_ = _e5824;
+                                let _e2965 = phi_4339_;
+                                let _e2966 = ((_e2956 + _e2960) + _e2965);
+                                let _e2971 = local_52;
+                                let _e2972 = -(_e2971);
+                                let _e2974 = local_53;
+                                if (_e2974 > _e2972) {
+                                    let _e5840 = local_73;
+                                    phi_4349_ = _e5840;
                                 } else {
-                                    phi_4331_ = _e2964;
+                                    phi_4349_ = _e2972;
                                 }
-                                let _e2969 = phi_4331_;
-                                let _e2974 = (((_e2969 - ((_e2958 * _e2853) * (0.000000059604645f * 17f))) - (_e2958 * _e2860)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                let _e2977 = ((_e2632 * _e2626) - (_e2635 * _e2625));
-                                let _e2980 = ((_e2635 * _e2624) - (_e2629 * _e2626));
-                                let _e2983 = ((_e2629 * _e2625) - (_e2632 * _e2624));
-                                let _e2985 = local_5[0u];
-                                let _e2993 = (((_e2977 * _e2985[0]) + (_e2980 * _e2985[1])) + (_e2983 * _e2985[2]));
-                                phi_4362_ = type_36(0u, 4u);
-                                phi_4365_ = _e2993;
-                                phi_4367_ = _e2993;
+                                let _e2977 = phi_4349_;
+                                let _e2982 = (((_e2977 - ((_e2966 * _e2861) * (0.000000059604645f * 17f))) - (_e2966 * _e2868)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                let _e2985 = ((_e2640 * _e2634) - (_e2643 * _e2633));
+                                let _e2988 = ((_e2643 * _e2632) - (_e2637 * _e2634));
+                                let _e2991 = ((_e2637 * _e2633) - (_e2640 * _e2632));
+                                let _e2993 = local_5[0u];
+                                let _e3001 = (((_e2985 * _e2993[0]) + (_e2988 * _e2993[1])) + (_e2991 * _e2993[2]));
+                                phi_4380_ = type_36(0u, 4u);
+                                phi_4383_ = _e3001;
+                                phi_4385_ = _e3001;
                                 loop {
-                                    let _e2995 = phi_4362_;
-                                    let _e2997 = phi_4365_;
-                                    let _e2999 = phi_4367_;
-                                    local_54 = _e2997;
-                                    local_55 = _e2999;
-                                    local_74 = _e2999;
-                                    if (_e2995.member < _e2995.member_1) {
-                                        phi_4363_ = type_36((_e2995.member + 1u), _e2995.member_1);
-                                        phi_4390_ = type_36(1u, _e2995.member);
+                                    let _e3003 = phi_4380_;
+                                    let _e3005 = phi_4383_;
+                                    let _e3007 = phi_4385_;
+                                    local_54 = _e3005;
+                                    local_55 = _e3007;
+                                    local_74 = _e3007;
+                                    if (_e3003.member < _e3003.member_1) {
+                                        phi_4381_ = type_36((_e3003.member + 1u), _e3003.member_1);
+                                        phi_4408_ = type_36(1u, _e3003.member);
                                     } else {
-                                        phi_4363_ = _e2995;
-                                        phi_4390_ = type_36(0u, type_36().member_1);
+                                        phi_4381_ = _e3003;
+                                        phi_4408_ = type_36(0u, type_36().member_1);
                                     }
-                                    let _e3013 = phi_4363_;
-                                    let _e3015 = phi_4390_;
-                                    let _e3019 = (bitcast<i32>(_e3015.member) != 0i);
-                                    if _e3019 {
-                                        if (_e3015.member_1 < 4u) {
+                                    let _e3021 = phi_4381_;
+                                    let _e3023 = phi_4408_;
+                                    let _e3027 = (bitcast<i32>(_e3023.member) != 0i);
+                                    if _e3027 {
+                                        if (_e3023.member_1 < 4u) {
                                         } else {
                                             return;
                                         }
-                                        let _e3022 = local_5[_e3015.member_1];
-                                        let _e3030 = (((_e2977 * _e3022[0]) + (_e2980 * _e3022[1])) + (_e2983 * _e3022[2]));
-                                        if (_e3015.member_1 < 4u) {
+                                        let _e3030 = local_5[_e3023.member_1];
+                                        let _e3038 = (((_e2985 * _e3030[0]) + (_e2988 * _e3030[1])) + (_e2991 * _e3030[2]));
+                                        if (_e3023.member_1 < 4u) {
                                         } else {
                                             return;
                                         }
-                                        let _e3033 = local_6[_e3015.member_1];
-                                        let _e3041 = (((_e2977 * _e3033[0]) + (_e2980 * _e3033[1])) + (_e2983 * _e3033[2]));
-                                        if (_e2999 < _e3030) {
-                                            phi_4440_ = _e2999;
+                                        let _e3041 = local_6[_e3023.member_1];
+                                        let _e3049 = (((_e2985 * _e3041[0]) + (_e2988 * _e3041[1])) + (_e2991 * _e3041[2]));
+                                        if (_e3007 < _e3038) {
+                                            phi_4458_ = _e3007;
                                         } else {
-                                            phi_4440_ = _e3030;
+                                            phi_4458_ = _e3038;
                                         }
-                                        let _e3044 = phi_4440_;
-                                        if (_e3044 < _e3041) {
-                                            phi_4445_ = _e3044;
+                                        let _e3052 = phi_4458_;
+                                        if (_e3052 < _e3049) {
+                                            phi_4463_ = _e3052;
                                         } else {
-                                            phi_4445_ = _e3041;
+                                            phi_4463_ = _e3049;
                                         }
-                                        let _e3047 = phi_4445_;
-                                        if (_e2997 > _e3030) {
-                                            phi_4450_ = _e2997;
+                                        let _e3055 = phi_4463_;
+                                        if (_e3005 > _e3038) {
+                                            phi_4468_ = _e3005;
                                         } else {
-                                            phi_4450_ = _e3030;
+                                            phi_4468_ = _e3038;
                                         }
-                                        let _e3050 = phi_4450_;
-                                        if (_e3050 > _e3041) {
-                                            phi_4455_ = _e3050;
+                                        let _e3058 = phi_4468_;
+                                        if (_e3058 > _e3049) {
+                                            phi_4473_ = _e3058;
                                         } else {
-                                            phi_4455_ = _e3041;
+                                            phi_4473_ = _e3049;
                                         }
-                                        let _e3053 = phi_4455_;
-                                        phi_4366_ = _e3053;
-                                        phi_4368_ = _e3047;
+                                        let _e3061 = phi_4473_;
+                                        phi_4384_ = _e3061;
+                                        phi_4386_ = _e3055;
                                     } else {
-                                        phi_4366_ = f32();
-                                        phi_4368_ = f32();
+                                        phi_4384_ = f32();
+                                        phi_4386_ = f32();
                                     }
-                                    let _e3055 = phi_4366_;
-                                    let _e3057 = phi_4368_;
+                                    let _e3063 = phi_4384_;
+                                    let _e3065 = phi_4386_;
                                     continue;
                                     continuing {
-                                        phi_4362_ = _e3013;
-                                        phi_4365_ = _e3055;
-                                        phi_4367_ = _e3057;
-                                        break if !(_e3019);
+                                        phi_4380_ = _e3021;
+                                        phi_4383_ = _e3063;
+                                        phi_4385_ = _e3065;
+                                        break if !(_e3027);
                                     }
                                 }
-                                if (_e2977 < 0f) {
-                                    phi_4461_ = -(_e2977);
+                                if (_e2985 < 0f) {
+                                    phi_4479_ = -(_e2985);
                                 } else {
-                                    phi_4461_ = _e2977;
+                                    phi_4479_ = _e2985;
                                 }
-                                let _e3062 = phi_4461_;
-                                if (_e2980 < 0f) {
-                                    phi_4467_ = -(_e2980);
+                                let _e3070 = phi_4479_;
+                                if (_e2988 < 0f) {
+                                    phi_4485_ = -(_e2988);
                                 } else {
-                                    phi_4467_ = _e2980;
+                                    phi_4485_ = _e2988;
                                 }
-                                let _e3066 = phi_4467_;
-                                if (_e2983 < 0f) {
-                                    phi_4474_ = -(_e2983);
+                                let _e3074 = phi_4485_;
+                                if (_e2991 < 0f) {
+                                    phi_4492_ = -(_e2991);
                                 } else {
-                                    phi_4474_ = _e2983;
+                                    phi_4492_ = _e2991;
                                 }
-                                let _e3071 = phi_4474_;
-                                let _e3072 = ((_e3062 + _e3066) + _e3071);
-                                let _e3077 = local_54;
-                                let _e3078 = -(_e3077);
-                                let _e3080 = local_55;
-                                if (_e3080 > _e3078) {
-                                    let _e5843 = local_74;
-                                    phi_4484_ = _e5843;
+                                let _e3079 = phi_4492_;
+                                let _e3080 = ((_e3070 + _e3074) + _e3079);
+                                let _e3085 = local_54;
+                                let _e3086 = -(_e3085);
+                                let _e3088 = local_55;
+                                if (_e3088 > _e3086) {
+                                    let _e5859 = local_74;
+                                    phi_4502_ = _e5859;
                                 } else {
-                                    phi_4484_ = _e3078;
+                                    phi_4502_ = _e3086;
                                 }
-                                let _e3083 = phi_4484_;
-                                let _e3088 = (((_e3083 - ((_e3072 * _e2853) * (0.000000059604645f * 17f))) - (_e3072 * _e2860)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2974 > _e3088) {
-                                    phi_4494_ = _e2974;
+                                let _e3091 = phi_4502_;
+                                let _e3096 = (((_e3091 - ((_e3080 * _e2861) * (0.000000059604645f * 17f))) - (_e3080 * _e2868)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e2982 > _e3096) {
+                                    phi_4512_ = _e2982;
                                 } else {
-                                    phi_4494_ = _e3088;
+                                    phi_4512_ = _e3096;
                                 }
-                                let _e3091 = phi_4494_;
-                                let _e3092 = (_e2624 - _e2609);
-                                let _e3093 = (_e2625 - _e2610);
-                                let _e3094 = (_e2626 - _e2611);
-                                let _e3097 = ((_e2632 * _e3094) - (_e2635 * _e3093));
-                                let _e3100 = ((_e2635 * _e3092) - (_e2629 * _e3094));
-                                let _e3103 = ((_e2629 * _e3093) - (_e2632 * _e3092));
-                                let _e3105 = local_5[0u];
-                                let _e3113 = (((_e3097 * _e3105[0]) + (_e3100 * _e3105[1])) + (_e3103 * _e3105[2]));
-                                phi_4527_ = type_36(0u, 4u);
-                                phi_4530_ = _e3113;
-                                phi_4532_ = _e3113;
+                                let _e3099 = phi_4512_;
+                                let _e3100 = (_e2632 - _e2617);
+                                let _e3101 = (_e2633 - _e2618);
+                                let _e3102 = (_e2634 - _e2619);
+                                let _e3105 = ((_e2640 * _e3102) - (_e2643 * _e3101));
+                                let _e3108 = ((_e2643 * _e3100) - (_e2637 * _e3102));
+                                let _e3111 = ((_e2637 * _e3101) - (_e2640 * _e3100));
+                                let _e3113 = local_5[0u];
+                                let _e3121 = (((_e3105 * _e3113[0]) + (_e3108 * _e3113[1])) + (_e3111 * _e3113[2]));
+                                phi_4545_ = type_36(0u, 4u);
+                                phi_4548_ = _e3121;
+                                phi_4550_ = _e3121;
                                 loop {
-                                    let _e3115 = phi_4527_;
-                                    let _e3117 = phi_4530_;
-                                    let _e3119 = phi_4532_;
-                                    local_56 = _e3117;
-                                    local_57 = _e3119;
-                                    local_75 = _e3119;
-                                    if (_e3115.member < _e3115.member_1) {
-                                        phi_4528_ = type_36((_e3115.member + 1u), _e3115.member_1);
-                                        phi_4555_ = type_36(1u, _e3115.member);
+                                    let _e3123 = phi_4545_;
+                                    let _e3125 = phi_4548_;
+                                    let _e3127 = phi_4550_;
+                                    local_56 = _e3125;
+                                    local_57 = _e3127;
+                                    local_75 = _e3127;
+                                    if (_e3123.member < _e3123.member_1) {
+                                        phi_4546_ = type_36((_e3123.member + 1u), _e3123.member_1);
+                                        phi_4573_ = type_36(1u, _e3123.member);
                                     } else {
-                                        phi_4528_ = _e3115;
-                                        phi_4555_ = type_36(0u, type_36().member_1);
+                                        phi_4546_ = _e3123;
+                                        phi_4573_ = type_36(0u, type_36().member_1);
                                     }
-                                    let _e3133 = phi_4528_;
-                                    let _e3135 = phi_4555_;
-                                    let _e3139 = (bitcast<i32>(_e3135.member) != 0i);
-                                    if _e3139 {
-                                        if (_e3135.member_1 < 4u) {
+                                    let _e3141 = phi_4546_;
+                                    let _e3143 = phi_4573_;
+                                    let _e3147 = (bitcast<i32>(_e3143.member) != 0i);
+                                    if _e3147 {
+                                        if (_e3143.member_1 < 4u) {
                                         } else {
                                             return;
                                         }
-                                        let _e3142 = local_5[_e3135.member_1];
-                                        let _e3150 = (((_e3097 * _e3142[0]) + (_e3100 * _e3142[1])) + (_e3103 * _e3142[2]));
-                                        if (_e3135.member_1 < 4u) {
+                                        let _e3150 = local_5[_e3143.member_1];
+                                        let _e3158 = (((_e3105 * _e3150[0]) + (_e3108 * _e3150[1])) + (_e3111 * _e3150[2]));
+                                        if (_e3143.member_1 < 4u) {
                                         } else {
                                             return;
                                         }
-                                        let _e3153 = local_6[_e3135.member_1];
-                                        let _e3161 = (((_e3097 * _e3153[0]) + (_e3100 * _e3153[1])) + (_e3103 * _e3153[2]));
-                                        if (_e3119 < _e3150) {
-                                            phi_4605_ = _e3119;
+                                        let _e3161 = local_6[_e3143.member_1];
+                                        let _e3169 = (((_e3105 * _e3161[0]) + (_e3108 * _e3161[1])) + (_e3111 * _e3161[2]));
+                                        if (_e3127 < _e3158) {
+                                            phi_4623_ = _e3127;
                                         } else {
-                                            phi_4605_ = _e3150;
+                                            phi_4623_ = _e3158;
                                         }
-                                        let _e3164 = phi_4605_;
-                                        if (_e3164 < _e3161) {
-                                            phi_4610_ = _e3164;
+                                        let _e3172 = phi_4623_;
+                                        if (_e3172 < _e3169) {
+                                            phi_4628_ = _e3172;
                                         } else {
-                                            phi_4610_ = _e3161;
+                                            phi_4628_ = _e3169;
                                         }
-                                        let _e3167 = phi_4610_;
-                                        if (_e3117 > _e3150) {
-                                            phi_4615_ = _e3117;
+                                        let _e3175 = phi_4628_;
+                                        if (_e3125 > _e3158) {
+                                            phi_4633_ = _e3125;
                                         } else {
-                                            phi_4615_ = _e3150;
+                                            phi_4633_ = _e3158;
                                         }
-                                        let _e3170 = phi_4615_;
-                                        if (_e3170 > _e3161) {
-                                            phi_4620_ = _e3170;
+                                        let _e3178 = phi_4633_;
+                                        if (_e3178 > _e3169) {
+                                            phi_4638_ = _e3178;
                                         } else {
-                                            phi_4620_ = _e3161;
+                                            phi_4638_ = _e3169;
                                         }
-                                        let _e3173 = phi_4620_;
-                                        phi_4531_ = _e3173;
-                                        phi_4533_ = _e3167;
+                                        let _e3181 = phi_4638_;
+                                        phi_4549_ = _e3181;
+                                        phi_4551_ = _e3175;
                                     } else {
-                                        phi_4531_ = f32();
-                                        phi_4533_ = f32();
+                                        phi_4549_ = f32();
+                                        phi_4551_ = f32();
                                     }
-                                    let _e3175 = phi_4531_;
-                                    let _e3177 = phi_4533_;
+                                    let _e3183 = phi_4549_;
+                                    let _e3185 = phi_4551_;
                                     continue;
                                     continuing {
-                                        phi_4527_ = _e3133;
-                                        phi_4530_ = _e3175;
-                                        phi_4532_ = _e3177;
-                                        break if !(_e3139);
+                                        phi_4545_ = _e3141;
+                                        phi_4548_ = _e3183;
+                                        phi_4550_ = _e3185;
+                                        break if !(_e3147);
                                     }
                                 }
-                                if (_e3097 < 0f) {
-                                    phi_4626_ = -(_e3097);
+                                if (_e3105 < 0f) {
+                                    phi_4644_ = -(_e3105);
                                 } else {
-                                    phi_4626_ = _e3097;
+                                    phi_4644_ = _e3105;
                                 }
-                                let _e3182 = phi_4626_;
-                                if (_e3100 < 0f) {
-                                    phi_4632_ = -(_e3100);
+                                let _e3190 = phi_4644_;
+                                if (_e3108 < 0f) {
+                                    phi_4650_ = -(_e3108);
                                 } else {
-                                    phi_4632_ = _e3100;
+                                    phi_4650_ = _e3108;
                                 }
-                                let _e3186 = phi_4632_;
-                                if (_e3103 < 0f) {
-                                    phi_4639_ = -(_e3103);
+                                let _e3194 = phi_4650_;
+                                if (_e3111 < 0f) {
+                                    phi_4657_ = -(_e3111);
                                 } else {
-                                    phi_4639_ = _e3103;
+                                    phi_4657_ = _e3111;
                                 }
-                                let _e3191 = phi_4639_;
-                                let _e3192 = ((_e3182 + _e3186) + _e3191);
-                                let _e3197 = local_56;
-                                let _e3198 = -(_e3197);
-                                let _e3200 = local_57;
-                                if (_e3200 > _e3198) {
-                                    let _e5863 = local_75;
-                                    phi_4649_ = _e5863;
+                                let _e3199 = phi_4657_;
+                                let _e3200 = ((_e3190 + _e3194) + _e3199);
+                                let _e3205 = local_56;
+                                let _e3206 = -(_e3205);
+                                let _e3208 = local_57;
+                                if (_e3208 > _e3206) {
+                                    let _e5879 = local_75;
+                                    phi_4667_ = _e5879;
                                 } else {
-                                    phi_4649_ = _e3198;
+                                    phi_4667_ = _e3206;
                                 }
-                                let _e3203 = phi_4649_;
-                                let _e3208 = (((_e3203 - ((_e3192 * _e2853) * (0.000000059604645f * 17f))) - (_e3192 * _e2860)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e3091 > _e3208) {
-                                    phi_4659_ = _e3091;
+                                let _e3211 = phi_4667_;
+                                let _e3216 = (((_e3211 - ((_e3200 * _e2861) * (0.000000059604645f * 17f))) - (_e3200 * _e2868)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e3099 > _e3216) {
+                                    phi_4677_ = _e3099;
                                 } else {
-                                    phi_4659_ = _e3208;
+                                    phi_4677_ = _e3216;
                                 }
-                                let _e3211 = phi_4659_;
-                                phi_4662_ = (_e3211 > 0f);
+                                let _e3219 = phi_4677_;
+                                phi_4680_ = (_e3219 > 0f);
                             }
-                            let _e3214 = phi_4662_;
-                            if _e3214 {
-                                phi_8098_ = false;
+                            let _e3222 = phi_4680_;
+                            if _e3222 {
+                                phi_8116_ = false;
                             } else {
-                                let _e3217 = local_7.member[0u];
-                                let _e3223 = local_7.member[1u];
-                                let _e3230 = ((_e3217[0] + _e3223[0]) * 0.5f);
-                                let _e3231 = ((_e3217[1] + _e3223[1]) * 0.5f);
-                                let _e3232 = ((_e3217[2] + _e3223[2]) * 0.5f);
-                                let _e3235 = local_7.member_1[0u];
-                                let _e3241 = local_7.member_1[1u];
-                                let _e3248 = ((_e3235[0] + _e3241[0]) * 0.5f);
-                                let _e3249 = ((_e3235[1] + _e3241[1]) * 0.5f);
-                                let _e3250 = ((_e3235[2] + _e3241[2]) * 0.5f);
-                                let _e3253 = local_7.member_2[0u];
-                                let _e3259 = local_7.member_2[1u];
-                                let _e3266 = ((_e3253[0] + _e3259[0]) * 0.5f);
-                                let _e3267 = ((_e3253[1] + _e3259[1]) * 0.5f);
-                                let _e3268 = ((_e3253[2] + _e3259[2]) * 0.5f);
-                                let _e3271 = local_7.member[0u];
-                                let _e3274 = local_7.member_1[0u];
-                                let _e3277 = local_7.member_2[0u];
-                                let _e3279 = local_7.member_3;
-                                let _e3282 = local_7.member[1u];
-                                let _e3285 = local_7.member_1[1u];
-                                let _e3288 = local_7.member_2[1u];
-                                let _e3290 = local_7.member_3;
-                                local_4 = array<type_71, 2>(type_71(array<array<f32, 3>, 2>(_e3271, array<f32, 3>(_e3230, _e3231, _e3232)), array<array<f32, 3>, 2>(_e3274, array<f32, 3>(_e3248, _e3249, _e3250)), array<array<f32, 3>, 2>(_e3277, array<f32, 3>(_e3266, _e3267, _e3268)), _e3279), type_71(array<array<f32, 3>, 2>(array<f32, 3>(_e3230, _e3231, _e3232), _e3282), array<array<f32, 3>, 2>(array<f32, 3>(_e3248, _e3249, _e3250), _e3285), array<array<f32, 3>, 2>(array<f32, 3>(_e3266, _e3267, _e3268), _e3288), _e3290));
-                                let _e3309 = local_4[0u].member_1[0u];
-                                let _e3315 = local_4[0u].member_2[0u];
-                                let _e3321 = ((_e3309[1] * _e3315[2]) - (_e3309[2] * _e3315[1]));
-                                let _e3324 = ((_e3309[2] * _e3315[0]) - (_e3309[0] * _e3315[2]));
-                                let _e3327 = ((_e3309[0] * _e3315[1]) - (_e3309[1] * _e3315[0]));
-                                let _e3330 = local_4[0u].member_1[1u];
-                                let _e3336 = local_4[0u].member_2[1u];
-                                let _e3342 = ((_e3330[1] * _e3336[2]) - (_e3330[2] * _e3336[1]));
-                                let _e3345 = ((_e3330[2] * _e3336[0]) - (_e3330[0] * _e3336[2]));
-                                let _e3348 = ((_e3330[0] * _e3336[1]) - (_e3330[1] * _e3336[0]));
-                                let _e3351 = local_4[0u].member_1[0u];
-                                let _e3357 = local_4[0u].member_2[1u];
-                                let _e3372 = local_4[0u].member_1[1u];
-                                let _e3378 = local_4[0u].member_2[0u];
-                                let _e3391 = (((_e3351[1] * _e3357[2]) - (_e3351[2] * _e3357[1])) + ((_e3372[1] * _e3378[2]) - (_e3372[2] * _e3378[1])));
-                                let _e3392 = (((_e3351[2] * _e3357[0]) - (_e3351[0] * _e3357[2])) + ((_e3372[2] * _e3378[0]) - (_e3372[0] * _e3378[2])));
-                                let _e3393 = (((_e3351[0] * _e3357[1]) - (_e3351[1] * _e3357[0])) + ((_e3372[0] * _e3378[1]) - (_e3372[1] * _e3378[0])));
-                                let _e3396 = local_4[0u].member[0u];
-                                let _e3407 = local_4[0u].member[1u];
-                                let _e3418 = local_4[0u].member[0u];
-                                let _e3427 = ((((_e3407[0] * _e3321) + (_e3407[1] * _e3324)) + (_e3407[2] * _e3327)) + (((_e3418[0] * _e3391) + (_e3418[1] * _e3392)) + (_e3418[2] * _e3393)));
-                                let _e3430 = local_4[0u].member[0u];
-                                let _e3441 = local_4[0u].member[1u];
-                                let _e3450 = ((((_e3430[0] * _e3342) + (_e3430[1] * _e3345)) + (_e3430[2] * _e3348)) + (((_e3441[0] * _e3391) + (_e3441[1] * _e3392)) + (_e3441[2] * _e3393)));
-                                let _e3453 = local_4[0u].member[1u];
-                                let _e3464 = local_4[0u].member[0u];
-                                if (_e3464[0] < 0f) {
-                                    phi_5119_ = -(_e3464[0]);
+                                let _e3225 = local_7.member[0u];
+                                let _e3231 = local_7.member[1u];
+                                let _e3238 = ((_e3225[0] + _e3231[0]) * 0.5f);
+                                let _e3239 = ((_e3225[1] + _e3231[1]) * 0.5f);
+                                let _e3240 = ((_e3225[2] + _e3231[2]) * 0.5f);
+                                let _e3243 = local_7.member_1[0u];
+                                let _e3249 = local_7.member_1[1u];
+                                let _e3256 = ((_e3243[0] + _e3249[0]) * 0.5f);
+                                let _e3257 = ((_e3243[1] + _e3249[1]) * 0.5f);
+                                let _e3258 = ((_e3243[2] + _e3249[2]) * 0.5f);
+                                let _e3261 = local_7.member_2[0u];
+                                let _e3267 = local_7.member_2[1u];
+                                let _e3274 = ((_e3261[0] + _e3267[0]) * 0.5f);
+                                let _e3275 = ((_e3261[1] + _e3267[1]) * 0.5f);
+                                let _e3276 = ((_e3261[2] + _e3267[2]) * 0.5f);
+                                let _e3279 = local_7.member[0u];
+                                let _e3282 = local_7.member_1[0u];
+                                let _e3285 = local_7.member_2[0u];
+                                let _e3287 = local_7.member_3;
+                                let _e3290 = local_7.member[1u];
+                                let _e3293 = local_7.member_1[1u];
+                                let _e3296 = local_7.member_2[1u];
+                                let _e3298 = local_7.member_3;
+                                local_4 = array<type_71, 2>(type_71(array<array<f32, 3>, 2>(_e3279, array<f32, 3>(_e3238, _e3239, _e3240)), array<array<f32, 3>, 2>(_e3282, array<f32, 3>(_e3256, _e3257, _e3258)), array<array<f32, 3>, 2>(_e3285, array<f32, 3>(_e3274, _e3275, _e3276)), _e3287), type_71(array<array<f32, 3>, 2>(array<f32, 3>(_e3238, _e3239, _e3240), _e3290), array<array<f32, 3>, 2>(array<f32, 3>(_e3256, _e3257, _e3258), _e3293), array<array<f32, 3>, 2>(array<f32, 3>(_e3274, _e3275, _e3276), _e3296), _e3298));
+                                let _e3317 = local_4[0u].member_1[0u];
+                                let _e3323 = local_4[0u].member_2[0u];
+                                let _e3329 = ((_e3317[1] * _e3323[2]) - (_e3317[2] * _e3323[1]));
+                                let _e3332 = ((_e3317[2] * _e3323[0]) - (_e3317[0] * _e3323[2]));
+                                let _e3335 = ((_e3317[0] * _e3323[1]) - (_e3317[1] * _e3323[0]));
+                                let _e3338 = local_4[0u].member_1[1u];
+                                let _e3344 = local_4[0u].member_2[1u];
+                                let _e3350 = ((_e3338[1] * _e3344[2]) - (_e3338[2] * _e3344[1]));
+                                let _e3353 = ((_e3338[2] * _e3344[0]) - (_e3338[0] * _e3344[2]));
+                                let _e3356 = ((_e3338[0] * _e3344[1]) - (_e3338[1] * _e3344[0]));
+                                let _e3359 = local_4[0u].member_1[0u];
+                                let _e3365 = local_4[0u].member_2[1u];
+                                let _e3380 = local_4[0u].member_1[1u];
+                                let _e3386 = local_4[0u].member_2[0u];
+                                let _e3399 = (((_e3359[1] * _e3365[2]) - (_e3359[2] * _e3365[1])) + ((_e3380[1] * _e3386[2]) - (_e3380[2] * _e3386[1])));
+                                let _e3400 = (((_e3359[2] * _e3365[0]) - (_e3359[0] * _e3365[2])) + ((_e3380[2] * _e3386[0]) - (_e3380[0] * _e3386[2])));
+                                let _e3401 = (((_e3359[0] * _e3365[1]) - (_e3359[1] * _e3365[0])) + ((_e3380[0] * _e3386[1]) - (_e3380[1] * _e3386[0])));
+                                let _e3404 = local_4[0u].member[0u];
+                                let _e3415 = local_4[0u].member[1u];
+                                let _e3426 = local_4[0u].member[0u];
+                                let _e3435 = ((((_e3415[0] * _e3329) + (_e3415[1] * _e3332)) + (_e3415[2] * _e3335)) + (((_e3426[0] * _e3399) + (_e3426[1] * _e3400)) + (_e3426[2] * _e3401)));
+                                let _e3438 = local_4[0u].member[0u];
+                                let _e3449 = local_4[0u].member[1u];
+                                let _e3458 = ((((_e3438[0] * _e3350) + (_e3438[1] * _e3353)) + (_e3438[2] * _e3356)) + (((_e3449[0] * _e3399) + (_e3449[1] * _e3400)) + (_e3449[2] * _e3401)));
+                                let _e3461 = local_4[0u].member[1u];
+                                let _e3472 = local_4[0u].member[0u];
+                                if (_e3472[0] < 0f) {
+                                    phi_5137_ = -(_e3472[0]);
                                 } else {
-                                    phi_5119_ = _e3464[0];
+                                    phi_5137_ = _e3472[0];
                                 }
-                                let _e3471 = phi_5119_;
-                                if (_e3464[1] < 0f) {
-                                    phi_5126_ = -(_e3464[1]);
+                                let _e3479 = phi_5137_;
+                                if (_e3472[1] < 0f) {
+                                    phi_5144_ = -(_e3472[1]);
                                 } else {
-                                    phi_5126_ = _e3464[1];
+                                    phi_5144_ = _e3472[1];
                                 }
-                                let _e3475 = phi_5126_;
-                                if (_e3471 > _e3475) {
-                                    phi_5131_ = _e3471;
+                                let _e3483 = phi_5144_;
+                                if (_e3479 > _e3483) {
+                                    phi_5149_ = _e3479;
                                 } else {
-                                    phi_5131_ = _e3475;
+                                    phi_5149_ = _e3483;
                                 }
-                                let _e3478 = phi_5131_;
-                                if (_e3464[2] < 0f) {
-                                    phi_5138_ = -(_e3464[2]);
+                                let _e3486 = phi_5149_;
+                                if (_e3472[2] < 0f) {
+                                    phi_5156_ = -(_e3472[2]);
                                 } else {
-                                    phi_5138_ = _e3464[2];
+                                    phi_5156_ = _e3472[2];
                                 }
-                                let _e3482 = phi_5138_;
-                                if (_e3478 > _e3482) {
-                                    phi_5143_ = _e3478;
+                                let _e3490 = phi_5156_;
+                                if (_e3486 > _e3490) {
+                                    phi_5161_ = _e3486;
                                 } else {
-                                    phi_5143_ = _e3482;
+                                    phi_5161_ = _e3490;
                                 }
-                                let _e3485 = phi_5143_;
-                                let _e3488 = local_4[0u].member[1u];
-                                if (_e3488[0] < 0f) {
-                                    phi_5156_ = -(_e3488[0]);
+                                let _e3493 = phi_5161_;
+                                let _e3496 = local_4[0u].member[1u];
+                                if (_e3496[0] < 0f) {
+                                    phi_5174_ = -(_e3496[0]);
                                 } else {
-                                    phi_5156_ = _e3488[0];
+                                    phi_5174_ = _e3496[0];
                                 }
-                                let _e3495 = phi_5156_;
-                                if (_e3488[1] < 0f) {
-                                    phi_5163_ = -(_e3488[1]);
+                                let _e3503 = phi_5174_;
+                                if (_e3496[1] < 0f) {
+                                    phi_5181_ = -(_e3496[1]);
                                 } else {
-                                    phi_5163_ = _e3488[1];
+                                    phi_5181_ = _e3496[1];
                                 }
-                                let _e3499 = phi_5163_;
-                                if (_e3495 > _e3499) {
-                                    phi_5168_ = _e3495;
+                                let _e3507 = phi_5181_;
+                                if (_e3503 > _e3507) {
+                                    phi_5186_ = _e3503;
                                 } else {
-                                    phi_5168_ = _e3499;
+                                    phi_5186_ = _e3507;
                                 }
-                                let _e3502 = phi_5168_;
-                                if (_e3488[2] < 0f) {
-                                    phi_5175_ = -(_e3488[2]);
+                                let _e3510 = phi_5186_;
+                                if (_e3496[2] < 0f) {
+                                    phi_5193_ = -(_e3496[2]);
                                 } else {
-                                    phi_5175_ = _e3488[2];
+                                    phi_5193_ = _e3496[2];
                                 }
-                                let _e3506 = phi_5175_;
-                                if (_e3502 > _e3506) {
-                                    phi_5180_ = _e3502;
+                                let _e3514 = phi_5193_;
+                                if (_e3510 > _e3514) {
+                                    phi_5198_ = _e3510;
                                 } else {
-                                    phi_5180_ = _e3506;
+                                    phi_5198_ = _e3514;
                                 }
-                                let _e3509 = phi_5180_;
-                                if (_e3485 > _e3509) {
-                                    phi_5185_ = _e3485;
+                                let _e3517 = phi_5198_;
+                                if (_e3493 > _e3517) {
+                                    phi_5203_ = _e3493;
                                 } else {
-                                    phi_5185_ = _e3509;
+                                    phi_5203_ = _e3517;
                                 }
-                                let _e3512 = phi_5185_;
-                                let _e3514 = local_4[0u].member_3;
-                                let _e3515 = (_e3512 + _e3514);
-                                let _e3518 = local_4[0u].member_1[0u];
-                                if (_e3518[0] < 0f) {
-                                    phi_5202_ = -(_e3518[0]);
+                                let _e3520 = phi_5203_;
+                                let _e3522 = local_4[0u].member_3;
+                                let _e3523 = (_e3520 + _e3522);
+                                let _e3526 = local_4[0u].member_1[0u];
+                                if (_e3526[0] < 0f) {
+                                    phi_5220_ = -(_e3526[0]);
                                 } else {
-                                    phi_5202_ = _e3518[0];
+                                    phi_5220_ = _e3526[0];
                                 }
-                                let _e3525 = phi_5202_;
-                                if (_e3518[1] < 0f) {
-                                    phi_5209_ = -(_e3518[1]);
+                                let _e3533 = phi_5220_;
+                                if (_e3526[1] < 0f) {
+                                    phi_5227_ = -(_e3526[1]);
                                 } else {
-                                    phi_5209_ = _e3518[1];
+                                    phi_5227_ = _e3526[1];
                                 }
-                                let _e3529 = phi_5209_;
-                                if (_e3525 > _e3529) {
-                                    phi_5214_ = _e3525;
+                                let _e3537 = phi_5227_;
+                                if (_e3533 > _e3537) {
+                                    phi_5232_ = _e3533;
                                 } else {
-                                    phi_5214_ = _e3529;
+                                    phi_5232_ = _e3537;
                                 }
-                                let _e3532 = phi_5214_;
-                                if (_e3518[2] < 0f) {
-                                    phi_5221_ = -(_e3518[2]);
+                                let _e3540 = phi_5232_;
+                                if (_e3526[2] < 0f) {
+                                    phi_5239_ = -(_e3526[2]);
                                 } else {
-                                    phi_5221_ = _e3518[2];
+                                    phi_5239_ = _e3526[2];
                                 }
-                                let _e3536 = phi_5221_;
-                                if (_e3532 > _e3536) {
-                                    phi_5226_ = _e3532;
+                                let _e3544 = phi_5239_;
+                                if (_e3540 > _e3544) {
+                                    phi_5244_ = _e3540;
                                 } else {
-                                    phi_5226_ = _e3536;
+                                    phi_5244_ = _e3544;
                                 }
-                                let _e3539 = phi_5226_;
-                                let _e3542 = local_4[0u].member_1[1u];
-                                if (_e3542[0] < 0f) {
-                                    phi_5240_ = -(_e3542[0]);
+                                let _e3547 = phi_5244_;
+                                let _e3550 = local_4[0u].member_1[1u];
+                                if (_e3550[0] < 0f) {
+                                    phi_5258_ = -(_e3550[0]);
                                 } else {
-                                    phi_5240_ = _e3542[0];
+                                    phi_5258_ = _e3550[0];
                                 }
-                                let _e3549 = phi_5240_;
-                                if (_e3542[1] < 0f) {
-                                    phi_5247_ = -(_e3542[1]);
+                                let _e3557 = phi_5258_;
+                                if (_e3550[1] < 0f) {
+                                    phi_5265_ = -(_e3550[1]);
                                 } else {
-                                    phi_5247_ = _e3542[1];
+                                    phi_5265_ = _e3550[1];
                                 }
-                                let _e3553 = phi_5247_;
-                                if (_e3549 > _e3553) {
-                                    phi_5252_ = _e3549;
+                                let _e3561 = phi_5265_;
+                                if (_e3557 > _e3561) {
+                                    phi_5270_ = _e3557;
                                 } else {
-                                    phi_5252_ = _e3553;
+                                    phi_5270_ = _e3561;
                                 }
-                                let _e3556 = phi_5252_;
-                                if (_e3542[2] < 0f) {
-                                    phi_5259_ = -(_e3542[2]);
+                                let _e3564 = phi_5270_;
+                                if (_e3550[2] < 0f) {
+                                    phi_5277_ = -(_e3550[2]);
                                 } else {
-                                    phi_5259_ = _e3542[2];
+                                    phi_5277_ = _e3550[2];
                                 }
-                                let _e3560 = phi_5259_;
-                                if (_e3556 > _e3560) {
-                                    phi_5264_ = _e3556;
+                                let _e3568 = phi_5277_;
+                                if (_e3564 > _e3568) {
+                                    phi_5282_ = _e3564;
                                 } else {
-                                    phi_5264_ = _e3560;
+                                    phi_5282_ = _e3568;
                                 }
-                                let _e3563 = phi_5264_;
-                                if (_e3539 > _e3563) {
-                                    phi_5269_ = _e3539;
+                                let _e3571 = phi_5282_;
+                                if (_e3547 > _e3571) {
+                                    phi_5287_ = _e3547;
                                 } else {
-                                    phi_5269_ = _e3563;
+                                    phi_5287_ = _e3571;
                                 }
-                                let _e3566 = phi_5269_;
-                                let _e3568 = local_4[0u].member_3;
-                                let _e3569 = (_e3566 + _e3568);
-                                let _e3572 = local_4[0u].member_2[0u];
-                                if (_e3572[0] < 0f) {
-                                    phi_5286_ = -(_e3572[0]);
+                                let _e3574 = phi_5287_;
+                                let _e3576 = local_4[0u].member_3;
+                                let _e3577 = (_e3574 + _e3576);
+                                let _e3580 = local_4[0u].member_2[0u];
+                                if (_e3580[0] < 0f) {
+                                    phi_5304_ = -(_e3580[0]);
                                 } else {
-                                    phi_5286_ = _e3572[0];
+                                    phi_5304_ = _e3580[0];
                                 }
-                                let _e3579 = phi_5286_;
-                                if (_e3572[1] < 0f) {
-                                    phi_5293_ = -(_e3572[1]);
+                                let _e3587 = phi_5304_;
+                                if (_e3580[1] < 0f) {
+                                    phi_5311_ = -(_e3580[1]);
                                 } else {
-                                    phi_5293_ = _e3572[1];
+                                    phi_5311_ = _e3580[1];
                                 }
-                                let _e3583 = phi_5293_;
-                                if (_e3579 > _e3583) {
-                                    phi_5298_ = _e3579;
+                                let _e3591 = phi_5311_;
+                                if (_e3587 > _e3591) {
+                                    phi_5316_ = _e3587;
                                 } else {
-                                    phi_5298_ = _e3583;
+                                    phi_5316_ = _e3591;
                                 }
-                                let _e3586 = phi_5298_;
-                                if (_e3572[2] < 0f) {
-                                    phi_5305_ = -(_e3572[2]);
+                                let _e3594 = phi_5316_;
+                                if (_e3580[2] < 0f) {
+                                    phi_5323_ = -(_e3580[2]);
                                 } else {
-                                    phi_5305_ = _e3572[2];
+                                    phi_5323_ = _e3580[2];
                                 }
-                                let _e3590 = phi_5305_;
-                                if (_e3586 > _e3590) {
-                                    phi_5310_ = _e3586;
+                                let _e3598 = phi_5323_;
+                                if (_e3594 > _e3598) {
+                                    phi_5328_ = _e3594;
                                 } else {
-                                    phi_5310_ = _e3590;
+                                    phi_5328_ = _e3598;
                                 }
-                                let _e3593 = phi_5310_;
-                                let _e3596 = local_4[0u].member_2[1u];
-                                if (_e3596[0] < 0f) {
-                                    phi_5324_ = -(_e3596[0]);
+                                let _e3601 = phi_5328_;
+                                let _e3604 = local_4[0u].member_2[1u];
+                                if (_e3604[0] < 0f) {
+                                    phi_5342_ = -(_e3604[0]);
                                 } else {
-                                    phi_5324_ = _e3596[0];
+                                    phi_5342_ = _e3604[0];
                                 }
-                                let _e3603 = phi_5324_;
-                                if (_e3596[1] < 0f) {
-                                    phi_5331_ = -(_e3596[1]);
+                                let _e3611 = phi_5342_;
+                                if (_e3604[1] < 0f) {
+                                    phi_5349_ = -(_e3604[1]);
                                 } else {
-                                    phi_5331_ = _e3596[1];
+                                    phi_5349_ = _e3604[1];
                                 }
-                                let _e3607 = phi_5331_;
-                                if (_e3603 > _e3607) {
-                                    phi_5336_ = _e3603;
+                                let _e3615 = phi_5349_;
+                                if (_e3611 > _e3615) {
+                                    phi_5354_ = _e3611;
                                 } else {
-                                    phi_5336_ = _e3607;
+                                    phi_5354_ = _e3615;
                                 }
-                                let _e3610 = phi_5336_;
-                                if (_e3596[2] < 0f) {
-                                    phi_5343_ = -(_e3596[2]);
+                                let _e3618 = phi_5354_;
+                                if (_e3604[2] < 0f) {
+                                    phi_5361_ = -(_e3604[2]);
                                 } else {
-                                    phi_5343_ = _e3596[2];
+                                    phi_5361_ = _e3604[2];
                                 }
-                                let _e3614 = phi_5343_;
-                                if (_e3610 > _e3614) {
-                                    phi_5348_ = _e3610;
+                                let _e3622 = phi_5361_;
+                                if (_e3618 > _e3622) {
+                                    phi_5366_ = _e3618;
                                 } else {
-                                    phi_5348_ = _e3614;
+                                    phi_5366_ = _e3622;
                                 }
-                                let _e3617 = phi_5348_;
-                                if (_e3593 > _e3617) {
-                                    phi_5353_ = _e3593;
+                                let _e3625 = phi_5366_;
+                                if (_e3601 > _e3625) {
+                                    phi_5371_ = _e3601;
                                 } else {
-                                    phi_5353_ = _e3617;
+                                    phi_5371_ = _e3625;
                                 }
-                                let _e3620 = phi_5353_;
-                                let _e3622 = local_4[0u].member_3;
-                                let _e3623 = (_e3620 + _e3622);
-                                let _e3625 = ((_e3569 * 8f) * _e3623);
-                                let _e3632 = local_4[0u].member_3;
-                                if (_e3321 < 0f) {
-                                    phi_5384_ = -(_e3321);
+                                let _e3628 = phi_5371_;
+                                let _e3630 = local_4[0u].member_3;
+                                let _e3631 = (_e3628 + _e3630);
+                                let _e3633 = ((_e3577 * 8f) * _e3631);
+                                let _e3640 = local_4[0u].member_3;
+                                if (_e3329 < 0f) {
+                                    phi_5402_ = -(_e3329);
                                 } else {
-                                    phi_5384_ = _e3321;
+                                    phi_5402_ = _e3329;
                                 }
-                                let _e3649 = phi_5384_;
-                                if (_e3324 < 0f) {
-                                    phi_5390_ = -(_e3324);
+                                let _e3657 = phi_5402_;
+                                if (_e3332 < 0f) {
+                                    phi_5408_ = -(_e3332);
                                 } else {
-                                    phi_5390_ = _e3324;
+                                    phi_5408_ = _e3332;
                                 }
-                                let _e3653 = phi_5390_;
-                                if (_e3327 < 0f) {
-                                    phi_5397_ = -(_e3327);
+                                let _e3661 = phi_5408_;
+                                if (_e3335 < 0f) {
+                                    phi_5415_ = -(_e3335);
                                 } else {
-                                    phi_5397_ = _e3327;
+                                    phi_5415_ = _e3335;
                                 }
-                                let _e3658 = phi_5397_;
-                                let _e3659 = ((_e3649 + _e3653) + _e3658);
-                                if (_e3342 < 0f) {
-                                    phi_5404_ = -(_e3342);
+                                let _e3666 = phi_5415_;
+                                let _e3667 = ((_e3657 + _e3661) + _e3666);
+                                if (_e3350 < 0f) {
+                                    phi_5422_ = -(_e3350);
                                 } else {
-                                    phi_5404_ = _e3342;
+                                    phi_5422_ = _e3350;
                                 }
-                                let _e3663 = phi_5404_;
-                                if (_e3345 < 0f) {
-                                    phi_5410_ = -(_e3345);
+                                let _e3671 = phi_5422_;
+                                if (_e3353 < 0f) {
+                                    phi_5428_ = -(_e3353);
                                 } else {
-                                    phi_5410_ = _e3345;
+                                    phi_5428_ = _e3353;
                                 }
-                                let _e3667 = phi_5410_;
-                                if (_e3348 < 0f) {
-                                    phi_5417_ = -(_e3348);
+                                let _e3675 = phi_5428_;
+                                if (_e3356 < 0f) {
+                                    phi_5435_ = -(_e3356);
                                 } else {
-                                    phi_5417_ = _e3348;
+                                    phi_5435_ = _e3356;
                                 }
-                                let _e3672 = phi_5417_;
-                                let _e3673 = ((_e3663 + _e3667) + _e3672);
-                                if (_e3659 > _e3673) {
-                                    phi_5423_ = _e3659;
+                                let _e3680 = phi_5435_;
+                                let _e3681 = ((_e3671 + _e3675) + _e3680);
+                                if (_e3667 > _e3681) {
+                                    phi_5441_ = _e3667;
                                 } else {
-                                    phi_5423_ = _e3673;
+                                    phi_5441_ = _e3681;
                                 }
-                                let _e3676 = phi_5423_;
-                                if (_e3391 < 0f) {
-                                    phi_5429_ = -(_e3391);
+                                let _e3684 = phi_5441_;
+                                if (_e3399 < 0f) {
+                                    phi_5447_ = -(_e3399);
                                 } else {
-                                    phi_5429_ = _e3391;
+                                    phi_5447_ = _e3399;
                                 }
-                                let _e3680 = phi_5429_;
-                                if (_e3392 < 0f) {
-                                    phi_5435_ = -(_e3392);
+                                let _e3688 = phi_5447_;
+                                if (_e3400 < 0f) {
+                                    phi_5453_ = -(_e3400);
                                 } else {
-                                    phi_5435_ = _e3392;
+                                    phi_5453_ = _e3400;
                                 }
-                                let _e3684 = phi_5435_;
-                                if (_e3393 < 0f) {
-                                    phi_5442_ = -(_e3393);
+                                let _e3692 = phi_5453_;
+                                if (_e3401 < 0f) {
+                                    phi_5460_ = -(_e3401);
                                 } else {
-                                    phi_5442_ = _e3393;
+                                    phi_5460_ = _e3401;
                                 }
-                                let _e3689 = phi_5442_;
-                                let _e3691 = (((_e3680 + _e3684) + _e3689) * 0.5f);
-                                if (_e3676 > _e3691) {
-                                    phi_5449_ = _e3676;
+                                let _e3697 = phi_5460_;
+                                let _e3699 = (((_e3688 + _e3692) + _e3697) * 0.5f);
+                                if (_e3684 > _e3699) {
+                                    phi_5467_ = _e3684;
                                 } else {
-                                    phi_5449_ = _e3691;
+                                    phi_5467_ = _e3699;
                                 }
-                                let _e3694 = phi_5449_;
-                                let _e3699 = local_4[0u].member_3;
-                                let _e3712 = ((((_e3396[0] * _e3321) + (_e3396[1] * _e3324)) + (_e3396[2] * _e3327)) * 3f);
-                                let _e3713 = ((((_e3453[0] * _e3342) + (_e3453[1] * _e3345)) + (_e3453[2] * _e3348)) * 3f);
-                                if (_e3712 < _e3713) {
-                                    phi_5473_ = _e3712;
+                                let _e3702 = phi_5467_;
+                                let _e3707 = local_4[0u].member_3;
+                                let _e3720 = ((((_e3404[0] * _e3329) + (_e3404[1] * _e3332)) + (_e3404[2] * _e3335)) * 3f);
+                                let _e3721 = ((((_e3461[0] * _e3350) + (_e3461[1] * _e3353)) + (_e3461[2] * _e3356)) * 3f);
+                                if (_e3720 < _e3721) {
+                                    phi_5491_ = _e3720;
                                 } else {
-                                    phi_5473_ = _e3713;
+                                    phi_5491_ = _e3721;
                                 }
-                                let _e3716 = phi_5473_;
-                                if (_e3427 < _e3450) {
-                                    phi_5478_ = _e3427;
+                                let _e3724 = phi_5491_;
+                                if (_e3435 < _e3458) {
+                                    phi_5496_ = _e3435;
                                 } else {
-                                    phi_5478_ = _e3450;
+                                    phi_5496_ = _e3458;
                                 }
-                                let _e3719 = phi_5478_;
-                                if (_e3716 < _e3719) {
-                                    phi_5483_ = _e3716;
+                                let _e3727 = phi_5496_;
+                                if (_e3724 < _e3727) {
+                                    phi_5501_ = _e3724;
                                 } else {
-                                    phi_5483_ = _e3719;
+                                    phi_5501_ = _e3727;
                                 }
-                                let _e3722 = phi_5483_;
-                                if (_e3712 > _e3713) {
-                                    phi_5488_ = _e3712;
+                                let _e3730 = phi_5501_;
+                                if (_e3720 > _e3721) {
+                                    phi_5506_ = _e3720;
                                 } else {
-                                    phi_5488_ = _e3713;
+                                    phi_5506_ = _e3721;
                                 }
-                                let _e3725 = phi_5488_;
-                                if (_e3427 > _e3450) {
-                                    phi_5493_ = _e3427;
+                                let _e3733 = phi_5506_;
+                                if (_e3435 > _e3458) {
+                                    phi_5511_ = _e3435;
                                 } else {
-                                    phi_5493_ = _e3450;
+                                    phi_5511_ = _e3458;
                                 }
-                                let _e3728 = phi_5493_;
-                                if (_e3725 > _e3728) {
-                                    phi_5498_ = _e3725;
+                                let _e3736 = phi_5511_;
+                                if (_e3733 > _e3736) {
+                                    phi_5516_ = _e3733;
                                 } else {
-                                    phi_5498_ = _e3728;
+                                    phi_5516_ = _e3736;
                                 }
-                                let _e3731 = phi_5498_;
-                                let _e3736 = -(_e3731);
-                                if (_e3722 > _e3736) {
-                                    phi_5508_ = _e3722;
+                                let _e3739 = phi_5516_;
+                                let _e3744 = -(_e3739);
+                                if (_e3730 > _e3744) {
+                                    phi_5526_ = _e3730;
                                 } else {
-                                    phi_5508_ = _e3736;
+                                    phi_5526_ = _e3744;
                                 }
-                                let _e3739 = phi_5508_;
-                                if ((_e3739 - ((((((_e3515 * 8f) * _e3625) * (0.000000059604645f * (490f / 64f))) + ((_e3632 * 19f) * ((_e3515 * (_e3569 + _e3623)) + (_e3569 * _e3623)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3515) * ((1f + _e3569) * (1f + _e3623))))) + ((_e2080 * (((_e3694 + (_e3625 * (0.000000059604645f * 4f))) + ((_e3699 * 6f) * (_e3569 + _e3623))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3569) * (1f + _e3623))))) * (3f * 1.0001f)))) > 0f) {
-                                    phi_6484_ = true;
+                                let _e3747 = phi_5526_;
+                                if ((_e3747 - ((((((_e3523 * 8f) * _e3633) * (0.000000059604645f * (490f / 64f))) + ((_e3640 * 19f) * ((_e3523 * (_e3577 + _e3631)) + (_e3577 * _e3631)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3523) * ((1f + _e3577) * (1f + _e3631))))) + ((_e2088 * (((_e3702 + (_e3633 * (0.000000059604645f * 4f))) + ((_e3707 * 6f) * (_e3577 + _e3631))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3577) * (1f + _e3631))))) * (3f * 1.0001f)))) > 0f) {
+                                    phi_6502_ = true;
                                 } else {
-                                    let _e3744 = local_4[0u].member_1[0u];
-                                    let _e3750 = local_4[0u].member_1[1u];
-                                    let _e3754 = (_e3744[0] + _e3750[0]);
-                                    let _e3755 = (_e3744[1] + _e3750[1]);
-                                    let _e3756 = (_e3744[2] + _e3750[2]);
-                                    let _e3759 = local_4[0u].member_2[0u];
-                                    let _e3765 = local_4[0u].member_2[1u];
-                                    let _e3769 = (_e3759[0] + _e3765[0]);
-                                    let _e3770 = (_e3759[1] + _e3765[1]);
-                                    let _e3771 = (_e3759[2] + _e3765[2]);
-                                    let _e3774 = ((_e3755 * _e3771) - (_e3756 * _e3770));
-                                    let _e3777 = ((_e3756 * _e3769) - (_e3754 * _e3771));
-                                    let _e3780 = ((_e3754 * _e3770) - (_e3755 * _e3769));
-                                    let _e3783 = local_4[0u].member[0u];
-                                    let _e3789 = local_4[0u].member_1[0u];
-                                    let _e3795 = local_4[0u].member_2[0u];
-                                    let _e3807 = local_4[0u].member[1u];
-                                    let _e3813 = local_4[0u].member_1[1u];
-                                    let _e3819 = local_4[0u].member_2[1u];
-                                    local_2 = array<array<f32, 3>, 4>(_e3783, array<f32, 3>((_e3783[0] - _e3789[0]), (_e3783[1] - _e3789[1]), (_e3783[2] - _e3789[2])), array<f32, 3>((_e3783[0] - _e3795[0]), (_e3783[1] - _e3795[1]), (_e3783[2] - _e3795[2])), _e3783);
-                                    local_3 = array<array<f32, 3>, 4>(_e3807, array<f32, 3>((_e3807[0] - _e3813[0]), (_e3807[1] - _e3813[1]), (_e3807[2] - _e3813[2])), array<f32, 3>((_e3807[0] - _e3819[0]), (_e3807[1] - _e3819[1]), (_e3807[2] - _e3819[2])), _e3807);
-                                    let _e3837 = local_4[0u].member[0u];
-                                    if (_e3837[0] < 0f) {
-                                        phi_5759_ = -(_e3837[0]);
+                                    let _e3752 = local_4[0u].member_1[0u];
+                                    let _e3758 = local_4[0u].member_1[1u];
+                                    let _e3762 = (_e3752[0] + _e3758[0]);
+                                    let _e3763 = (_e3752[1] + _e3758[1]);
+                                    let _e3764 = (_e3752[2] + _e3758[2]);
+                                    let _e3767 = local_4[0u].member_2[0u];
+                                    let _e3773 = local_4[0u].member_2[1u];
+                                    let _e3777 = (_e3767[0] + _e3773[0]);
+                                    let _e3778 = (_e3767[1] + _e3773[1]);
+                                    let _e3779 = (_e3767[2] + _e3773[2]);
+                                    let _e3782 = ((_e3763 * _e3779) - (_e3764 * _e3778));
+                                    let _e3785 = ((_e3764 * _e3777) - (_e3762 * _e3779));
+                                    let _e3788 = ((_e3762 * _e3778) - (_e3763 * _e3777));
+                                    let _e3791 = local_4[0u].member[0u];
+                                    let _e3797 = local_4[0u].member_1[0u];
+                                    let _e3803 = local_4[0u].member_2[0u];
+                                    let _e3815 = local_4[0u].member[1u];
+                                    let _e3821 = local_4[0u].member_1[1u];
+                                    let _e3827 = local_4[0u].member_2[1u];
+                                    local_2 = array<array<f32, 3>, 4>(_e3791, array<f32, 3>((_e3791[0] - _e3797[0]), (_e3791[1] - _e3797[1]), (_e3791[2] - _e3797[2])), array<f32, 3>((_e3791[0] - _e3803[0]), (_e3791[1] - _e3803[1]), (_e3791[2] - _e3803[2])), _e3791);
+                                    local_3 = array<array<f32, 3>, 4>(_e3815, array<f32, 3>((_e3815[0] - _e3821[0]), (_e3815[1] - _e3821[1]), (_e3815[2] - _e3821[2])), array<f32, 3>((_e3815[0] - _e3827[0]), (_e3815[1] - _e3827[1]), (_e3815[2] - _e3827[2])), _e3815);
+                                    let _e3845 = local_4[0u].member[0u];
+                                    if (_e3845[0] < 0f) {
+                                        phi_5777_ = -(_e3845[0]);
                                     } else {
-                                        phi_5759_ = _e3837[0];
+                                        phi_5777_ = _e3845[0];
                                     }
-                                    let _e3844 = phi_5759_;
-                                    if (_e3837[1] < 0f) {
-                                        phi_5766_ = -(_e3837[1]);
+                                    let _e3852 = phi_5777_;
+                                    if (_e3845[1] < 0f) {
+                                        phi_5784_ = -(_e3845[1]);
                                     } else {
-                                        phi_5766_ = _e3837[1];
+                                        phi_5784_ = _e3845[1];
                                     }
-                                    let _e3848 = phi_5766_;
-                                    if (_e3844 > _e3848) {
-                                        phi_5771_ = _e3844;
+                                    let _e3856 = phi_5784_;
+                                    if (_e3852 > _e3856) {
+                                        phi_5789_ = _e3852;
                                     } else {
-                                        phi_5771_ = _e3848;
+                                        phi_5789_ = _e3856;
                                     }
-                                    let _e3851 = phi_5771_;
-                                    if (_e3837[2] < 0f) {
-                                        phi_5778_ = -(_e3837[2]);
+                                    let _e3859 = phi_5789_;
+                                    if (_e3845[2] < 0f) {
+                                        phi_5796_ = -(_e3845[2]);
                                     } else {
-                                        phi_5778_ = _e3837[2];
+                                        phi_5796_ = _e3845[2];
                                     }
-                                    let _e3855 = phi_5778_;
-                                    if (_e3851 > _e3855) {
-                                        phi_5783_ = _e3851;
+                                    let _e3863 = phi_5796_;
+                                    if (_e3859 > _e3863) {
+                                        phi_5801_ = _e3859;
                                     } else {
-                                        phi_5783_ = _e3855;
+                                        phi_5801_ = _e3863;
                                     }
-                                    let _e3858 = phi_5783_;
-                                    let _e3861 = local_4[0u].member[1u];
-                                    if (_e3861[0] < 0f) {
-                                        phi_5796_ = -(_e3861[0]);
+                                    let _e3866 = phi_5801_;
+                                    let _e3869 = local_4[0u].member[1u];
+                                    if (_e3869[0] < 0f) {
+                                        phi_5814_ = -(_e3869[0]);
                                     } else {
-                                        phi_5796_ = _e3861[0];
+                                        phi_5814_ = _e3869[0];
                                     }
-                                    let _e3868 = phi_5796_;
-                                    if (_e3861[1] < 0f) {
-                                        phi_5803_ = -(_e3861[1]);
+                                    let _e3876 = phi_5814_;
+                                    if (_e3869[1] < 0f) {
+                                        phi_5821_ = -(_e3869[1]);
                                     } else {
-                                        phi_5803_ = _e3861[1];
+                                        phi_5821_ = _e3869[1];
                                     }
-                                    let _e3872 = phi_5803_;
-                                    if (_e3868 > _e3872) {
-                                        phi_5808_ = _e3868;
+                                    let _e3880 = phi_5821_;
+                                    if (_e3876 > _e3880) {
+                                        phi_5826_ = _e3876;
                                     } else {
-                                        phi_5808_ = _e3872;
+                                        phi_5826_ = _e3880;
                                     }
-                                    let _e3875 = phi_5808_;
-                                    if (_e3861[2] < 0f) {
-                                        phi_5815_ = -(_e3861[2]);
+                                    let _e3883 = phi_5826_;
+                                    if (_e3869[2] < 0f) {
+                                        phi_5833_ = -(_e3869[2]);
                                     } else {
-                                        phi_5815_ = _e3861[2];
+                                        phi_5833_ = _e3869[2];
                                     }
-                                    let _e3879 = phi_5815_;
-                                    if (_e3875 > _e3879) {
-                                        phi_5820_ = _e3875;
+                                    let _e3887 = phi_5833_;
+                                    if (_e3883 > _e3887) {
+                                        phi_5838_ = _e3883;
                                     } else {
-                                        phi_5820_ = _e3879;
+                                        phi_5838_ = _e3887;
                                     }
-                                    let _e3882 = phi_5820_;
-                                    if (_e3858 > _e3882) {
-                                        phi_5825_ = _e3858;
+                                    let _e3890 = phi_5838_;
+                                    if (_e3866 > _e3890) {
+                                        phi_5843_ = _e3866;
                                     } else {
-                                        phi_5825_ = _e3882;
+                                        phi_5843_ = _e3890;
                                     }
-                                    let _e3885 = phi_5825_;
-                                    let _e3887 = local_4[0u].member_3;
-                                    let _e3891 = local_4[0u].member_1[0u];
-                                    if (_e3891[0] < 0f) {
-                                        phi_5842_ = -(_e3891[0]);
+                                    let _e3893 = phi_5843_;
+                                    let _e3895 = local_4[0u].member_3;
+                                    let _e3899 = local_4[0u].member_1[0u];
+                                    if (_e3899[0] < 0f) {
+                                        phi_5860_ = -(_e3899[0]);
                                     } else {
-                                        phi_5842_ = _e3891[0];
+                                        phi_5860_ = _e3899[0];
                                     }
-                                    let _e3898 = phi_5842_;
-                                    if (_e3891[1] < 0f) {
-                                        phi_5849_ = -(_e3891[1]);
+                                    let _e3906 = phi_5860_;
+                                    if (_e3899[1] < 0f) {
+                                        phi_5867_ = -(_e3899[1]);
                                     } else {
-                                        phi_5849_ = _e3891[1];
+                                        phi_5867_ = _e3899[1];
                                     }
-                                    let _e3902 = phi_5849_;
-                                    if (_e3898 > _e3902) {
-                                        phi_5854_ = _e3898;
+                                    let _e3910 = phi_5867_;
+                                    if (_e3906 > _e3910) {
+                                        phi_5872_ = _e3906;
                                     } else {
-                                        phi_5854_ = _e3902;
+                                        phi_5872_ = _e3910;
                                     }
-                                    let _e3905 = phi_5854_;
-                                    if (_e3891[2] < 0f) {
-                                        phi_5861_ = -(_e3891[2]);
+                                    let _e3913 = phi_5872_;
+                                    if (_e3899[2] < 0f) {
+                                        phi_5879_ = -(_e3899[2]);
                                     } else {
-                                        phi_5861_ = _e3891[2];
+                                        phi_5879_ = _e3899[2];
                                     }
-                                    let _e3909 = phi_5861_;
-                                    if (_e3905 > _e3909) {
-                                        phi_5866_ = _e3905;
+                                    let _e3917 = phi_5879_;
+                                    if (_e3913 > _e3917) {
+                                        phi_5884_ = _e3913;
                                     } else {
-                                        phi_5866_ = _e3909;
+                                        phi_5884_ = _e3917;
                                     }
-                                    let _e3912 = phi_5866_;
-                                    let _e3915 = local_4[0u].member_1[1u];
-                                    if (_e3915[0] < 0f) {
-                                        phi_5880_ = -(_e3915[0]);
+                                    let _e3920 = phi_5884_;
+                                    let _e3923 = local_4[0u].member_1[1u];
+                                    if (_e3923[0] < 0f) {
+                                        phi_5898_ = -(_e3923[0]);
                                     } else {
-                                        phi_5880_ = _e3915[0];
+                                        phi_5898_ = _e3923[0];
                                     }
-                                    let _e3922 = phi_5880_;
-                                    if (_e3915[1] < 0f) {
-                                        phi_5887_ = -(_e3915[1]);
+                                    let _e3930 = phi_5898_;
+                                    if (_e3923[1] < 0f) {
+                                        phi_5905_ = -(_e3923[1]);
                                     } else {
-                                        phi_5887_ = _e3915[1];
+                                        phi_5905_ = _e3923[1];
                                     }
-                                    let _e3926 = phi_5887_;
-                                    if (_e3922 > _e3926) {
-                                        phi_5892_ = _e3922;
+                                    let _e3934 = phi_5905_;
+                                    if (_e3930 > _e3934) {
+                                        phi_5910_ = _e3930;
                                     } else {
-                                        phi_5892_ = _e3926;
+                                        phi_5910_ = _e3934;
                                     }
-                                    let _e3929 = phi_5892_;
-                                    if (_e3915[2] < 0f) {
-                                        phi_5899_ = -(_e3915[2]);
+                                    let _e3937 = phi_5910_;
+                                    if (_e3923[2] < 0f) {
+                                        phi_5917_ = -(_e3923[2]);
                                     } else {
-                                        phi_5899_ = _e3915[2];
+                                        phi_5917_ = _e3923[2];
                                     }
-                                    let _e3933 = phi_5899_;
-                                    if (_e3929 > _e3933) {
-                                        phi_5904_ = _e3929;
+                                    let _e3941 = phi_5917_;
+                                    if (_e3937 > _e3941) {
+                                        phi_5922_ = _e3937;
                                     } else {
-                                        phi_5904_ = _e3933;
+                                        phi_5922_ = _e3941;
                                     }
-                                    let _e3936 = phi_5904_;
-                                    if (_e3912 > _e3936) {
-                                        phi_5909_ = _e3912;
+                                    let _e3944 = phi_5922_;
+                                    if (_e3920 > _e3944) {
+                                        phi_5927_ = _e3920;
                                     } else {
-                                        phi_5909_ = _e3936;
+                                        phi_5927_ = _e3944;
                                     }
-                                    let _e3939 = phi_5909_;
-                                    let _e3941 = local_4[0u].member_3;
-                                    let _e3945 = local_4[0u].member_2[0u];
-                                    if (_e3945[0] < 0f) {
-                                        phi_5926_ = -(_e3945[0]);
+                                    let _e3947 = phi_5927_;
+                                    let _e3949 = local_4[0u].member_3;
+                                    let _e3953 = local_4[0u].member_2[0u];
+                                    if (_e3953[0] < 0f) {
+                                        phi_5944_ = -(_e3953[0]);
                                     } else {
-                                        phi_5926_ = _e3945[0];
+                                        phi_5944_ = _e3953[0];
                                     }
-                                    let _e3952 = phi_5926_;
-                                    if (_e3945[1] < 0f) {
-                                        phi_5933_ = -(_e3945[1]);
+                                    let _e3960 = phi_5944_;
+                                    if (_e3953[1] < 0f) {
+                                        phi_5951_ = -(_e3953[1]);
                                     } else {
-                                        phi_5933_ = _e3945[1];
+                                        phi_5951_ = _e3953[1];
                                     }
-                                    let _e3956 = phi_5933_;
-                                    if (_e3952 > _e3956) {
-                                        phi_5938_ = _e3952;
+                                    let _e3964 = phi_5951_;
+                                    if (_e3960 > _e3964) {
+                                        phi_5956_ = _e3960;
                                     } else {
-                                        phi_5938_ = _e3956;
+                                        phi_5956_ = _e3964;
                                     }
-                                    let _e3959 = phi_5938_;
-                                    if (_e3945[2] < 0f) {
-                                        phi_5945_ = -(_e3945[2]);
+                                    let _e3967 = phi_5956_;
+                                    if (_e3953[2] < 0f) {
+                                        phi_5963_ = -(_e3953[2]);
                                     } else {
-                                        phi_5945_ = _e3945[2];
+                                        phi_5963_ = _e3953[2];
                                     }
-                                    let _e3963 = phi_5945_;
-                                    if (_e3959 > _e3963) {
-                                        phi_5950_ = _e3959;
+                                    let _e3971 = phi_5963_;
+                                    if (_e3967 > _e3971) {
+                                        phi_5968_ = _e3967;
                                     } else {
-                                        phi_5950_ = _e3963;
+                                        phi_5968_ = _e3971;
                                     }
-                                    let _e3966 = phi_5950_;
-                                    let _e3969 = local_4[0u].member_2[1u];
-                                    if (_e3969[0] < 0f) {
-                                        phi_5964_ = -(_e3969[0]);
+                                    let _e3974 = phi_5968_;
+                                    let _e3977 = local_4[0u].member_2[1u];
+                                    if (_e3977[0] < 0f) {
+                                        phi_5982_ = -(_e3977[0]);
                                     } else {
-                                        phi_5964_ = _e3969[0];
+                                        phi_5982_ = _e3977[0];
                                     }
-                                    let _e3976 = phi_5964_;
-                                    if (_e3969[1] < 0f) {
-                                        phi_5971_ = -(_e3969[1]);
+                                    let _e3984 = phi_5982_;
+                                    if (_e3977[1] < 0f) {
+                                        phi_5989_ = -(_e3977[1]);
                                     } else {
-                                        phi_5971_ = _e3969[1];
+                                        phi_5989_ = _e3977[1];
                                     }
-                                    let _e3980 = phi_5971_;
-                                    if (_e3976 > _e3980) {
-                                        phi_5976_ = _e3976;
+                                    let _e3988 = phi_5989_;
+                                    if (_e3984 > _e3988) {
+                                        phi_5994_ = _e3984;
                                     } else {
-                                        phi_5976_ = _e3980;
+                                        phi_5994_ = _e3988;
                                     }
-                                    let _e3983 = phi_5976_;
-                                    if (_e3969[2] < 0f) {
-                                        phi_5983_ = -(_e3969[2]);
+                                    let _e3991 = phi_5994_;
+                                    if (_e3977[2] < 0f) {
+                                        phi_6001_ = -(_e3977[2]);
                                     } else {
-                                        phi_5983_ = _e3969[2];
+                                        phi_6001_ = _e3977[2];
                                     }
-                                    let _e3987 = phi_5983_;
-                                    if (_e3983 > _e3987) {
-                                        phi_5988_ = _e3983;
+                                    let _e3995 = phi_6001_;
+                                    if (_e3991 > _e3995) {
+                                        phi_6006_ = _e3991;
                                     } else {
-                                        phi_5988_ = _e3987;
+                                        phi_6006_ = _e3995;
                                     }
-                                    let _e3990 = phi_5988_;
-                                    if (_e3966 > _e3990) {
-                                        phi_5993_ = _e3966;
+                                    let _e3998 = phi_6006_;
+                                    if (_e3974 > _e3998) {
+                                        phi_6011_ = _e3974;
                                     } else {
-                                        phi_5993_ = _e3990;
+                                        phi_6011_ = _e3998;
                                     }
-                                    let _e3993 = phi_5993_;
-                                    let _e3995 = local_4[0u].member_3;
-                                    let _e3998 = (((_e3885 + _e3887) + (_e3939 + _e3941)) + (_e3993 + _e3995));
-                                    let _e4001 = local_4[0u].member_3;
-                                    let _e4005 = (((_e2080 * 1.0001f) + (_e4001 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                    let _e4008 = ((_e3777 * _e3756) - (_e3780 * _e3755));
-                                    let _e4011 = ((_e3780 * _e3754) - (_e3774 * _e3756));
-                                    let _e4014 = ((_e3774 * _e3755) - (_e3777 * _e3754));
-                                    let _e4016 = local_2[0u];
-                                    let _e4024 = (((_e4008 * _e4016[0]) + (_e4011 * _e4016[1])) + (_e4014 * _e4016[2]));
-                                    phi_6031_ = type_36(0u, 4u);
-                                    phi_6034_ = _e4024;
-                                    phi_6036_ = _e4024;
+                                    let _e4001 = phi_6011_;
+                                    let _e4003 = local_4[0u].member_3;
+                                    let _e4006 = (((_e3893 + _e3895) + (_e3947 + _e3949)) + (_e4001 + _e4003));
+                                    let _e4009 = local_4[0u].member_3;
+                                    let _e4013 = (((_e2088 * 1.0001f) + (_e4009 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                    let _e4016 = ((_e3785 * _e3764) - (_e3788 * _e3763));
+                                    let _e4019 = ((_e3788 * _e3762) - (_e3782 * _e3764));
+                                    let _e4022 = ((_e3782 * _e3763) - (_e3785 * _e3762));
+                                    let _e4024 = local_2[0u];
+                                    let _e4032 = (((_e4016 * _e4024[0]) + (_e4019 * _e4024[1])) + (_e4022 * _e4024[2]));
+                                    phi_6049_ = type_36(0u, 4u);
+                                    phi_6052_ = _e4032;
+                                    phi_6054_ = _e4032;
                                     loop {
-                                        let _e4026 = phi_6031_;
-                                        let _e4028 = phi_6034_;
-                                        let _e4030 = phi_6036_;
-                                        local_58 = _e4028;
-                                        local_59 = _e4030;
-                                        local_76 = _e4030;
-                                        if (_e4026.member < _e4026.member_1) {
-                                            phi_6032_ = type_36((_e4026.member + 1u), _e4026.member_1);
-                                            phi_6059_ = type_36(1u, _e4026.member);
+                                        let _e4034 = phi_6049_;
+                                        let _e4036 = phi_6052_;
+                                        let _e4038 = phi_6054_;
+                                        local_58 = _e4036;
+                                        local_59 = _e4038;
+                                        local_76 = _e4038;
+                                        if (_e4034.member < _e4034.member_1) {
+                                            phi_6050_ = type_36((_e4034.member + 1u), _e4034.member_1);
+                                            phi_6077_ = type_36(1u, _e4034.member);
                                         } else {
-                                            phi_6032_ = _e4026;
-                                            phi_6059_ = type_36(0u, type_36().member_1);
+                                            phi_6050_ = _e4034;
+                                            phi_6077_ = type_36(0u, type_36().member_1);
                                         }
-                                        let _e4044 = phi_6032_;
-                                        let _e4046 = phi_6059_;
-                                        let _e4050 = (bitcast<i32>(_e4046.member) != 0i);
-                                        if _e4050 {
-                                            if (_e4046.member_1 < 4u) {
+                                        let _e4052 = phi_6050_;
+                                        let _e4054 = phi_6077_;
+                                        let _e4058 = (bitcast<i32>(_e4054.member) != 0i);
+                                        if _e4058 {
+                                            if (_e4054.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e4053 = local_2[_e4046.member_1];
-                                            let _e4061 = (((_e4008 * _e4053[0]) + (_e4011 * _e4053[1])) + (_e4014 * _e4053[2]));
-                                            if (_e4046.member_1 < 4u) {
+                                            let _e4061 = local_2[_e4054.member_1];
+                                            let _e4069 = (((_e4016 * _e4061[0]) + (_e4019 * _e4061[1])) + (_e4022 * _e4061[2]));
+                                            if (_e4054.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e4064 = local_3[_e4046.member_1];
-                                            let _e4072 = (((_e4008 * _e4064[0]) + (_e4011 * _e4064[1])) + (_e4014 * _e4064[2]));
-                                            if (_e4030 < _e4061) {
-                                                phi_6109_ = _e4030;
+                                            let _e4072 = local_3[_e4054.member_1];
+                                            let _e4080 = (((_e4016 * _e4072[0]) + (_e4019 * _e4072[1])) + (_e4022 * _e4072[2]));
+                                            if (_e4038 < _e4069) {
+                                                phi_6127_ = _e4038;
                                             } else {
-                                                phi_6109_ = _e4061;
+                                                phi_6127_ = _e4069;
                                             }
-                                            let _e4075 = phi_6109_;
-                                            if (_e4075 < _e4072) {
-                                                phi_6114_ = _e4075;
+                                            let _e4083 = phi_6127_;
+                                            if (_e4083 < _e4080) {
+                                                phi_6132_ = _e4083;
                                             } else {
-                                                phi_6114_ = _e4072;
+                                                phi_6132_ = _e4080;
                                             }
-                                            let _e4078 = phi_6114_;
-                                            if (_e4028 > _e4061) {
-                                                phi_6119_ = _e4028;
+                                            let _e4086 = phi_6132_;
+                                            if (_e4036 > _e4069) {
+                                                phi_6137_ = _e4036;
                                             } else {
-                                                phi_6119_ = _e4061;
+                                                phi_6137_ = _e4069;
                                             }
-                                            let _e4081 = phi_6119_;
-                                            if (_e4081 > _e4072) {
-                                                phi_6124_ = _e4081;
+                                            let _e4089 = phi_6137_;
+                                            if (_e4089 > _e4080) {
+                                                phi_6142_ = _e4089;
                                             } else {
-                                                phi_6124_ = _e4072;
+                                                phi_6142_ = _e4080;
                                             }
-                                            let _e4084 = phi_6124_;
-                                            phi_6035_ = _e4084;
-                                            phi_6037_ = _e4078;
+                                            let _e4092 = phi_6142_;
+                                            phi_6053_ = _e4092;
+                                            phi_6055_ = _e4086;
                                         } else {
-                                            phi_6035_ = f32();
-                                            phi_6037_ = f32();
+                                            phi_6053_ = f32();
+                                            phi_6055_ = f32();
                                         }
-                                        let _e4086 = phi_6035_;
-                                        let _e4088 = phi_6037_;
+                                        let _e4094 = phi_6053_;
+                                        let _e4096 = phi_6055_;
                                         continue;
                                         continuing {
-                                            phi_6031_ = _e4044;
-                                            phi_6034_ = _e4086;
-                                            phi_6036_ = _e4088;
-                                            break if !(_e4050);
+                                            phi_6049_ = _e4052;
+                                            phi_6052_ = _e4094;
+                                            phi_6054_ = _e4096;
+                                            break if !(_e4058);
                                         }
                                     }
-                                    if (_e4008 < 0f) {
-                                        phi_6130_ = -(_e4008);
+                                    if (_e4016 < 0f) {
+                                        phi_6148_ = -(_e4016);
                                     } else {
-                                        phi_6130_ = _e4008;
+                                        phi_6148_ = _e4016;
                                     }
-                                    let _e4093 = phi_6130_;
-                                    if (_e4011 < 0f) {
-                                        phi_6136_ = -(_e4011);
+                                    let _e4101 = phi_6148_;
+                                    if (_e4019 < 0f) {
+                                        phi_6154_ = -(_e4019);
                                     } else {
-                                        phi_6136_ = _e4011;
+                                        phi_6154_ = _e4019;
                                     }
-                                    let _e4097 = phi_6136_;
-                                    if (_e4014 < 0f) {
-                                        phi_6143_ = -(_e4014);
+                                    let _e4105 = phi_6154_;
+                                    if (_e4022 < 0f) {
+                                        phi_6161_ = -(_e4022);
                                     } else {
-                                        phi_6143_ = _e4014;
+                                        phi_6161_ = _e4022;
                                     }
-                                    let _e4102 = phi_6143_;
-                                    let _e4103 = ((_e4093 + _e4097) + _e4102);
-                                    let _e4108 = local_58;
-                                    let _e4109 = -(_e4108);
-                                    let _e4111 = local_59;
-                                    if (_e4111 > _e4109) {
-                                        let _e5968 = local_76;
-                                        phi_6153_ = _e5968;
+                                    let _e4110 = phi_6161_;
+                                    let _e4111 = ((_e4101 + _e4105) + _e4110);
+                                    let _e4116 = local_58;
+                                    let _e4117 = -(_e4116);
+                                    let _e4119 = local_59;
+                                    if (_e4119 > _e4117) {
+                                        let _e5984 = local_76;
+                                        phi_6171_ = _e5984;
                                     } else {
-                                        phi_6153_ = _e4109;
+                                        phi_6171_ = _e4117;
                                     }
-                                    let _e4114 = phi_6153_;
-                                    let _e4119 = (((_e4114 - ((_e4103 * _e3998) * (0.000000059604645f * 17f))) - (_e4103 * _e4005)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    let _e4122 = ((_e3777 * _e3771) - (_e3780 * _e3770));
-                                    let _e4125 = ((_e3780 * _e3769) - (_e3774 * _e3771));
-                                    let _e4128 = ((_e3774 * _e3770) - (_e3777 * _e3769));
-                                    let _e4130 = local_2[0u];
-                                    let _e4138 = (((_e4122 * _e4130[0]) + (_e4125 * _e4130[1])) + (_e4128 * _e4130[2]));
-                                    phi_6184_ = type_36(0u, 4u);
-                                    phi_6187_ = _e4138;
-                                    phi_6189_ = _e4138;
+                                    let _e4122 = phi_6171_;
+                                    let _e4127 = (((_e4122 - ((_e4111 * _e4006) * (0.000000059604645f * 17f))) - (_e4111 * _e4013)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    let _e4130 = ((_e3785 * _e3779) - (_e3788 * _e3778));
+                                    let _e4133 = ((_e3788 * _e3777) - (_e3782 * _e3779));
+                                    let _e4136 = ((_e3782 * _e3778) - (_e3785 * _e3777));
+                                    let _e4138 = local_2[0u];
+                                    let _e4146 = (((_e4130 * _e4138[0]) + (_e4133 * _e4138[1])) + (_e4136 * _e4138[2]));
+                                    phi_6202_ = type_36(0u, 4u);
+                                    phi_6205_ = _e4146;
+                                    phi_6207_ = _e4146;
                                     loop {
-                                        let _e4140 = phi_6184_;
-                                        let _e4142 = phi_6187_;
-                                        let _e4144 = phi_6189_;
-                                        local_60 = _e4142;
-                                        local_61 = _e4144;
-                                        local_77 = _e4144;
-                                        if (_e4140.member < _e4140.member_1) {
-                                            phi_6185_ = type_36((_e4140.member + 1u), _e4140.member_1);
-                                            phi_6212_ = type_36(1u, _e4140.member);
+                                        let _e4148 = phi_6202_;
+                                        let _e4150 = phi_6205_;
+                                        let _e4152 = phi_6207_;
+                                        local_60 = _e4150;
+                                        local_61 = _e4152;
+                                        local_77 = _e4152;
+                                        if (_e4148.member < _e4148.member_1) {
+                                            phi_6203_ = type_36((_e4148.member + 1u), _e4148.member_1);
+                                            phi_6230_ = type_36(1u, _e4148.member);
                                         } else {
-                                            phi_6185_ = _e4140;
-                                            phi_6212_ = type_36(0u, type_36().member_1);
+                                            phi_6203_ = _e4148;
+                                            phi_6230_ = type_36(0u, type_36().member_1);
                                         }
-                                        let _e4158 = phi_6185_;
-                                        let _e4160 = phi_6212_;
-                                        let _e4164 = (bitcast<i32>(_e4160.member) != 0i);
-                                        if _e4164 {
-                                            if (_e4160.member_1 < 4u) {
+                                        let _e4166 = phi_6203_;
+                                        let _e4168 = phi_6230_;
+                                        let _e4172 = (bitcast<i32>(_e4168.member) != 0i);
+                                        if _e4172 {
+                                            if (_e4168.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e4167 = local_2[_e4160.member_1];
-                                            let _e4175 = (((_e4122 * _e4167[0]) + (_e4125 * _e4167[1])) + (_e4128 * _e4167[2]));
-                                            if (_e4160.member_1 < 4u) {
+                                            let _e4175 = local_2[_e4168.member_1];
+                                            let _e4183 = (((_e4130 * _e4175[0]) + (_e4133 * _e4175[1])) + (_e4136 * _e4175[2]));
+                                            if (_e4168.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e4178 = local_3[_e4160.member_1];
-                                            let _e4186 = (((_e4122 * _e4178[0]) + (_e4125 * _e4178[1])) + (_e4128 * _e4178[2]));
-                                            if (_e4144 < _e4175) {
-                                                phi_6262_ = _e4144;
+                                            let _e4186 = local_3[_e4168.member_1];
+                                            let _e4194 = (((_e4130 * _e4186[0]) + (_e4133 * _e4186[1])) + (_e4136 * _e4186[2]));
+                                            if (_e4152 < _e4183) {
+                                                phi_6280_ = _e4152;
                                             } else {
-                                                phi_6262_ = _e4175;
+                                                phi_6280_ = _e4183;
                                             }
-                                            let _e4189 = phi_6262_;
-                                            if (_e4189 < _e4186) {
-                                                phi_6267_ = _e4189;
+                                            let _e4197 = phi_6280_;
+                                            if (_e4197 < _e4194) {
+                                                phi_6285_ = _e4197;
                                             } else {
-                                                phi_6267_ = _e4186;
+                                                phi_6285_ = _e4194;
                                             }
-                                            let _e4192 = phi_6267_;
-                                            if (_e4142 > _e4175) {
-                                                phi_6272_ = _e4142;
+                                            let _e4200 = phi_6285_;
+                                            if (_e4150 > _e4183) {
+                                                phi_6290_ = _e4150;
                                             } else {
-                                                phi_6272_ = _e4175;
+                                                phi_6290_ = _e4183;
                                             }
-                                            let _e4195 = phi_6272_;
-                                            if (_e4195 > _e4186) {
-                                                phi_6277_ = _e4195;
+                                            let _e4203 = phi_6290_;
+                                            if (_e4203 > _e4194) {
+                                                phi_6295_ = _e4203;
                                             } else {
-                                                phi_6277_ = _e4186;
+                                                phi_6295_ = _e4194;
                                             }
-                                            let _e4198 = phi_6277_;
-                                            phi_6188_ = _e4198;
-                                            phi_6190_ = _e4192;
+                                            let _e4206 = phi_6295_;
+                                            phi_6206_ = _e4206;
+                                            phi_6208_ = _e4200;
                                         } else {
-                                            phi_6188_ = f32();
-                                            phi_6190_ = f32();
+                                            phi_6206_ = f32();
+                                            phi_6208_ = f32();
                                         }
-                                        let _e4200 = phi_6188_;
-                                        let _e4202 = phi_6190_;
+                                        let _e4208 = phi_6206_;
+                                        let _e4210 = phi_6208_;
                                         continue;
                                         continuing {
-                                            phi_6184_ = _e4158;
-                                            phi_6187_ = _e4200;
-                                            phi_6189_ = _e4202;
-                                            break if !(_e4164);
+                                            phi_6202_ = _e4166;
+                                            phi_6205_ = _e4208;
+                                            phi_6207_ = _e4210;
+                                            break if !(_e4172);
                                         }
                                     }
-                                    if (_e4122 < 0f) {
-                                        phi_6283_ = -(_e4122);
+                                    if (_e4130 < 0f) {
+                                        phi_6301_ = -(_e4130);
                                     } else {
-                                        phi_6283_ = _e4122;
+                                        phi_6301_ = _e4130;
                                     }
-                                    let _e4207 = phi_6283_;
-                                    if (_e4125 < 0f) {
-                                        phi_6289_ = -(_e4125);
+                                    let _e4215 = phi_6301_;
+                                    if (_e4133 < 0f) {
+                                        phi_6307_ = -(_e4133);
                                     } else {
-                                        phi_6289_ = _e4125;
+                                        phi_6307_ = _e4133;
                                     }
-                                    let _e4211 = phi_6289_;
-                                    if (_e4128 < 0f) {
-                                        phi_6296_ = -(_e4128);
+                                    let _e4219 = phi_6307_;
+                                    if (_e4136 < 0f) {
+                                        phi_6314_ = -(_e4136);
                                     } else {
-                                        phi_6296_ = _e4128;
+                                        phi_6314_ = _e4136;
                                     }
-                                    let _e4216 = phi_6296_;
-                                    let _e4217 = ((_e4207 + _e4211) + _e4216);
-                                    let _e4222 = local_60;
-                                    let _e4223 = -(_e4222);
-                                    let _e4225 = local_61;
-                                    if (_e4225 > _e4223) {
-                                        let _e5987 = local_77;
-                                        phi_6306_ = _e5987;
+                                    let _e4224 = phi_6314_;
+                                    let _e4225 = ((_e4215 + _e4219) + _e4224);
+                                    let _e4230 = local_60;
+                                    let _e4231 = -(_e4230);
+                                    let _e4233 = local_61;
+                                    if (_e4233 > _e4231) {
+                                        let _e6003 = local_77;
+                                        phi_6324_ = _e6003;
                                     } else {
-                                        phi_6306_ = _e4223;
+                                        phi_6324_ = _e4231;
                                     }
-                                    let _e4228 = phi_6306_;
-                                    let _e4233 = (((_e4228 - ((_e4217 * _e3998) * (0.000000059604645f * 17f))) - (_e4217 * _e4005)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e4119 > _e4233) {
-                                        phi_6316_ = _e4119;
+                                    let _e4236 = phi_6324_;
+                                    let _e4241 = (((_e4236 - ((_e4225 * _e4006) * (0.000000059604645f * 17f))) - (_e4225 * _e4013)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e4127 > _e4241) {
+                                        phi_6334_ = _e4127;
                                     } else {
-                                        phi_6316_ = _e4233;
+                                        phi_6334_ = _e4241;
                                     }
-                                    let _e4236 = phi_6316_;
-                                    let _e4237 = (_e3769 - _e3754);
-                                    let _e4238 = (_e3770 - _e3755);
-                                    let _e4239 = (_e3771 - _e3756);
-                                    let _e4242 = ((_e3777 * _e4239) - (_e3780 * _e4238));
-                                    let _e4245 = ((_e3780 * _e4237) - (_e3774 * _e4239));
-                                    let _e4248 = ((_e3774 * _e4238) - (_e3777 * _e4237));
-                                    let _e4250 = local_2[0u];
-                                    let _e4258 = (((_e4242 * _e4250[0]) + (_e4245 * _e4250[1])) + (_e4248 * _e4250[2]));
-                                    phi_6349_ = type_36(0u, 4u);
-                                    phi_6352_ = _e4258;
-                                    phi_6354_ = _e4258;
+                                    let _e4244 = phi_6334_;
+                                    let _e4245 = (_e3777 - _e3762);
+                                    let _e4246 = (_e3778 - _e3763);
+                                    let _e4247 = (_e3779 - _e3764);
+                                    let _e4250 = ((_e3785 * _e4247) - (_e3788 * _e4246));
+                                    let _e4253 = ((_e3788 * _e4245) - (_e3782 * _e4247));
+                                    let _e4256 = ((_e3782 * _e4246) - (_e3785 * _e4245));
+                                    let _e4258 = local_2[0u];
+                                    let _e4266 = (((_e4250 * _e4258[0]) + (_e4253 * _e4258[1])) + (_e4256 * _e4258[2]));
+                                    phi_6367_ = type_36(0u, 4u);
+                                    phi_6370_ = _e4266;
+                                    phi_6372_ = _e4266;
                                     loop {
-                                        let _e4260 = phi_6349_;
-                                        let _e4262 = phi_6352_;
-                                        let _e4264 = phi_6354_;
-                                        local_62 = _e4262;
-                                        local_63 = _e4264;
-                                        local_78 = _e4264;
-                                        if (_e4260.member < _e4260.member_1) {
-                                            phi_6350_ = type_36((_e4260.member + 1u), _e4260.member_1);
-                                            phi_6377_ = type_36(1u, _e4260.member);
+                                        let _e4268 = phi_6367_;
+                                        let _e4270 = phi_6370_;
+                                        let _e4272 = phi_6372_;
+                                        local_62 = _e4270;
+                                        local_63 = _e4272;
+                                        local_78 = _e4272;
+                                        if (_e4268.member < _e4268.member_1) {
+                                            phi_6368_ = type_36((_e4268.member + 1u), _e4268.member_1);
+                                            phi_6395_ = type_36(1u, _e4268.member);
                                         } else {
-                                            phi_6350_ = _e4260;
-                                            phi_6377_ = type_36(0u, type_36().member_1);
+                                            phi_6368_ = _e4268;
+                                            phi_6395_ = type_36(0u, type_36().member_1);
                                         }
-                                        let _e4278 = phi_6350_;
-                                        let _e4280 = phi_6377_;
-                                        let _e4284 = (bitcast<i32>(_e4280.member) != 0i);
-                                        if _e4284 {
-                                            if (_e4280.member_1 < 4u) {
+                                        let _e4286 = phi_6368_;
+                                        let _e4288 = phi_6395_;
+                                        let _e4292 = (bitcast<i32>(_e4288.member) != 0i);
+                                        if _e4292 {
+                                            if (_e4288.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e4287 = local_2[_e4280.member_1];
-                                            let _e4295 = (((_e4242 * _e4287[0]) + (_e4245 * _e4287[1])) + (_e4248 * _e4287[2]));
-                                            if (_e4280.member_1 < 4u) {
+                                            let _e4295 = local_2[_e4288.member_1];
+                                            let _e4303 = (((_e4250 * _e4295[0]) + (_e4253 * _e4295[1])) + (_e4256 * _e4295[2]));
+                                            if (_e4288.member_1 < 4u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e4298 = local_3[_e4280.member_1];
-                                            let _e4306 = (((_e4242 * _e4298[0]) + (_e4245 * _e4298[1])) + (_e4248 * _e4298[2]));
-                                            if (_e4264 < _e4295) {
-                                                phi_6427_ = _e4264;
+                                            let _e4306 = local_3[_e4288.member_1];
+                                            let _e4314 = (((_e4250 * _e4306[0]) + (_e4253 * _e4306[1])) + (_e4256 * _e4306[2]));
+                                            if (_e4272 < _e4303) {
+                                                phi_6445_ = _e4272;
                                             } else {
-                                                phi_6427_ = _e4295;
+                                                phi_6445_ = _e4303;
                                             }
-                                            let _e4309 = phi_6427_;
-                                            if (_e4309 < _e4306) {
-                                                phi_6432_ = _e4309;
+                                            let _e4317 = phi_6445_;
+                                            if (_e4317 < _e4314) {
+                                                phi_6450_ = _e4317;
                                             } else {
-                                                phi_6432_ = _e4306;
+                                                phi_6450_ = _e4314;
                                             }
-                                            let _e4312 = phi_6432_;
-                                            if (_e4262 > _e4295) {
-                                                phi_6437_ = _e4262;
+                                            let _e4320 = phi_6450_;
+                                            if (_e4270 > _e4303) {
+                                                phi_6455_ = _e4270;
                                             } else {
-                                                phi_6437_ = _e4295;
+                                                phi_6455_ = _e4303;
                                             }
-                                            let _e4315 = phi_6437_;
-                                            if (_e4315 > _e4306) {
-                                                phi_6442_ = _e4315;
+                                            let _e4323 = phi_6455_;
+                                            if (_e4323 > _e4314) {
+                                                phi_6460_ = _e4323;
                                             } else {
-                                                phi_6442_ = _e4306;
+                                                phi_6460_ = _e4314;
                                             }
-                                            let _e4318 = phi_6442_;
-                                            phi_6353_ = _e4318;
-                                            phi_6355_ = _e4312;
+                                            let _e4326 = phi_6460_;
+                                            phi_6371_ = _e4326;
+                                            phi_6373_ = _e4320;
                                         } else {
-                                            phi_6353_ = f32();
-                                            phi_6355_ = f32();
+                                            phi_6371_ = f32();
+                                            phi_6373_ = f32();
                                         }
-                                        let _e4320 = phi_6353_;
-                                        let _e4322 = phi_6355_;
+                                        let _e4328 = phi_6371_;
+                                        let _e4330 = phi_6373_;
                                         continue;
                                         continuing {
-                                            phi_6349_ = _e4278;
-                                            phi_6352_ = _e4320;
-                                            phi_6354_ = _e4322;
-                                            break if !(_e4284);
+                                            phi_6367_ = _e4286;
+                                            phi_6370_ = _e4328;
+                                            phi_6372_ = _e4330;
+                                            break if !(_e4292);
                                         }
                                     }
-                                    if (_e4242 < 0f) {
-                                        phi_6448_ = -(_e4242);
+                                    if (_e4250 < 0f) {
+                                        phi_6466_ = -(_e4250);
                                     } else {
-                                        phi_6448_ = _e4242;
+                                        phi_6466_ = _e4250;
                                     }
-                                    let _e4327 = phi_6448_;
-                                    if (_e4245 < 0f) {
-                                        phi_6454_ = -(_e4245);
+                                    let _e4335 = phi_6466_;
+                                    if (_e4253 < 0f) {
+                                        phi_6472_ = -(_e4253);
                                     } else {
-                                        phi_6454_ = _e4245;
+                                        phi_6472_ = _e4253;
                                     }
-                                    let _e4331 = phi_6454_;
-                                    if (_e4248 < 0f) {
-                                        phi_6461_ = -(_e4248);
+                                    let _e4339 = phi_6472_;
+                                    if (_e4256 < 0f) {
+                                        phi_6479_ = -(_e4256);
                                     } else {
-                                        phi_6461_ = _e4248;
+                                        phi_6479_ = _e4256;
                                     }
-                                    let _e4336 = phi_6461_;
-                                    let _e4337 = ((_e4327 + _e4331) + _e4336);
-                                    let _e4342 = local_62;
-                                    let _e4343 = -(_e4342);
-                                    let _e4345 = local_63;
-                                    if (_e4345 > _e4343) {
-                                        let _e6007 = local_78;
-                                        phi_6471_ = _e6007;
+                                    let _e4344 = phi_6479_;
+                                    let _e4345 = ((_e4335 + _e4339) + _e4344);
+                                    let _e4350 = local_62;
+                                    let _e4351 = -(_e4350);
+                                    let _e4353 = local_63;
+                                    if (_e4353 > _e4351) {
+                                        let _e6023 = local_78;
+                                        phi_6489_ = _e6023;
                                     } else {
-                                        phi_6471_ = _e4343;
+                                        phi_6489_ = _e4351;
                                     }
-                                    let _e4348 = phi_6471_;
-                                    let _e4353 = (((_e4348 - ((_e4337 * _e3998) * (0.000000059604645f * 17f))) - (_e4337 * _e4005)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e4236 > _e4353) {
-                                        phi_6481_ = _e4236;
+                                    let _e4356 = phi_6489_;
+                                    let _e4361 = (((_e4356 - ((_e4345 * _e4006) * (0.000000059604645f * 17f))) - (_e4345 * _e4013)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e4244 > _e4361) {
+                                        phi_6499_ = _e4244;
                                     } else {
-                                        phi_6481_ = _e4353;
+                                        phi_6499_ = _e4361;
                                     }
-                                    let _e4356 = phi_6481_;
-                                    phi_6484_ = (_e4356 > 0f);
+                                    let _e4364 = phi_6499_;
+                                    phi_6502_ = (_e4364 > 0f);
                                 }
-                                let _e4359 = phi_6484_;
-                                if _e4359 {
-                                    let _e4363 = local_4[1u].member_1[0u];
-                                    let _e4369 = local_4[1u].member_2[0u];
-                                    let _e4375 = ((_e4363[1] * _e4369[2]) - (_e4363[2] * _e4369[1]));
-                                    let _e4378 = ((_e4363[2] * _e4369[0]) - (_e4363[0] * _e4369[2]));
-                                    let _e4381 = ((_e4363[0] * _e4369[1]) - (_e4363[1] * _e4369[0]));
-                                    let _e4384 = local_4[1u].member_1[1u];
-                                    let _e4390 = local_4[1u].member_2[1u];
-                                    let _e4396 = ((_e4384[1] * _e4390[2]) - (_e4384[2] * _e4390[1]));
-                                    let _e4399 = ((_e4384[2] * _e4390[0]) - (_e4384[0] * _e4390[2]));
-                                    let _e4402 = ((_e4384[0] * _e4390[1]) - (_e4384[1] * _e4390[0]));
-                                    let _e4405 = local_4[1u].member_1[0u];
-                                    let _e4411 = local_4[1u].member_2[1u];
-                                    let _e4426 = local_4[1u].member_1[1u];
-                                    let _e4432 = local_4[1u].member_2[0u];
-                                    let _e4445 = (((_e4405[1] * _e4411[2]) - (_e4405[2] * _e4411[1])) + ((_e4426[1] * _e4432[2]) - (_e4426[2] * _e4432[1])));
-                                    let _e4446 = (((_e4405[2] * _e4411[0]) - (_e4405[0] * _e4411[2])) + ((_e4426[2] * _e4432[0]) - (_e4426[0] * _e4432[2])));
-                                    let _e4447 = (((_e4405[0] * _e4411[1]) - (_e4405[1] * _e4411[0])) + ((_e4426[0] * _e4432[1]) - (_e4426[1] * _e4432[0])));
-                                    let _e4450 = local_4[1u].member[0u];
-                                    let _e4461 = local_4[1u].member[1u];
-                                    let _e4472 = local_4[1u].member[0u];
-                                    let _e4481 = ((((_e4461[0] * _e4375) + (_e4461[1] * _e4378)) + (_e4461[2] * _e4381)) + (((_e4472[0] * _e4445) + (_e4472[1] * _e4446)) + (_e4472[2] * _e4447)));
-                                    let _e4484 = local_4[1u].member[0u];
-                                    let _e4495 = local_4[1u].member[1u];
-                                    let _e4504 = ((((_e4484[0] * _e4396) + (_e4484[1] * _e4399)) + (_e4484[2] * _e4402)) + (((_e4495[0] * _e4445) + (_e4495[1] * _e4446)) + (_e4495[2] * _e4447)));
-                                    let _e4507 = local_4[1u].member[1u];
-                                    let _e4518 = local_4[1u].member[0u];
-                                    if (_e4518[0] < 0f) {
-                                        phi_6730_ = -(_e4518[0]);
+                                let _e4367 = phi_6502_;
+                                if _e4367 {
+                                    let _e4371 = local_4[1u].member_1[0u];
+                                    let _e4377 = local_4[1u].member_2[0u];
+                                    let _e4383 = ((_e4371[1] * _e4377[2]) - (_e4371[2] * _e4377[1]));
+                                    let _e4386 = ((_e4371[2] * _e4377[0]) - (_e4371[0] * _e4377[2]));
+                                    let _e4389 = ((_e4371[0] * _e4377[1]) - (_e4371[1] * _e4377[0]));
+                                    let _e4392 = local_4[1u].member_1[1u];
+                                    let _e4398 = local_4[1u].member_2[1u];
+                                    let _e4404 = ((_e4392[1] * _e4398[2]) - (_e4392[2] * _e4398[1]));
+                                    let _e4407 = ((_e4392[2] * _e4398[0]) - (_e4392[0] * _e4398[2]));
+                                    let _e4410 = ((_e4392[0] * _e4398[1]) - (_e4392[1] * _e4398[0]));
+                                    let _e4413 = local_4[1u].member_1[0u];
+                                    let _e4419 = local_4[1u].member_2[1u];
+                                    let _e4434 = local_4[1u].member_1[1u];
+                                    let _e4440 = local_4[1u].member_2[0u];
+                                    let _e4453 = (((_e4413[1] * _e4419[2]) - (_e4413[2] * _e4419[1])) + ((_e4434[1] * _e4440[2]) - (_e4434[2] * _e4440[1])));
+                                    let _e4454 = (((_e4413[2] * _e4419[0]) - (_e4413[0] * _e4419[2])) + ((_e4434[2] * _e4440[0]) - (_e4434[0] * _e4440[2])));
+                                    let _e4455 = (((_e4413[0] * _e4419[1]) - (_e4413[1] * _e4419[0])) + ((_e4434[0] * _e4440[1]) - (_e4434[1] * _e4440[0])));
+                                    let _e4458 = local_4[1u].member[0u];
+                                    let _e4469 = local_4[1u].member[1u];
+                                    let _e4480 = local_4[1u].member[0u];
+                                    let _e4489 = ((((_e4469[0] * _e4383) + (_e4469[1] * _e4386)) + (_e4469[2] * _e4389)) + (((_e4480[0] * _e4453) + (_e4480[1] * _e4454)) + (_e4480[2] * _e4455)));
+                                    let _e4492 = local_4[1u].member[0u];
+                                    let _e4503 = local_4[1u].member[1u];
+                                    let _e4512 = ((((_e4492[0] * _e4404) + (_e4492[1] * _e4407)) + (_e4492[2] * _e4410)) + (((_e4503[0] * _e4453) + (_e4503[1] * _e4454)) + (_e4503[2] * _e4455)));
+                                    let _e4515 = local_4[1u].member[1u];
+                                    let _e4526 = local_4[1u].member[0u];
+                                    if (_e4526[0] < 0f) {
+                                        phi_6748_ = -(_e4526[0]);
                                     } else {
-                                        phi_6730_ = _e4518[0];
+                                        phi_6748_ = _e4526[0];
                                     }
-                                    let _e4525 = phi_6730_;
-                                    if (_e4518[1] < 0f) {
-                                        phi_6737_ = -(_e4518[1]);
+                                    let _e4533 = phi_6748_;
+                                    if (_e4526[1] < 0f) {
+                                        phi_6755_ = -(_e4526[1]);
                                     } else {
-                                        phi_6737_ = _e4518[1];
+                                        phi_6755_ = _e4526[1];
                                     }
-                                    let _e4529 = phi_6737_;
-                                    if (_e4525 > _e4529) {
-                                        phi_6742_ = _e4525;
+                                    let _e4537 = phi_6755_;
+                                    if (_e4533 > _e4537) {
+                                        phi_6760_ = _e4533;
                                     } else {
-                                        phi_6742_ = _e4529;
+                                        phi_6760_ = _e4537;
                                     }
-                                    let _e4532 = phi_6742_;
-                                    if (_e4518[2] < 0f) {
-                                        phi_6749_ = -(_e4518[2]);
+                                    let _e4540 = phi_6760_;
+                                    if (_e4526[2] < 0f) {
+                                        phi_6767_ = -(_e4526[2]);
                                     } else {
-                                        phi_6749_ = _e4518[2];
+                                        phi_6767_ = _e4526[2];
                                     }
-                                    let _e4536 = phi_6749_;
-                                    if (_e4532 > _e4536) {
-                                        phi_6754_ = _e4532;
+                                    let _e4544 = phi_6767_;
+                                    if (_e4540 > _e4544) {
+                                        phi_6772_ = _e4540;
                                     } else {
-                                        phi_6754_ = _e4536;
+                                        phi_6772_ = _e4544;
                                     }
-                                    let _e4539 = phi_6754_;
-                                    let _e4542 = local_4[1u].member[1u];
-                                    if (_e4542[0] < 0f) {
-                                        phi_6767_ = -(_e4542[0]);
+                                    let _e4547 = phi_6772_;
+                                    let _e4550 = local_4[1u].member[1u];
+                                    if (_e4550[0] < 0f) {
+                                        phi_6785_ = -(_e4550[0]);
                                     } else {
-                                        phi_6767_ = _e4542[0];
+                                        phi_6785_ = _e4550[0];
                                     }
-                                    let _e4549 = phi_6767_;
-                                    if (_e4542[1] < 0f) {
-                                        phi_6774_ = -(_e4542[1]);
+                                    let _e4557 = phi_6785_;
+                                    if (_e4550[1] < 0f) {
+                                        phi_6792_ = -(_e4550[1]);
                                     } else {
-                                        phi_6774_ = _e4542[1];
+                                        phi_6792_ = _e4550[1];
                                     }
-                                    let _e4553 = phi_6774_;
-                                    if (_e4549 > _e4553) {
-                                        phi_6779_ = _e4549;
+                                    let _e4561 = phi_6792_;
+                                    if (_e4557 > _e4561) {
+                                        phi_6797_ = _e4557;
                                     } else {
-                                        phi_6779_ = _e4553;
+                                        phi_6797_ = _e4561;
                                     }
-                                    let _e4556 = phi_6779_;
-                                    if (_e4542[2] < 0f) {
-                                        phi_6786_ = -(_e4542[2]);
+                                    let _e4564 = phi_6797_;
+                                    if (_e4550[2] < 0f) {
+                                        phi_6804_ = -(_e4550[2]);
                                     } else {
-                                        phi_6786_ = _e4542[2];
+                                        phi_6804_ = _e4550[2];
                                     }
-                                    let _e4560 = phi_6786_;
-                                    if (_e4556 > _e4560) {
-                                        phi_6791_ = _e4556;
+                                    let _e4568 = phi_6804_;
+                                    if (_e4564 > _e4568) {
+                                        phi_6809_ = _e4564;
                                     } else {
-                                        phi_6791_ = _e4560;
+                                        phi_6809_ = _e4568;
                                     }
-                                    let _e4563 = phi_6791_;
-                                    if (_e4539 > _e4563) {
-                                        phi_6796_ = _e4539;
+                                    let _e4571 = phi_6809_;
+                                    if (_e4547 > _e4571) {
+                                        phi_6814_ = _e4547;
                                     } else {
-                                        phi_6796_ = _e4563;
+                                        phi_6814_ = _e4571;
                                     }
-                                    let _e4566 = phi_6796_;
-                                    let _e4568 = local_4[1u].member_3;
-                                    let _e4569 = (_e4566 + _e4568);
-                                    let _e4572 = local_4[1u].member_1[0u];
-                                    if (_e4572[0] < 0f) {
-                                        phi_6813_ = -(_e4572[0]);
+                                    let _e4574 = phi_6814_;
+                                    let _e4576 = local_4[1u].member_3;
+                                    let _e4577 = (_e4574 + _e4576);
+                                    let _e4580 = local_4[1u].member_1[0u];
+                                    if (_e4580[0] < 0f) {
+                                        phi_6831_ = -(_e4580[0]);
                                     } else {
-                                        phi_6813_ = _e4572[0];
+                                        phi_6831_ = _e4580[0];
                                     }
-                                    let _e4579 = phi_6813_;
-                                    if (_e4572[1] < 0f) {
-                                        phi_6820_ = -(_e4572[1]);
+                                    let _e4587 = phi_6831_;
+                                    if (_e4580[1] < 0f) {
+                                        phi_6838_ = -(_e4580[1]);
                                     } else {
-                                        phi_6820_ = _e4572[1];
+                                        phi_6838_ = _e4580[1];
                                     }
-                                    let _e4583 = phi_6820_;
-                                    if (_e4579 > _e4583) {
-                                        phi_6825_ = _e4579;
+                                    let _e4591 = phi_6838_;
+                                    if (_e4587 > _e4591) {
+                                        phi_6843_ = _e4587;
                                     } else {
-                                        phi_6825_ = _e4583;
+                                        phi_6843_ = _e4591;
                                     }
-                                    let _e4586 = phi_6825_;
-                                    if (_e4572[2] < 0f) {
-                                        phi_6832_ = -(_e4572[2]);
+                                    let _e4594 = phi_6843_;
+                                    if (_e4580[2] < 0f) {
+                                        phi_6850_ = -(_e4580[2]);
                                     } else {
-                                        phi_6832_ = _e4572[2];
+                                        phi_6850_ = _e4580[2];
                                     }
-                                    let _e4590 = phi_6832_;
-                                    if (_e4586 > _e4590) {
-                                        phi_6837_ = _e4586;
+                                    let _e4598 = phi_6850_;
+                                    if (_e4594 > _e4598) {
+                                        phi_6855_ = _e4594;
                                     } else {
-                                        phi_6837_ = _e4590;
+                                        phi_6855_ = _e4598;
                                     }
-                                    let _e4593 = phi_6837_;
-                                    let _e4596 = local_4[1u].member_1[1u];
-                                    if (_e4596[0] < 0f) {
-                                        phi_6851_ = -(_e4596[0]);
+                                    let _e4601 = phi_6855_;
+                                    let _e4604 = local_4[1u].member_1[1u];
+                                    if (_e4604[0] < 0f) {
+                                        phi_6869_ = -(_e4604[0]);
                                     } else {
-                                        phi_6851_ = _e4596[0];
+                                        phi_6869_ = _e4604[0];
                                     }
-                                    let _e4603 = phi_6851_;
-                                    if (_e4596[1] < 0f) {
-                                        phi_6858_ = -(_e4596[1]);
+                                    let _e4611 = phi_6869_;
+                                    if (_e4604[1] < 0f) {
+                                        phi_6876_ = -(_e4604[1]);
                                     } else {
-                                        phi_6858_ = _e4596[1];
+                                        phi_6876_ = _e4604[1];
                                     }
-                                    let _e4607 = phi_6858_;
-                                    if (_e4603 > _e4607) {
-                                        phi_6863_ = _e4603;
+                                    let _e4615 = phi_6876_;
+                                    if (_e4611 > _e4615) {
+                                        phi_6881_ = _e4611;
                                     } else {
-                                        phi_6863_ = _e4607;
+                                        phi_6881_ = _e4615;
                                     }
-                                    let _e4610 = phi_6863_;
-                                    if (_e4596[2] < 0f) {
-                                        phi_6870_ = -(_e4596[2]);
+                                    let _e4618 = phi_6881_;
+                                    if (_e4604[2] < 0f) {
+                                        phi_6888_ = -(_e4604[2]);
                                     } else {
-                                        phi_6870_ = _e4596[2];
+                                        phi_6888_ = _e4604[2];
                                     }
-                                    let _e4614 = phi_6870_;
-                                    if (_e4610 > _e4614) {
-                                        phi_6875_ = _e4610;
+                                    let _e4622 = phi_6888_;
+                                    if (_e4618 > _e4622) {
+                                        phi_6893_ = _e4618;
                                     } else {
-                                        phi_6875_ = _e4614;
+                                        phi_6893_ = _e4622;
                                     }
-                                    let _e4617 = phi_6875_;
-                                    if (_e4593 > _e4617) {
-                                        phi_6880_ = _e4593;
+                                    let _e4625 = phi_6893_;
+                                    if (_e4601 > _e4625) {
+                                        phi_6898_ = _e4601;
                                     } else {
-                                        phi_6880_ = _e4617;
+                                        phi_6898_ = _e4625;
                                     }
-                                    let _e4620 = phi_6880_;
-                                    let _e4622 = local_4[1u].member_3;
-                                    let _e4623 = (_e4620 + _e4622);
-                                    let _e4626 = local_4[1u].member_2[0u];
-                                    if (_e4626[0] < 0f) {
-                                        phi_6897_ = -(_e4626[0]);
+                                    let _e4628 = phi_6898_;
+                                    let _e4630 = local_4[1u].member_3;
+                                    let _e4631 = (_e4628 + _e4630);
+                                    let _e4634 = local_4[1u].member_2[0u];
+                                    if (_e4634[0] < 0f) {
+                                        phi_6915_ = -(_e4634[0]);
                                     } else {
-                                        phi_6897_ = _e4626[0];
+                                        phi_6915_ = _e4634[0];
                                     }
-                                    let _e4633 = phi_6897_;
-                                    if (_e4626[1] < 0f) {
-                                        phi_6904_ = -(_e4626[1]);
+                                    let _e4641 = phi_6915_;
+                                    if (_e4634[1] < 0f) {
+                                        phi_6922_ = -(_e4634[1]);
                                     } else {
-                                        phi_6904_ = _e4626[1];
+                                        phi_6922_ = _e4634[1];
                                     }
-                                    let _e4637 = phi_6904_;
-                                    if (_e4633 > _e4637) {
-                                        phi_6909_ = _e4633;
+                                    let _e4645 = phi_6922_;
+                                    if (_e4641 > _e4645) {
+                                        phi_6927_ = _e4641;
                                     } else {
-                                        phi_6909_ = _e4637;
+                                        phi_6927_ = _e4645;
                                     }
-                                    let _e4640 = phi_6909_;
-                                    if (_e4626[2] < 0f) {
-                                        phi_6916_ = -(_e4626[2]);
+                                    let _e4648 = phi_6927_;
+                                    if (_e4634[2] < 0f) {
+                                        phi_6934_ = -(_e4634[2]);
                                     } else {
-                                        phi_6916_ = _e4626[2];
+                                        phi_6934_ = _e4634[2];
                                     }
-                                    let _e4644 = phi_6916_;
-                                    if (_e4640 > _e4644) {
-                                        phi_6921_ = _e4640;
+                                    let _e4652 = phi_6934_;
+                                    if (_e4648 > _e4652) {
+                                        phi_6939_ = _e4648;
                                     } else {
-                                        phi_6921_ = _e4644;
+                                        phi_6939_ = _e4652;
                                     }
-                                    let _e4647 = phi_6921_;
-                                    let _e4650 = local_4[1u].member_2[1u];
-                                    if (_e4650[0] < 0f) {
-                                        phi_6935_ = -(_e4650[0]);
+                                    let _e4655 = phi_6939_;
+                                    let _e4658 = local_4[1u].member_2[1u];
+                                    if (_e4658[0] < 0f) {
+                                        phi_6953_ = -(_e4658[0]);
                                     } else {
-                                        phi_6935_ = _e4650[0];
+                                        phi_6953_ = _e4658[0];
                                     }
-                                    let _e4657 = phi_6935_;
-                                    if (_e4650[1] < 0f) {
-                                        phi_6942_ = -(_e4650[1]);
+                                    let _e4665 = phi_6953_;
+                                    if (_e4658[1] < 0f) {
+                                        phi_6960_ = -(_e4658[1]);
                                     } else {
-                                        phi_6942_ = _e4650[1];
+                                        phi_6960_ = _e4658[1];
                                     }
-                                    let _e4661 = phi_6942_;
-                                    if (_e4657 > _e4661) {
-                                        phi_6947_ = _e4657;
+                                    let _e4669 = phi_6960_;
+                                    if (_e4665 > _e4669) {
+                                        phi_6965_ = _e4665;
                                     } else {
-                                        phi_6947_ = _e4661;
+                                        phi_6965_ = _e4669;
                                     }
-                                    let _e4664 = phi_6947_;
-                                    if (_e4650[2] < 0f) {
-                                        phi_6954_ = -(_e4650[2]);
+                                    let _e4672 = phi_6965_;
+                                    if (_e4658[2] < 0f) {
+                                        phi_6972_ = -(_e4658[2]);
                                     } else {
-                                        phi_6954_ = _e4650[2];
+                                        phi_6972_ = _e4658[2];
                                     }
-                                    let _e4668 = phi_6954_;
-                                    if (_e4664 > _e4668) {
-                                        phi_6959_ = _e4664;
+                                    let _e4676 = phi_6972_;
+                                    if (_e4672 > _e4676) {
+                                        phi_6977_ = _e4672;
                                     } else {
-                                        phi_6959_ = _e4668;
+                                        phi_6977_ = _e4676;
                                     }
-                                    let _e4671 = phi_6959_;
-                                    if (_e4647 > _e4671) {
-                                        phi_6964_ = _e4647;
+                                    let _e4679 = phi_6977_;
+                                    if (_e4655 > _e4679) {
+                                        phi_6982_ = _e4655;
                                     } else {
-                                        phi_6964_ = _e4671;
+                                        phi_6982_ = _e4679;
                                     }
-                                    let _e4674 = phi_6964_;
-                                    let _e4676 = local_4[1u].member_3;
-                                    let _e4677 = (_e4674 + _e4676);
-                                    let _e4679 = ((_e4623 * 8f) * _e4677);
-                                    let _e4686 = local_4[1u].member_3;
-                                    if (_e4375 < 0f) {
-                                        phi_6995_ = -(_e4375);
+                                    let _e4682 = phi_6982_;
+                                    let _e4684 = local_4[1u].member_3;
+                                    let _e4685 = (_e4682 + _e4684);
+                                    let _e4687 = ((_e4631 * 8f) * _e4685);
+                                    let _e4694 = local_4[1u].member_3;
+                                    if (_e4383 < 0f) {
+                                        phi_7013_ = -(_e4383);
                                     } else {
-                                        phi_6995_ = _e4375;
+                                        phi_7013_ = _e4383;
                                     }
-                                    let _e4703 = phi_6995_;
-                                    if (_e4378 < 0f) {
-                                        phi_7001_ = -(_e4378);
+                                    let _e4711 = phi_7013_;
+                                    if (_e4386 < 0f) {
+                                        phi_7019_ = -(_e4386);
                                     } else {
-                                        phi_7001_ = _e4378;
+                                        phi_7019_ = _e4386;
                                     }
-                                    let _e4707 = phi_7001_;
-                                    if (_e4381 < 0f) {
-                                        phi_7008_ = -(_e4381);
+                                    let _e4715 = phi_7019_;
+                                    if (_e4389 < 0f) {
+                                        phi_7026_ = -(_e4389);
                                     } else {
-                                        phi_7008_ = _e4381;
+                                        phi_7026_ = _e4389;
                                     }
-                                    let _e4712 = phi_7008_;
-                                    let _e4713 = ((_e4703 + _e4707) + _e4712);
-                                    if (_e4396 < 0f) {
-                                        phi_7015_ = -(_e4396);
+                                    let _e4720 = phi_7026_;
+                                    let _e4721 = ((_e4711 + _e4715) + _e4720);
+                                    if (_e4404 < 0f) {
+                                        phi_7033_ = -(_e4404);
                                     } else {
-                                        phi_7015_ = _e4396;
+                                        phi_7033_ = _e4404;
                                     }
-                                    let _e4717 = phi_7015_;
-                                    if (_e4399 < 0f) {
-                                        phi_7021_ = -(_e4399);
+                                    let _e4725 = phi_7033_;
+                                    if (_e4407 < 0f) {
+                                        phi_7039_ = -(_e4407);
                                     } else {
-                                        phi_7021_ = _e4399;
+                                        phi_7039_ = _e4407;
                                     }
-                                    let _e4721 = phi_7021_;
-                                    if (_e4402 < 0f) {
-                                        phi_7028_ = -(_e4402);
+                                    let _e4729 = phi_7039_;
+                                    if (_e4410 < 0f) {
+                                        phi_7046_ = -(_e4410);
                                     } else {
-                                        phi_7028_ = _e4402;
+                                        phi_7046_ = _e4410;
                                     }
-                                    let _e4726 = phi_7028_;
-                                    let _e4727 = ((_e4717 + _e4721) + _e4726);
-                                    if (_e4713 > _e4727) {
-                                        phi_7034_ = _e4713;
+                                    let _e4734 = phi_7046_;
+                                    let _e4735 = ((_e4725 + _e4729) + _e4734);
+                                    if (_e4721 > _e4735) {
+                                        phi_7052_ = _e4721;
                                     } else {
-                                        phi_7034_ = _e4727;
+                                        phi_7052_ = _e4735;
                                     }
-                                    let _e4730 = phi_7034_;
-                                    if (_e4445 < 0f) {
-                                        phi_7040_ = -(_e4445);
+                                    let _e4738 = phi_7052_;
+                                    if (_e4453 < 0f) {
+                                        phi_7058_ = -(_e4453);
                                     } else {
-                                        phi_7040_ = _e4445;
+                                        phi_7058_ = _e4453;
                                     }
-                                    let _e4734 = phi_7040_;
-                                    if (_e4446 < 0f) {
-                                        phi_7046_ = -(_e4446);
+                                    let _e4742 = phi_7058_;
+                                    if (_e4454 < 0f) {
+                                        phi_7064_ = -(_e4454);
                                     } else {
-                                        phi_7046_ = _e4446;
+                                        phi_7064_ = _e4454;
                                     }
-                                    let _e4738 = phi_7046_;
-                                    if (_e4447 < 0f) {
-                                        phi_7053_ = -(_e4447);
+                                    let _e4746 = phi_7064_;
+                                    if (_e4455 < 0f) {
+                                        phi_7071_ = -(_e4455);
                                     } else {
-                                        phi_7053_ = _e4447;
+                                        phi_7071_ = _e4455;
                                     }
-                                    let _e4743 = phi_7053_;
-                                    let _e4745 = (((_e4734 + _e4738) + _e4743) * 0.5f);
-                                    if (_e4730 > _e4745) {
-                                        phi_7060_ = _e4730;
+                                    let _e4751 = phi_7071_;
+                                    let _e4753 = (((_e4742 + _e4746) + _e4751) * 0.5f);
+                                    if (_e4738 > _e4753) {
+                                        phi_7078_ = _e4738;
                                     } else {
-                                        phi_7060_ = _e4745;
+                                        phi_7078_ = _e4753;
                                     }
-                                    let _e4748 = phi_7060_;
-                                    let _e4753 = local_4[1u].member_3;
-                                    let _e4766 = ((((_e4450[0] * _e4375) + (_e4450[1] * _e4378)) + (_e4450[2] * _e4381)) * 3f);
-                                    let _e4767 = ((((_e4507[0] * _e4396) + (_e4507[1] * _e4399)) + (_e4507[2] * _e4402)) * 3f);
-                                    if (_e4766 < _e4767) {
-                                        phi_7084_ = _e4766;
+                                    let _e4756 = phi_7078_;
+                                    let _e4761 = local_4[1u].member_3;
+                                    let _e4774 = ((((_e4458[0] * _e4383) + (_e4458[1] * _e4386)) + (_e4458[2] * _e4389)) * 3f);
+                                    let _e4775 = ((((_e4515[0] * _e4404) + (_e4515[1] * _e4407)) + (_e4515[2] * _e4410)) * 3f);
+                                    if (_e4774 < _e4775) {
+                                        phi_7102_ = _e4774;
                                     } else {
-                                        phi_7084_ = _e4767;
+                                        phi_7102_ = _e4775;
                                     }
-                                    let _e4770 = phi_7084_;
-                                    if (_e4481 < _e4504) {
-                                        phi_7089_ = _e4481;
+                                    let _e4778 = phi_7102_;
+                                    if (_e4489 < _e4512) {
+                                        phi_7107_ = _e4489;
                                     } else {
-                                        phi_7089_ = _e4504;
+                                        phi_7107_ = _e4512;
                                     }
-                                    let _e4773 = phi_7089_;
-                                    if (_e4770 < _e4773) {
-                                        phi_7094_ = _e4770;
+                                    let _e4781 = phi_7107_;
+                                    if (_e4778 < _e4781) {
+                                        phi_7112_ = _e4778;
                                     } else {
-                                        phi_7094_ = _e4773;
+                                        phi_7112_ = _e4781;
                                     }
-                                    let _e4776 = phi_7094_;
-                                    if (_e4766 > _e4767) {
-                                        phi_7099_ = _e4766;
+                                    let _e4784 = phi_7112_;
+                                    if (_e4774 > _e4775) {
+                                        phi_7117_ = _e4774;
                                     } else {
-                                        phi_7099_ = _e4767;
+                                        phi_7117_ = _e4775;
                                     }
-                                    let _e4779 = phi_7099_;
-                                    if (_e4481 > _e4504) {
-                                        phi_7104_ = _e4481;
+                                    let _e4787 = phi_7117_;
+                                    if (_e4489 > _e4512) {
+                                        phi_7122_ = _e4489;
                                     } else {
-                                        phi_7104_ = _e4504;
+                                        phi_7122_ = _e4512;
                                     }
-                                    let _e4782 = phi_7104_;
-                                    if (_e4779 > _e4782) {
-                                        phi_7109_ = _e4779;
+                                    let _e4790 = phi_7122_;
+                                    if (_e4787 > _e4790) {
+                                        phi_7127_ = _e4787;
                                     } else {
-                                        phi_7109_ = _e4782;
+                                        phi_7127_ = _e4790;
                                     }
-                                    let _e4785 = phi_7109_;
-                                    let _e4790 = -(_e4785);
-                                    if (_e4776 > _e4790) {
-                                        phi_7119_ = _e4776;
+                                    let _e4793 = phi_7127_;
+                                    let _e4798 = -(_e4793);
+                                    if (_e4784 > _e4798) {
+                                        phi_7137_ = _e4784;
                                     } else {
-                                        phi_7119_ = _e4790;
+                                        phi_7137_ = _e4798;
                                     }
-                                    let _e4793 = phi_7119_;
-                                    if ((_e4793 - ((((((_e4569 * 8f) * _e4679) * (0.000000059604645f * (490f / 64f))) + ((_e4686 * 19f) * ((_e4569 * (_e4623 + _e4677)) + (_e4623 * _e4677)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4569) * ((1f + _e4623) * (1f + _e4677))))) + ((_e2080 * (((_e4748 + (_e4679 * (0.000000059604645f * 4f))) + ((_e4753 * 6f) * (_e4623 + _e4677))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4623) * (1f + _e4677))))) * (3f * 1.0001f)))) > 0f) {
-                                        phi_8095_ = true;
+                                    let _e4801 = phi_7137_;
+                                    if ((_e4801 - ((((((_e4577 * 8f) * _e4687) * (0.000000059604645f * (490f / 64f))) + ((_e4694 * 19f) * ((_e4577 * (_e4631 + _e4685)) + (_e4631 * _e4685)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4577) * ((1f + _e4631) * (1f + _e4685))))) + ((_e2088 * (((_e4756 + (_e4687 * (0.000000059604645f * 4f))) + ((_e4761 * 6f) * (_e4631 + _e4685))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4631) * (1f + _e4685))))) * (3f * 1.0001f)))) > 0f) {
+                                        phi_8113_ = true;
                                     } else {
-                                        let _e4798 = local_4[1u].member_1[0u];
-                                        let _e4804 = local_4[1u].member_1[1u];
-                                        let _e4808 = (_e4798[0] + _e4804[0]);
-                                        let _e4809 = (_e4798[1] + _e4804[1]);
-                                        let _e4810 = (_e4798[2] + _e4804[2]);
-                                        let _e4813 = local_4[1u].member_2[0u];
-                                        let _e4819 = local_4[1u].member_2[1u];
-                                        let _e4823 = (_e4813[0] + _e4819[0]);
-                                        let _e4824 = (_e4813[1] + _e4819[1]);
-                                        let _e4825 = (_e4813[2] + _e4819[2]);
-                                        let _e4828 = ((_e4809 * _e4825) - (_e4810 * _e4824));
-                                        let _e4831 = ((_e4810 * _e4823) - (_e4808 * _e4825));
-                                        let _e4834 = ((_e4808 * _e4824) - (_e4809 * _e4823));
-                                        let _e4837 = local_4[1u].member[0u];
-                                        let _e4843 = local_4[1u].member_1[0u];
-                                        let _e4849 = local_4[1u].member_2[0u];
-                                        let _e4861 = local_4[1u].member[1u];
-                                        let _e4867 = local_4[1u].member_1[1u];
-                                        let _e4873 = local_4[1u].member_2[1u];
-                                        local = array<array<f32, 3>, 4>(_e4837, array<f32, 3>((_e4837[0] - _e4843[0]), (_e4837[1] - _e4843[1]), (_e4837[2] - _e4843[2])), array<f32, 3>((_e4837[0] - _e4849[0]), (_e4837[1] - _e4849[1]), (_e4837[2] - _e4849[2])), _e4837);
-                                        local_1 = array<array<f32, 3>, 4>(_e4861, array<f32, 3>((_e4861[0] - _e4867[0]), (_e4861[1] - _e4867[1]), (_e4861[2] - _e4867[2])), array<f32, 3>((_e4861[0] - _e4873[0]), (_e4861[1] - _e4873[1]), (_e4861[2] - _e4873[2])), _e4861);
-                                        let _e4891 = local_4[1u].member[0u];
-                                        if (_e4891[0] < 0f) {
-                                            phi_7370_ = -(_e4891[0]);
+                                        let _e4806 = local_4[1u].member_1[0u];
+                                        let _e4812 = local_4[1u].member_1[1u];
+                                        let _e4816 = (_e4806[0] + _e4812[0]);
+                                        let _e4817 = (_e4806[1] + _e4812[1]);
+                                        let _e4818 = (_e4806[2] + _e4812[2]);
+                                        let _e4821 = local_4[1u].member_2[0u];
+                                        let _e4827 = local_4[1u].member_2[1u];
+                                        let _e4831 = (_e4821[0] + _e4827[0]);
+                                        let _e4832 = (_e4821[1] + _e4827[1]);
+                                        let _e4833 = (_e4821[2] + _e4827[2]);
+                                        let _e4836 = ((_e4817 * _e4833) - (_e4818 * _e4832));
+                                        let _e4839 = ((_e4818 * _e4831) - (_e4816 * _e4833));
+                                        let _e4842 = ((_e4816 * _e4832) - (_e4817 * _e4831));
+                                        let _e4845 = local_4[1u].member[0u];
+                                        let _e4851 = local_4[1u].member_1[0u];
+                                        let _e4857 = local_4[1u].member_2[0u];
+                                        let _e4869 = local_4[1u].member[1u];
+                                        let _e4875 = local_4[1u].member_1[1u];
+                                        let _e4881 = local_4[1u].member_2[1u];
+                                        local = array<array<f32, 3>, 4>(_e4845, array<f32, 3>((_e4845[0] - _e4851[0]), (_e4845[1] - _e4851[1]), (_e4845[2] - _e4851[2])), array<f32, 3>((_e4845[0] - _e4857[0]), (_e4845[1] - _e4857[1]), (_e4845[2] - _e4857[2])), _e4845);
+                                        local_1 = array<array<f32, 3>, 4>(_e4869, array<f32, 3>((_e4869[0] - _e4875[0]), (_e4869[1] - _e4875[1]), (_e4869[2] - _e4875[2])), array<f32, 3>((_e4869[0] - _e4881[0]), (_e4869[1] - _e4881[1]), (_e4869[2] - _e4881[2])), _e4869);
+                                        let _e4899 = local_4[1u].member[0u];
+                                        if (_e4899[0] < 0f) {
+                                            phi_7388_ = -(_e4899[0]);
                                         } else {
-                                            phi_7370_ = _e4891[0];
+                                            phi_7388_ = _e4899[0];
                                         }
-                                        let _e4898 = phi_7370_;
-                                        if (_e4891[1] < 0f) {
-                                            phi_7377_ = -(_e4891[1]);
+                                        let _e4906 = phi_7388_;
+                                        if (_e4899[1] < 0f) {
+                                            phi_7395_ = -(_e4899[1]);
                                         } else {
-                                            phi_7377_ = _e4891[1];
+                                            phi_7395_ = _e4899[1];
                                         }
-                                        let _e4902 = phi_7377_;
-                                        if (_e4898 > _e4902) {
-                                            phi_7382_ = _e4898;
+                                        let _e4910 = phi_7395_;
+                                        if (_e4906 > _e4910) {
+                                            phi_7400_ = _e4906;
                                         } else {
-                                            phi_7382_ = _e4902;
+                                            phi_7400_ = _e4910;
                                         }
-                                        let _e4905 = phi_7382_;
-                                        if (_e4891[2] < 0f) {
-                                            phi_7389_ = -(_e4891[2]);
+                                        let _e4913 = phi_7400_;
+                                        if (_e4899[2] < 0f) {
+                                            phi_7407_ = -(_e4899[2]);
                                         } else {
-                                            phi_7389_ = _e4891[2];
+                                            phi_7407_ = _e4899[2];
                                         }
-                                        let _e4909 = phi_7389_;
-                                        if (_e4905 > _e4909) {
-                                            phi_7394_ = _e4905;
+                                        let _e4917 = phi_7407_;
+                                        if (_e4913 > _e4917) {
+                                            phi_7412_ = _e4913;
                                         } else {
-                                            phi_7394_ = _e4909;
+                                            phi_7412_ = _e4917;
                                         }
-                                        let _e4912 = phi_7394_;
-                                        let _e4915 = local_4[1u].member[1u];
-                                        if (_e4915[0] < 0f) {
-                                            phi_7407_ = -(_e4915[0]);
+                                        let _e4920 = phi_7412_;
+                                        let _e4923 = local_4[1u].member[1u];
+                                        if (_e4923[0] < 0f) {
+                                            phi_7425_ = -(_e4923[0]);
                                         } else {
-                                            phi_7407_ = _e4915[0];
+                                            phi_7425_ = _e4923[0];
                                         }
-                                        let _e4922 = phi_7407_;
-                                        if (_e4915[1] < 0f) {
-                                            phi_7414_ = -(_e4915[1]);
+                                        let _e4930 = phi_7425_;
+                                        if (_e4923[1] < 0f) {
+                                            phi_7432_ = -(_e4923[1]);
                                         } else {
-                                            phi_7414_ = _e4915[1];
+                                            phi_7432_ = _e4923[1];
                                         }
-                                        let _e4926 = phi_7414_;
-                                        if (_e4922 > _e4926) {
-                                            phi_7419_ = _e4922;
+                                        let _e4934 = phi_7432_;
+                                        if (_e4930 > _e4934) {
+                                            phi_7437_ = _e4930;
                                         } else {
-                                            phi_7419_ = _e4926;
+                                            phi_7437_ = _e4934;
                                         }
-                                        let _e4929 = phi_7419_;
-                                        if (_e4915[2] < 0f) {
-                                            phi_7426_ = -(_e4915[2]);
+                                        let _e4937 = phi_7437_;
+                                        if (_e4923[2] < 0f) {
+                                            phi_7444_ = -(_e4923[2]);
                                         } else {
-                                            phi_7426_ = _e4915[2];
+                                            phi_7444_ = _e4923[2];
                                         }
-                                        let _e4933 = phi_7426_;
-                                        if (_e4929 > _e4933) {
-                                            phi_7431_ = _e4929;
+                                        let _e4941 = phi_7444_;
+                                        if (_e4937 > _e4941) {
+                                            phi_7449_ = _e4937;
                                         } else {
-                                            phi_7431_ = _e4933;
+                                            phi_7449_ = _e4941;
                                         }
-                                        let _e4936 = phi_7431_;
-                                        if (_e4912 > _e4936) {
-                                            phi_7436_ = _e4912;
+                                        let _e4944 = phi_7449_;
+                                        if (_e4920 > _e4944) {
+                                            phi_7454_ = _e4920;
                                         } else {
-                                            phi_7436_ = _e4936;
+                                            phi_7454_ = _e4944;
                                         }
-                                        let _e4939 = phi_7436_;
-                                        let _e4941 = local_4[1u].member_3;
-                                        let _e4945 = local_4[1u].member_1[0u];
-                                        if (_e4945[0] < 0f) {
-                                            phi_7453_ = -(_e4945[0]);
+                                        let _e4947 = phi_7454_;
+                                        let _e4949 = local_4[1u].member_3;
+                                        let _e4953 = local_4[1u].member_1[0u];
+                                        if (_e4953[0] < 0f) {
+                                            phi_7471_ = -(_e4953[0]);
                                         } else {
-                                            phi_7453_ = _e4945[0];
+                                            phi_7471_ = _e4953[0];
                                         }
-                                        let _e4952 = phi_7453_;
-                                        if (_e4945[1] < 0f) {
-                                            phi_7460_ = -(_e4945[1]);
+                                        let _e4960 = phi_7471_;
+                                        if (_e4953[1] < 0f) {
+                                            phi_7478_ = -(_e4953[1]);
                                         } else {
-                                            phi_7460_ = _e4945[1];
+                                            phi_7478_ = _e4953[1];
                                         }
-                                        let _e4956 = phi_7460_;
-                                        if (_e4952 > _e4956) {
-                                            phi_7465_ = _e4952;
+                                        let _e4964 = phi_7478_;
+                                        if (_e4960 > _e4964) {
+                                            phi_7483_ = _e4960;
                                         } else {
-                                            phi_7465_ = _e4956;
+                                            phi_7483_ = _e4964;
                                         }
-                                        let _e4959 = phi_7465_;
-                                        if (_e4945[2] < 0f) {
-                                            phi_7472_ = -(_e4945[2]);
+                                        let _e4967 = phi_7483_;
+                                        if (_e4953[2] < 0f) {
+                                            phi_7490_ = -(_e4953[2]);
                                         } else {
-                                            phi_7472_ = _e4945[2];
+                                            phi_7490_ = _e4953[2];
                                         }
-                                        let _e4963 = phi_7472_;
-                                        if (_e4959 > _e4963) {
-                                            phi_7477_ = _e4959;
+                                        let _e4971 = phi_7490_;
+                                        if (_e4967 > _e4971) {
+                                            phi_7495_ = _e4967;
                                         } else {
-                                            phi_7477_ = _e4963;
+                                            phi_7495_ = _e4971;
                                         }
-                                        let _e4966 = phi_7477_;
-                                        let _e4969 = local_4[1u].member_1[1u];
-                                        if (_e4969[0] < 0f) {
-                                            phi_7491_ = -(_e4969[0]);
+                                        let _e4974 = phi_7495_;
+                                        let _e4977 = local_4[1u].member_1[1u];
+                                        if (_e4977[0] < 0f) {
+                                            phi_7509_ = -(_e4977[0]);
                                         } else {
-                                            phi_7491_ = _e4969[0];
+                                            phi_7509_ = _e4977[0];
                                         }
-                                        let _e4976 = phi_7491_;
-                                        if (_e4969[1] < 0f) {
-                                            phi_7498_ = -(_e4969[1]);
+                                        let _e4984 = phi_7509_;
+                                        if (_e4977[1] < 0f) {
+                                            phi_7516_ = -(_e4977[1]);
                                         } else {
-                                            phi_7498_ = _e4969[1];
+                                            phi_7516_ = _e4977[1];
                                         }
-                                        let _e4980 = phi_7498_;
-                                        if (_e4976 > _e4980) {
-                                            phi_7503_ = _e4976;
+                                        let _e4988 = phi_7516_;
+                                        if (_e4984 > _e4988) {
+                                            phi_7521_ = _e4984;
                                         } else {
-                                            phi_7503_ = _e4980;
+                                            phi_7521_ = _e4988;
                                         }
-                                        let _e4983 = phi_7503_;
-                                        if (_e4969[2] < 0f) {
-                                            phi_7510_ = -(_e4969[2]);
+                                        let _e4991 = phi_7521_;
+                                        if (_e4977[2] < 0f) {
+                                            phi_7528_ = -(_e4977[2]);
                                         } else {
-                                            phi_7510_ = _e4969[2];
+                                            phi_7528_ = _e4977[2];
                                         }
-                                        let _e4987 = phi_7510_;
-                                        if (_e4983 > _e4987) {
-                                            phi_7515_ = _e4983;
+                                        let _e4995 = phi_7528_;
+                                        if (_e4991 > _e4995) {
+                                            phi_7533_ = _e4991;
                                         } else {
-                                            phi_7515_ = _e4987;
+                                            phi_7533_ = _e4995;
                                         }
-                                        let _e4990 = phi_7515_;
-                                        if (_e4966 > _e4990) {
-                                            phi_7520_ = _e4966;
+                                        let _e4998 = phi_7533_;
+                                        if (_e4974 > _e4998) {
+                                            phi_7538_ = _e4974;
                                         } else {
-                                            phi_7520_ = _e4990;
+                                            phi_7538_ = _e4998;
                                         }
-                                        let _e4993 = phi_7520_;
-                                        let _e4995 = local_4[1u].member_3;
-                                        let _e4999 = local_4[1u].member_2[0u];
-                                        if (_e4999[0] < 0f) {
-                                            phi_7537_ = -(_e4999[0]);
+                                        let _e5001 = phi_7538_;
+                                        let _e5003 = local_4[1u].member_3;
+                                        let _e5007 = local_4[1u].member_2[0u];
+                                        if (_e5007[0] < 0f) {
+                                            phi_7555_ = -(_e5007[0]);
                                         } else {
-                                            phi_7537_ = _e4999[0];
+                                            phi_7555_ = _e5007[0];
                                         }
-                                        let _e5006 = phi_7537_;
-                                        if (_e4999[1] < 0f) {
-                                            phi_7544_ = -(_e4999[1]);
+                                        let _e5014 = phi_7555_;
+                                        if (_e5007[1] < 0f) {
+                                            phi_7562_ = -(_e5007[1]);
                                         } else {
-                                            phi_7544_ = _e4999[1];
+                                            phi_7562_ = _e5007[1];
                                         }
-                                        let _e5010 = phi_7544_;
-                                        if (_e5006 > _e5010) {
-                                            phi_7549_ = _e5006;
+                                        let _e5018 = phi_7562_;
+                                        if (_e5014 > _e5018) {
+                                            phi_7567_ = _e5014;
                                         } else {
-                                            phi_7549_ = _e5010;
+                                            phi_7567_ = _e5018;
                                         }
-                                        let _e5013 = phi_7549_;
-                                        if (_e4999[2] < 0f) {
-                                            phi_7556_ = -(_e4999[2]);
+                                        let _e5021 = phi_7567_;
+                                        if (_e5007[2] < 0f) {
+                                            phi_7574_ = -(_e5007[2]);
                                         } else {
-                                            phi_7556_ = _e4999[2];
+                                            phi_7574_ = _e5007[2];
                                         }
-                                        let _e5017 = phi_7556_;
-                                        if (_e5013 > _e5017) {
-                                            phi_7561_ = _e5013;
+                                        let _e5025 = phi_7574_;
+                                        if (_e5021 > _e5025) {
+                                            phi_7579_ = _e5021;
                                         } else {
-                                            phi_7561_ = _e5017;
+                                            phi_7579_ = _e5025;
                                         }
-                                        let _e5020 = phi_7561_;
-                                        let _e5023 = local_4[1u].member_2[1u];
-                                        if (_e5023[0] < 0f) {
-                                            phi_7575_ = -(_e5023[0]);
+                                        let _e5028 = phi_7579_;
+                                        let _e5031 = local_4[1u].member_2[1u];
+                                        if (_e5031[0] < 0f) {
+                                            phi_7593_ = -(_e5031[0]);
                                         } else {
-                                            phi_7575_ = _e5023[0];
+                                            phi_7593_ = _e5031[0];
                                         }
-                                        let _e5030 = phi_7575_;
-                                        if (_e5023[1] < 0f) {
-                                            phi_7582_ = -(_e5023[1]);
+                                        let _e5038 = phi_7593_;
+                                        if (_e5031[1] < 0f) {
+                                            phi_7600_ = -(_e5031[1]);
                                         } else {
-                                            phi_7582_ = _e5023[1];
+                                            phi_7600_ = _e5031[1];
                                         }
-                                        let _e5034 = phi_7582_;
-                                        if (_e5030 > _e5034) {
-                                            phi_7587_ = _e5030;
+                                        let _e5042 = phi_7600_;
+                                        if (_e5038 > _e5042) {
+                                            phi_7605_ = _e5038;
                                         } else {
-                                            phi_7587_ = _e5034;
+                                            phi_7605_ = _e5042;
                                         }
-                                        let _e5037 = phi_7587_;
-                                        if (_e5023[2] < 0f) {
-                                            phi_7594_ = -(_e5023[2]);
+                                        let _e5045 = phi_7605_;
+                                        if (_e5031[2] < 0f) {
+                                            phi_7612_ = -(_e5031[2]);
                                         } else {
-                                            phi_7594_ = _e5023[2];
+                                            phi_7612_ = _e5031[2];
                                         }
-                                        let _e5041 = phi_7594_;
-                                        if (_e5037 > _e5041) {
-                                            phi_7599_ = _e5037;
+                                        let _e5049 = phi_7612_;
+                                        if (_e5045 > _e5049) {
+                                            phi_7617_ = _e5045;
                                         } else {
-                                            phi_7599_ = _e5041;
+                                            phi_7617_ = _e5049;
                                         }
-                                        let _e5044 = phi_7599_;
-                                        if (_e5020 > _e5044) {
-                                            phi_7604_ = _e5020;
+                                        let _e5052 = phi_7617_;
+                                        if (_e5028 > _e5052) {
+                                            phi_7622_ = _e5028;
                                         } else {
-                                            phi_7604_ = _e5044;
+                                            phi_7622_ = _e5052;
                                         }
-                                        let _e5047 = phi_7604_;
-                                        let _e5049 = local_4[1u].member_3;
-                                        let _e5052 = (((_e4939 + _e4941) + (_e4993 + _e4995)) + (_e5047 + _e5049));
-                                        let _e5055 = local_4[1u].member_3;
-                                        let _e5059 = (((_e2080 * 1.0001f) + (_e5055 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                        let _e5062 = ((_e4831 * _e4810) - (_e4834 * _e4809));
-                                        let _e5065 = ((_e4834 * _e4808) - (_e4828 * _e4810));
-                                        let _e5068 = ((_e4828 * _e4809) - (_e4831 * _e4808));
-                                        let _e5070 = local[0u];
-                                        let _e5078 = (((_e5062 * _e5070[0]) + (_e5065 * _e5070[1])) + (_e5068 * _e5070[2]));
-                                        phi_7642_ = type_36(0u, 4u);
-                                        phi_7645_ = _e5078;
-                                        phi_7647_ = _e5078;
+                                        let _e5055 = phi_7622_;
+                                        let _e5057 = local_4[1u].member_3;
+                                        let _e5060 = (((_e4947 + _e4949) + (_e5001 + _e5003)) + (_e5055 + _e5057));
+                                        let _e5063 = local_4[1u].member_3;
+                                        let _e5067 = (((_e2088 * 1.0001f) + (_e5063 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                        let _e5070 = ((_e4839 * _e4818) - (_e4842 * _e4817));
+                                        let _e5073 = ((_e4842 * _e4816) - (_e4836 * _e4818));
+                                        let _e5076 = ((_e4836 * _e4817) - (_e4839 * _e4816));
+                                        let _e5078 = local[0u];
+                                        let _e5086 = (((_e5070 * _e5078[0]) + (_e5073 * _e5078[1])) + (_e5076 * _e5078[2]));
+                                        phi_7660_ = type_36(0u, 4u);
+                                        phi_7663_ = _e5086;
+                                        phi_7665_ = _e5086;
                                         loop {
-                                            let _e5080 = phi_7642_;
-                                            let _e5082 = phi_7645_;
-                                            let _e5084 = phi_7647_;
-                                            local_64 = _e5082;
-                                            local_65 = _e5084;
-                                            local_79 = _e5084;
-                                            if (_e5080.member < _e5080.member_1) {
-                                                phi_7643_ = type_36((_e5080.member + 1u), _e5080.member_1);
-                                                phi_7670_ = type_36(1u, _e5080.member);
+                                            let _e5088 = phi_7660_;
+                                            let _e5090 = phi_7663_;
+                                            let _e5092 = phi_7665_;
+                                            local_64 = _e5090;
+                                            local_65 = _e5092;
+                                            local_79 = _e5092;
+                                            if (_e5088.member < _e5088.member_1) {
+                                                phi_7661_ = type_36((_e5088.member + 1u), _e5088.member_1);
+                                                phi_7688_ = type_36(1u, _e5088.member);
                                             } else {
-                                                phi_7643_ = _e5080;
-                                                phi_7670_ = type_36(0u, type_36().member_1);
+                                                phi_7661_ = _e5088;
+                                                phi_7688_ = type_36(0u, type_36().member_1);
                                             }
-                                            let _e5098 = phi_7643_;
-                                            let _e5100 = phi_7670_;
-                                            let _e5104 = (bitcast<i32>(_e5100.member) != 0i);
-                                            if _e5104 {
-                                                if (_e5100.member_1 < 4u) {
+                                            let _e5106 = phi_7661_;
+                                            let _e5108 = phi_7688_;
+                                            let _e5112 = (bitcast<i32>(_e5108.member) != 0i);
+                                            if _e5112 {
+                                                if (_e5108.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e5107 = local[_e5100.member_1];
-                                                let _e5115 = (((_e5062 * _e5107[0]) + (_e5065 * _e5107[1])) + (_e5068 * _e5107[2]));
-                                                if (_e5100.member_1 < 4u) {
+                                                let _e5115 = local[_e5108.member_1];
+                                                let _e5123 = (((_e5070 * _e5115[0]) + (_e5073 * _e5115[1])) + (_e5076 * _e5115[2]));
+                                                if (_e5108.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e5118 = local_1[_e5100.member_1];
-                                                let _e5126 = (((_e5062 * _e5118[0]) + (_e5065 * _e5118[1])) + (_e5068 * _e5118[2]));
-                                                if (_e5084 < _e5115) {
-                                                    phi_7720_ = _e5084;
+                                                let _e5126 = local_1[_e5108.member_1];
+                                                let _e5134 = (((_e5070 * _e5126[0]) + (_e5073 * _e5126[1])) + (_e5076 * _e5126[2]));
+                                                if (_e5092 < _e5123) {
+                                                    phi_7738_ = _e5092;
                                                 } else {
-                                                    phi_7720_ = _e5115;
+                                                    phi_7738_ = _e5123;
                                                 }
-                                                let _e5129 = phi_7720_;
-                                                if (_e5129 < _e5126) {
-                                                    phi_7725_ = _e5129;
+                                                let _e5137 = phi_7738_;
+                                                if (_e5137 < _e5134) {
+                                                    phi_7743_ = _e5137;
                                                 } else {
-                                                    phi_7725_ = _e5126;
+                                                    phi_7743_ = _e5134;
                                                 }
-                                                let _e5132 = phi_7725_;
-                                                if (_e5082 > _e5115) {
-                                                    phi_7730_ = _e5082;
+                                                let _e5140 = phi_7743_;
+                                                if (_e5090 > _e5123) {
+                                                    phi_7748_ = _e5090;
                                                 } else {
-                                                    phi_7730_ = _e5115;
+                                                    phi_7748_ = _e5123;
                                                 }
-                                                let _e5135 = phi_7730_;
-                                                if (_e5135 > _e5126) {
-                                                    phi_7735_ = _e5135;
+                                                let _e5143 = phi_7748_;
+                                                if (_e5143 > _e5134) {
+                                                    phi_7753_ = _e5143;
                                                 } else {
-                                                    phi_7735_ = _e5126;
+                                                    phi_7753_ = _e5134;
                                                 }
-                                                let _e5138 = phi_7735_;
-                                                phi_7646_ = _e5138;
-                                                phi_7648_ = _e5132;
+                                                let _e5146 = phi_7753_;
+                                                phi_7664_ = _e5146;
+                                                phi_7666_ = _e5140;
                                             } else {
-                                                phi_7646_ = f32();
-                                                phi_7648_ = f32();
+                                                phi_7664_ = f32();
+                                                phi_7666_ = f32();
                                             }
-                                            let _e5140 = phi_7646_;
-                                            let _e5142 = phi_7648_;
+                                            let _e5148 = phi_7664_;
+                                            let _e5150 = phi_7666_;
                                             continue;
                                             continuing {
-                                                phi_7642_ = _e5098;
-                                                phi_7645_ = _e5140;
-                                                phi_7647_ = _e5142;
-                                                break if !(_e5104);
+                                                phi_7660_ = _e5106;
+                                                phi_7663_ = _e5148;
+                                                phi_7665_ = _e5150;
+                                                break if !(_e5112);
                                             }
                                         }
-                                        if (_e5062 < 0f) {
-                                            phi_7741_ = -(_e5062);
+                                        if (_e5070 < 0f) {
+                                            phi_7759_ = -(_e5070);
                                         } else {
-                                            phi_7741_ = _e5062;
+                                            phi_7759_ = _e5070;
                                         }
-                                        let _e5147 = phi_7741_;
-                                        if (_e5065 < 0f) {
-                                            phi_7747_ = -(_e5065);
+                                        let _e5155 = phi_7759_;
+                                        if (_e5073 < 0f) {
+                                            phi_7765_ = -(_e5073);
                                         } else {
-                                            phi_7747_ = _e5065;
+                                            phi_7765_ = _e5073;
                                         }
-                                        let _e5151 = phi_7747_;
-                                        if (_e5068 < 0f) {
-                                            phi_7754_ = -(_e5068);
+                                        let _e5159 = phi_7765_;
+                                        if (_e5076 < 0f) {
+                                            phi_7772_ = -(_e5076);
                                         } else {
-                                            phi_7754_ = _e5068;
+                                            phi_7772_ = _e5076;
                                         }
-                                        let _e5156 = phi_7754_;
-                                        let _e5157 = ((_e5147 + _e5151) + _e5156);
-                                        let _e5162 = local_64;
-                                        let _e5163 = -(_e5162);
-                                        let _e5165 = local_65;
-                                        if (_e5165 > _e5163) {
-                                            let _e6112 = local_79;
-                                            phi_7764_ = _e6112;
+                                        let _e5164 = phi_7772_;
+                                        let _e5165 = ((_e5155 + _e5159) + _e5164);
+                                        let _e5170 = local_64;
+                                        let _e5171 = -(_e5170);
+                                        let _e5173 = local_65;
+                                        if (_e5173 > _e5171) {
+                                            let _e6128 = local_79;
+                                            phi_7782_ = _e6128;
                                         } else {
-                                            phi_7764_ = _e5163;
+                                            phi_7782_ = _e5171;
                                         }
-                                        let _e5168 = phi_7764_;
-                                        let _e5173 = (((_e5168 - ((_e5157 * _e5052) * (0.000000059604645f * 17f))) - (_e5157 * _e5059)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        let _e5176 = ((_e4831 * _e4825) - (_e4834 * _e4824));
-                                        let _e5179 = ((_e4834 * _e4823) - (_e4828 * _e4825));
-                                        let _e5182 = ((_e4828 * _e4824) - (_e4831 * _e4823));
-                                        let _e5184 = local[0u];
-                                        let _e5192 = (((_e5176 * _e5184[0]) + (_e5179 * _e5184[1])) + (_e5182 * _e5184[2]));
-                                        phi_7795_ = type_36(0u, 4u);
-                                        phi_7798_ = _e5192;
-                                        phi_7800_ = _e5192;
+                                        let _e5176 = phi_7782_;
+                                        let _e5181 = (((_e5176 - ((_e5165 * _e5060) * (0.000000059604645f * 17f))) - (_e5165 * _e5067)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        let _e5184 = ((_e4839 * _e4833) - (_e4842 * _e4832));
+                                        let _e5187 = ((_e4842 * _e4831) - (_e4836 * _e4833));
+                                        let _e5190 = ((_e4836 * _e4832) - (_e4839 * _e4831));
+                                        let _e5192 = local[0u];
+                                        let _e5200 = (((_e5184 * _e5192[0]) + (_e5187 * _e5192[1])) + (_e5190 * _e5192[2]));
+                                        phi_7813_ = type_36(0u, 4u);
+                                        phi_7816_ = _e5200;
+                                        phi_7818_ = _e5200;
                                         loop {
-                                            let _e5194 = phi_7795_;
-                                            let _e5196 = phi_7798_;
-                                            let _e5198 = phi_7800_;
-                                            local_66 = _e5196;
-                                            local_67 = _e5198;
-                                            local_80 = _e5198;
-                                            if (_e5194.member < _e5194.member_1) {
-                                                phi_7796_ = type_36((_e5194.member + 1u), _e5194.member_1);
-                                                phi_7823_ = type_36(1u, _e5194.member);
+                                            let _e5202 = phi_7813_;
+                                            let _e5204 = phi_7816_;
+                                            let _e5206 = phi_7818_;
+                                            local_66 = _e5204;
+                                            local_67 = _e5206;
+                                            local_80 = _e5206;
+                                            if (_e5202.member < _e5202.member_1) {
+                                                phi_7814_ = type_36((_e5202.member + 1u), _e5202.member_1);
+                                                phi_7841_ = type_36(1u, _e5202.member);
                                             } else {
-                                                phi_7796_ = _e5194;
-                                                phi_7823_ = type_36(0u, type_36().member_1);
+                                                phi_7814_ = _e5202;
+                                                phi_7841_ = type_36(0u, type_36().member_1);
                                             }
-                                            let _e5212 = phi_7796_;
-                                            let _e5214 = phi_7823_;
-                                            let _e5218 = (bitcast<i32>(_e5214.member) != 0i);
-                                            if _e5218 {
-                                                if (_e5214.member_1 < 4u) {
+                                            let _e5220 = phi_7814_;
+                                            let _e5222 = phi_7841_;
+                                            let _e5226 = (bitcast<i32>(_e5222.member) != 0i);
+                                            if _e5226 {
+                                                if (_e5222.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e5221 = local[_e5214.member_1];
-                                                let _e5229 = (((_e5176 * _e5221[0]) + (_e5179 * _e5221[1])) + (_e5182 * _e5221[2]));
-                                                if (_e5214.member_1 < 4u) {
+                                                let _e5229 = local[_e5222.member_1];
+                                                let _e5237 = (((_e5184 * _e5229[0]) + (_e5187 * _e5229[1])) + (_e5190 * _e5229[2]));
+                                                if (_e5222.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e5232 = local_1[_e5214.member_1];
-                                                let _e5240 = (((_e5176 * _e5232[0]) + (_e5179 * _e5232[1])) + (_e5182 * _e5232[2]));
-                                                if (_e5198 < _e5229) {
-                                                    phi_7873_ = _e5198;
+                                                let _e5240 = local_1[_e5222.member_1];
+                                                let _e5248 = (((_e5184 * _e5240[0]) + (_e5187 * _e5240[1])) + (_e5190 * _e5240[2]));
+                                                if (_e5206 < _e5237) {
+                                                    phi_7891_ = _e5206;
                                                 } else {
-                                                    phi_7873_ = _e5229;
+                                                    phi_7891_ = _e5237;
                                                 }
-                                                let _e5243 = phi_7873_;
-                                                if (_e5243 < _e5240) {
-                                                    phi_7878_ = _e5243;
+                                                let _e5251 = phi_7891_;
+                                                if (_e5251 < _e5248) {
+                                                    phi_7896_ = _e5251;
                                                 } else {
-                                                    phi_7878_ = _e5240;
+                                                    phi_7896_ = _e5248;
                                                 }
-                                                let _e5246 = phi_7878_;
-                                                if (_e5196 > _e5229) {
-                                                    phi_7883_ = _e5196;
+                                                let _e5254 = phi_7896_;
+                                                if (_e5204 > _e5237) {
+                                                    phi_7901_ = _e5204;
                                                 } else {
-                                                    phi_7883_ = _e5229;
+                                                    phi_7901_ = _e5237;
                                                 }
-                                                let _e5249 = phi_7883_;
-                                                if (_e5249 > _e5240) {
-                                                    phi_7888_ = _e5249;
+                                                let _e5257 = phi_7901_;
+                                                if (_e5257 > _e5248) {
+                                                    phi_7906_ = _e5257;
                                                 } else {
-                                                    phi_7888_ = _e5240;
+                                                    phi_7906_ = _e5248;
                                                 }
-                                                let _e5252 = phi_7888_;
-                                                phi_7799_ = _e5252;
-                                                phi_7801_ = _e5246;
+                                                let _e5260 = phi_7906_;
+                                                phi_7817_ = _e5260;
+                                                phi_7819_ = _e5254;
                                             } else {
-                                                phi_7799_ = f32();
-                                                phi_7801_ = f32();
+                                                phi_7817_ = f32();
+                                                phi_7819_ = f32();
                                             }
-                                            let _e5254 = phi_7799_;
-                                            let _e5256 = phi_7801_;
+                                            let _e5262 = phi_7817_;
+                                            let _e5264 = phi_7819_;
                                             continue;
                                             continuing {
-                                                phi_7795_ = _e5212;
-                                                phi_7798_ = _e5254;
-                                                phi_7800_ = _e5256;
-                                                break if !(_e5218);
+                                                phi_7813_ = _e5220;
+                                                phi_7816_ = _e5262;
+                                                phi_7818_ = _e5264;
+                                                break if !(_e5226);
                                             }
                                         }
-                                        if (_e5176 < 0f) {
-                                            phi_7894_ = -(_e5176);
+                                        if (_e5184 < 0f) {
+                                            phi_7912_ = -(_e5184);
                                         } else {
-                                            phi_7894_ = _e5176;
+                                            phi_7912_ = _e5184;
                                         }
-                                        let _e5261 = phi_7894_;
-                                        if (_e5179 < 0f) {
-                                            phi_7900_ = -(_e5179);
+                                        let _e5269 = phi_7912_;
+                                        if (_e5187 < 0f) {
+                                            phi_7918_ = -(_e5187);
                                         } else {
-                                            phi_7900_ = _e5179;
+                                            phi_7918_ = _e5187;
                                         }
-                                        let _e5265 = phi_7900_;
-                                        if (_e5182 < 0f) {
-                                            phi_7907_ = -(_e5182);
+                                        let _e5273 = phi_7918_;
+                                        if (_e5190 < 0f) {
+                                            phi_7925_ = -(_e5190);
                                         } else {
-                                            phi_7907_ = _e5182;
+                                            phi_7925_ = _e5190;
                                         }
-                                        let _e5270 = phi_7907_;
-                                        let _e5271 = ((_e5261 + _e5265) + _e5270);
-                                        let _e5276 = local_66;
-                                        let _e5277 = -(_e5276);
-                                        let _e5279 = local_67;
-                                        if (_e5279 > _e5277) {
-                                            let _e6131 = local_80;
-                                            phi_7917_ = _e6131;
+                                        let _e5278 = phi_7925_;
+                                        let _e5279 = ((_e5269 + _e5273) + _e5278);
+                                        let _e5284 = local_66;
+                                        let _e5285 = -(_e5284);
+                                        let _e5287 = local_67;
+                                        if (_e5287 > _e5285) {
+                                            let _e6147 = local_80;
+                                            phi_7935_ = _e6147;
                                         } else {
-                                            phi_7917_ = _e5277;
+                                            phi_7935_ = _e5285;
                                         }
-                                        let _e5282 = phi_7917_;
-                                        let _e5287 = (((_e5282 - ((_e5271 * _e5052) * (0.000000059604645f * 17f))) - (_e5271 * _e5059)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e5173 > _e5287) {
-                                            phi_7927_ = _e5173;
+                                        let _e5290 = phi_7935_;
+                                        let _e5295 = (((_e5290 - ((_e5279 * _e5060) * (0.000000059604645f * 17f))) - (_e5279 * _e5067)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e5181 > _e5295) {
+                                            phi_7945_ = _e5181;
                                         } else {
-                                            phi_7927_ = _e5287;
+                                            phi_7945_ = _e5295;
                                         }
-                                        let _e5290 = phi_7927_;
-                                        let _e5291 = (_e4823 - _e4808);
-                                        let _e5292 = (_e4824 - _e4809);
-                                        let _e5293 = (_e4825 - _e4810);
-                                        let _e5296 = ((_e4831 * _e5293) - (_e4834 * _e5292));
-                                        let _e5299 = ((_e4834 * _e5291) - (_e4828 * _e5293));
-                                        let _e5302 = ((_e4828 * _e5292) - (_e4831 * _e5291));
-                                        let _e5304 = local[0u];
-                                        let _e5312 = (((_e5296 * _e5304[0]) + (_e5299 * _e5304[1])) + (_e5302 * _e5304[2]));
-                                        phi_7960_ = type_36(0u, 4u);
-                                        phi_7963_ = _e5312;
-                                        phi_7965_ = _e5312;
+                                        let _e5298 = phi_7945_;
+                                        let _e5299 = (_e4831 - _e4816);
+                                        let _e5300 = (_e4832 - _e4817);
+                                        let _e5301 = (_e4833 - _e4818);
+                                        let _e5304 = ((_e4839 * _e5301) - (_e4842 * _e5300));
+                                        let _e5307 = ((_e4842 * _e5299) - (_e4836 * _e5301));
+                                        let _e5310 = ((_e4836 * _e5300) - (_e4839 * _e5299));
+                                        let _e5312 = local[0u];
+                                        let _e5320 = (((_e5304 * _e5312[0]) + (_e5307 * _e5312[1])) + (_e5310 * _e5312[2]));
+                                        phi_7978_ = type_36(0u, 4u);
+                                        phi_7981_ = _e5320;
+                                        phi_7983_ = _e5320;
                                         loop {
-                                            let _e5314 = phi_7960_;
-                                            let _e5316 = phi_7963_;
-                                            let _e5318 = phi_7965_;
-                                            local_68 = _e5316;
-                                            local_69 = _e5318;
-                                            local_81 = _e5318;
-                                            if (_e5314.member < _e5314.member_1) {
-                                                phi_7961_ = type_36((_e5314.member + 1u), _e5314.member_1);
-                                                phi_7988_ = type_36(1u, _e5314.member);
+                                            let _e5322 = phi_7978_;
+                                            let _e5324 = phi_7981_;
+                                            let _e5326 = phi_7983_;
+                                            local_68 = _e5324;
+                                            local_69 = _e5326;
+                                            local_81 = _e5326;
+                                            if (_e5322.member < _e5322.member_1) {
+                                                phi_7979_ = type_36((_e5322.member + 1u), _e5322.member_1);
+                                                phi_8006_ = type_36(1u, _e5322.member);
                                             } else {
-                                                phi_7961_ = _e5314;
-                                                phi_7988_ = type_36(0u, type_36().member_1);
+                                                phi_7979_ = _e5322;
+                                                phi_8006_ = type_36(0u, type_36().member_1);
                                             }
-                                            let _e5332 = phi_7961_;
-                                            let _e5334 = phi_7988_;
-                                            let _e5338 = (bitcast<i32>(_e5334.member) != 0i);
-                                            if _e5338 {
-                                                if (_e5334.member_1 < 4u) {
+                                            let _e5340 = phi_7979_;
+                                            let _e5342 = phi_8006_;
+                                            let _e5346 = (bitcast<i32>(_e5342.member) != 0i);
+                                            if _e5346 {
+                                                if (_e5342.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e5341 = local[_e5334.member_1];
-                                                let _e5349 = (((_e5296 * _e5341[0]) + (_e5299 * _e5341[1])) + (_e5302 * _e5341[2]));
-                                                if (_e5334.member_1 < 4u) {
+                                                let _e5349 = local[_e5342.member_1];
+                                                let _e5357 = (((_e5304 * _e5349[0]) + (_e5307 * _e5349[1])) + (_e5310 * _e5349[2]));
+                                                if (_e5342.member_1 < 4u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e5352 = local_1[_e5334.member_1];
-                                                let _e5360 = (((_e5296 * _e5352[0]) + (_e5299 * _e5352[1])) + (_e5302 * _e5352[2]));
-                                                if (_e5318 < _e5349) {
-                                                    phi_8038_ = _e5318;
+                                                let _e5360 = local_1[_e5342.member_1];
+                                                let _e5368 = (((_e5304 * _e5360[0]) + (_e5307 * _e5360[1])) + (_e5310 * _e5360[2]));
+                                                if (_e5326 < _e5357) {
+                                                    phi_8056_ = _e5326;
                                                 } else {
-                                                    phi_8038_ = _e5349;
+                                                    phi_8056_ = _e5357;
                                                 }
-                                                let _e5363 = phi_8038_;
-                                                if (_e5363 < _e5360) {
-                                                    phi_8043_ = _e5363;
+                                                let _e5371 = phi_8056_;
+                                                if (_e5371 < _e5368) {
+                                                    phi_8061_ = _e5371;
                                                 } else {
-                                                    phi_8043_ = _e5360;
+                                                    phi_8061_ = _e5368;
                                                 }
-                                                let _e5366 = phi_8043_;
-                                                if (_e5316 > _e5349) {
-                                                    phi_8048_ = _e5316;
+                                                let _e5374 = phi_8061_;
+                                                if (_e5324 > _e5357) {
+                                                    phi_8066_ = _e5324;
                                                 } else {
-                                                    phi_8048_ = _e5349;
+                                                    phi_8066_ = _e5357;
                                                 }
-                                                let _e5369 = phi_8048_;
-                                                if (_e5369 > _e5360) {
-                                                    phi_8053_ = _e5369;
+                                                let _e5377 = phi_8066_;
+                                                if (_e5377 > _e5368) {
+                                                    phi_8071_ = _e5377;
                                                 } else {
-                                                    phi_8053_ = _e5360;
+                                                    phi_8071_ = _e5368;
                                                 }
-                                                let _e5372 = phi_8053_;
-                                                phi_7964_ = _e5372;
-                                                phi_7966_ = _e5366;
+                                                let _e5380 = phi_8071_;
+                                                phi_7982_ = _e5380;
+                                                phi_7984_ = _e5374;
                                             } else {
-                                                phi_7964_ = f32();
-                                                phi_7966_ = f32();
+                                                phi_7982_ = f32();
+                                                phi_7984_ = f32();
                                             }
-                                            let _e5374 = phi_7964_;
-                                            let _e5376 = phi_7966_;
+                                            let _e5382 = phi_7982_;
+                                            let _e5384 = phi_7984_;
                                             continue;
                                             continuing {
-                                                phi_7960_ = _e5332;
-                                                phi_7963_ = _e5374;
-                                                phi_7965_ = _e5376;
-                                                break if !(_e5338);
+                                                phi_7978_ = _e5340;
+                                                phi_7981_ = _e5382;
+                                                phi_7983_ = _e5384;
+                                                break if !(_e5346);
                                             }
                                         }
-                                        if (_e5296 < 0f) {
-                                            phi_8059_ = -(_e5296);
+                                        if (_e5304 < 0f) {
+                                            phi_8077_ = -(_e5304);
                                         } else {
-                                            phi_8059_ = _e5296;
+                                            phi_8077_ = _e5304;
                                         }
-                                        let _e5381 = phi_8059_;
-                                        if (_e5299 < 0f) {
-                                            phi_8065_ = -(_e5299);
+                                        let _e5389 = phi_8077_;
+                                        if (_e5307 < 0f) {
+                                            phi_8083_ = -(_e5307);
                                         } else {
-                                            phi_8065_ = _e5299;
+                                            phi_8083_ = _e5307;
                                         }
-                                        let _e5385 = phi_8065_;
-                                        if (_e5302 < 0f) {
-                                            phi_8072_ = -(_e5302);
+                                        let _e5393 = phi_8083_;
+                                        if (_e5310 < 0f) {
+                                            phi_8090_ = -(_e5310);
                                         } else {
-                                            phi_8072_ = _e5302;
+                                            phi_8090_ = _e5310;
                                         }
-                                        let _e5390 = phi_8072_;
-                                        let _e5391 = ((_e5381 + _e5385) + _e5390);
-                                        let _e5396 = local_68;
-                                        let _e5397 = -(_e5396);
-                                        let _e5399 = local_69;
-                                        if (_e5399 > _e5397) {
-                                            let _e6151 = local_81;
-                                            phi_8082_ = _e6151;
+                                        let _e5398 = phi_8090_;
+                                        let _e5399 = ((_e5389 + _e5393) + _e5398);
+                                        let _e5404 = local_68;
+                                        let _e5405 = -(_e5404);
+                                        let _e5407 = local_69;
+                                        if (_e5407 > _e5405) {
+                                            let _e6167 = local_81;
+                                            phi_8100_ = _e6167;
                                         } else {
-                                            phi_8082_ = _e5397;
+                                            phi_8100_ = _e5405;
                                         }
-                                        let _e5402 = phi_8082_;
-                                        let _e5407 = (((_e5402 - ((_e5391 * _e5052) * (0.000000059604645f * 17f))) - (_e5391 * _e5059)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e5290 > _e5407) {
-                                            phi_8092_ = _e5290;
+                                        let _e5410 = phi_8100_;
+                                        let _e5415 = (((_e5410 - ((_e5399 * _e5060) * (0.000000059604645f * 17f))) - (_e5399 * _e5067)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e5298 > _e5415) {
+                                            phi_8110_ = _e5298;
                                         } else {
-                                            phi_8092_ = _e5407;
+                                            phi_8110_ = _e5415;
                                         }
-                                        let _e5410 = phi_8092_;
-                                        phi_8095_ = (_e5410 > 0f);
+                                        let _e5418 = phi_8110_;
+                                        phi_8113_ = (_e5418 > 0f);
                                     }
-                                    let _e5413 = phi_8095_;
-                                    phi_8096_ = _e5413;
+                                    let _e5421 = phi_8113_;
+                                    phi_8114_ = _e5421;
                                 } else {
-                                    phi_8096_ = false;
+                                    phi_8114_ = false;
                                 }
-                                let _e5415 = phi_8096_;
-                                phi_8098_ = !(_e5415);
+                                let _e5423 = phi_8114_;
+                                phi_8116_ = !(_e5423);
                             }
-                            let _e5418 = phi_8098_;
-                            if _e5418 {
-                                let _e5420 = atomicAdd((&counters[5u]), 1u);
-                                hits[_e1324] = ((2147483648u | (_e5420 << bitcast<u32>(12i))) | _e1327);
+                            let _e5426 = phi_8116_;
+                            if _e5426 {
+                                let _e5428 = atomicAdd((&counters[5u]), 1u);
+                                hits[_e1332] = ((2147483648u | (_e5428 << bitcast<u32>(12i))) | _e1335);
                             }
                         }
-                        phi_8108_ = true;
+                        phi_8126_ = true;
                     }
-                    let _e5427 = phi_8108_;
-                    phi_8109_ = _e5427;
+                    let _e5435 = phi_8126_;
+                    phi_8127_ = _e5435;
                 } else {
-                    phi_8109_ = false;
+                    phi_8127_ = false;
                 }
-                let _e5429 = phi_8109_;
+                let _e5437 = phi_8127_;
                 continue;
                 continuing {
-                    phi_1882_ = _e1316;
-                    break if !(_e5429);
+                    phi_1900_ = _e1324;
+                    break if !(_e5437);
                 }
             }
             workgroupBarrier();
             if (_e110 == 0u) {
-                let _e5433 = atomicLoad((&counters[5u]));
-                if (_e5433 > 0u) {
-                    let _e5436 = atomicAdd((&output.member[0u]), _e5433);
-                    atomicStore((&counters[6u]), _e5436);
+                let _e5441 = atomicLoad((&counters[5u]));
+                if (_e5441 > 0u) {
+                    let _e5444 = atomicAdd((&output.member[0u]), _e5441);
+                    if ((_e5444 + _e5441) < _e5444) {
+                        let _e5448 = atomicAdd((&output.member[2u]), 1u);
+                    }
+                    atomicStore((&counters[6u]), _e5444);
                 }
             }
             workgroupBarrier();
-            let _e5439 = atomicLoad((&counters[6u]));
+            let _e5451 = atomicLoad((&counters[6u]));
             if (_e110 == 0u) {
-                let _e5442 = atomicLoad((&counters[7u]));
-                if (_e5442 > 0u) {
-                    let _e5445 = atomicAdd((&output.member[1u]), _e5442);
+                let _e5454 = atomicLoad((&counters[7u]));
+                if (_e5454 > 0u) {
+                    let _e5457 = atomicAdd((&output.member[1u]), _e5454);
+                    if ((_e5457 + _e5454) < _e5457) {
+                        let _e5461 = atomicAdd((&output.member[3u]), 1u);
+                    }
                 }
             }
-            phi_8141_ = type_36(0u, 16u);
+            phi_8177_ = type_36(0u, 16u);
             loop {
-                let _e5447 = phi_8141_;
-                if (_e5447.member < _e5447.member_1) {
-                    phi_8142_ = type_36((_e5447.member + 1u), _e5447.member_1);
-                    phi_8165_ = type_36(1u, _e5447.member);
+                let _e5463 = phi_8177_;
+                if (_e5463.member < _e5463.member_1) {
+                    phi_8178_ = type_36((_e5463.member + 1u), _e5463.member_1);
+                    phi_8201_ = type_36(1u, _e5463.member);
                 } else {
-                    phi_8142_ = _e5447;
-                    phi_8165_ = type_36(0u, type_36().member_1);
+                    phi_8178_ = _e5463;
+                    phi_8201_ = type_36(0u, type_36().member_1);
                 }
-                let _e5461 = phi_8142_;
-                let _e5463 = phi_8165_;
-                if (bitcast<i32>(_e5463.member) != 0i) {
-                    let _e5469 = (_e110 + (_e5463.member_1 * 128u));
-                    if (_e5469 >= _e1300) {
-                        phi_8263_ = false;
+                let _e5477 = phi_8178_;
+                let _e5479 = phi_8201_;
+                if (bitcast<i32>(_e5479.member) != 0i) {
+                    let _e5485 = (_e110 + (_e5479.member_1 * 128u));
+                    if (_e5485 >= _e1308) {
+                        phi_8299_ = false;
                     } else {
-                        let _e5472 = hits[_e5469];
-                        if ((_e5472 & 2147483648u) == 0u) {
-                            phi_8188_ = 4294967295u;
+                        let _e5488 = hits[_e5485];
+                        if ((_e5488 & 2147483648u) == 0u) {
+                            phi_8224_ = 4294967295u;
                         } else {
-                            phi_8188_ = ((_e5472 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_8224_ = ((_e5488 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e5479 = phi_8188_;
-                        if (_e5479 != 4294967295u) {
-                            let _e5483 = ((_e5472 >> bitcast<u32>(10i)) & 3u);
-                            let _e5490 = firsts[(2u * _e5483)];
-                            let _e5493 = leaves.member[(_e5490 + ((_e5472 >> bitcast<u32>(5i)) & 31u))];
-                            let _e5497 = firsts[((2u * _e5483) + 1u)];
-                            let _e5500 = leaves.member[(_e5497 + (_e5472 & 31u))];
-                            let _e5504 = params.member.member_16;
-                            let _e5505 = (_e5439 + _e5479);
-                            if (_e5505 < _e5504) {
-                                atomicStore((&output.member[(4u + (2u * _e5505))]), _e5493.member_1);
-                                atomicStore((&output.member[((2u * _e5505) + 5u)]), _e5500.member_1);
+                        let _e5495 = phi_8224_;
+                        if (_e5495 != 4294967295u) {
+                            let _e5499 = ((_e5488 >> bitcast<u32>(10i)) & 3u);
+                            let _e5506 = firsts[(2u * _e5499)];
+                            let _e5509 = leaves.member[(_e5506 + ((_e5488 >> bitcast<u32>(5i)) & 31u))];
+                            let _e5513 = firsts[((2u * _e5499) + 1u)];
+                            let _e5516 = leaves.member[(_e5513 + (_e5488 & 31u))];
+                            let _e5520 = params.member.member_16;
+                            let _e5521 = (_e5451 + _e5495);
+                            if (_e5521 < _e5520) {
+                                atomicStore((&output.member[(4u + (2u * _e5521))]), _e5509.member_1);
+                                atomicStore((&output.member[((2u * _e5521) + 5u)]), _e5516.member_1);
                             }
                         }
-                        phi_8263_ = true;
+                        phi_8299_ = true;
                     }
-                    let _e5514 = phi_8263_;
-                    phi_8264_ = _e5514;
+                    let _e5530 = phi_8299_;
+                    phi_8300_ = _e5530;
                 } else {
-                    phi_8264_ = false;
+                    phi_8300_ = false;
                 }
-                let _e5516 = phi_8264_;
+                let _e5532 = phi_8300_;
                 continue;
                 continuing {
-                    phi_8141_ = _e5461;
-                    break if !(_e5516);
+                    phi_8177_ = _e5477;
+                    break if !(_e5532);
                 }
             }
             workgroupBarrier();

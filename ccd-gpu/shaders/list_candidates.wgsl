@@ -223,104 +223,104 @@ fn function_() {
     var phi_1776_: bool;
     var phi_1796_: type_36;
     var phi_1801_: type_36;
-    var phi_1823_: u32;
-    var phi_1824_: bool;
+    var phi_1841_: u32;
+    var phi_1842_: bool;
     var phi_769_: u32;
-    var phi_1825_: bool;
-    var phi_1832_: u32;
-    var phi_1835_: type_36;
-    var phi_1836_: type_36;
-    var phi_1859_: type_36;
-    var phi_2013_: bool;
-    var phi_2014_: bool;
-    var phi_2015_: bool;
-    var phi_2016_: bool;
-    var phi_2017_: bool;
-    var phi_2021_: bool;
-    var phi_1977_: bool;
-    var phi_1978_: bool;
-    var phi_1979_: bool;
-    var phi_1983_: bool;
-    var phi_2022_: bool;
-    var phi_2026_: bool;
-    var phi_2027_: bool;
-    var phi_2073_: bool;
-    var phi_2083_: bool;
-    var phi_2084_: bool;
-    var phi_2088_: bool;
-    var phi_2089_: bool;
-    var phi_2138_: type_36;
-    var phi_2141_: bool;
-    var phi_2139_: type_36;
-    var phi_2164_: type_36;
-    var phi_2221_: type_36;
-    var phi_2224_: array<u32, 2>;
-    var phi_2222_: type_36;
-    var phi_2247_: type_36;
-    var phi_2322_: bool;
-    var phi_2323_: bool;
-    var phi_2327_: array<u32, 2>;
-    var phi_2225_: array<u32, 2>;
-    var phi_2378_: type_36;
-    var phi_2381_: array<u32, 2>;
-    var phi_2379_: type_36;
-    var phi_2404_: type_36;
-    var phi_2480_: bool;
-    var phi_2481_: bool;
-    var phi_2485_: array<u32, 2>;
-    var phi_2382_: array<u32, 2>;
+    var phi_1843_: bool;
+    var phi_1850_: u32;
+    var phi_1853_: type_36;
+    var phi_1854_: type_36;
+    var phi_1877_: type_36;
+    var phi_2031_: bool;
+    var phi_2032_: bool;
+    var phi_2033_: bool;
+    var phi_2034_: bool;
+    var phi_2035_: bool;
+    var phi_2039_: bool;
+    var phi_1995_: bool;
+    var phi_1996_: bool;
+    var phi_1997_: bool;
+    var phi_2001_: bool;
+    var phi_2040_: bool;
+    var phi_2044_: bool;
+    var phi_2045_: bool;
+    var phi_2091_: bool;
+    var phi_2101_: bool;
+    var phi_2102_: bool;
+    var phi_2106_: bool;
+    var phi_2107_: bool;
+    var phi_2156_: type_36;
+    var phi_2159_: bool;
+    var phi_2157_: type_36;
+    var phi_2182_: type_36;
+    var phi_2239_: type_36;
+    var phi_2242_: array<u32, 2>;
+    var phi_2240_: type_36;
+    var phi_2265_: type_36;
+    var phi_2340_: bool;
+    var phi_2341_: bool;
+    var phi_2345_: array<u32, 2>;
+    var phi_2243_: array<u32, 2>;
+    var phi_2396_: type_36;
+    var phi_2399_: array<u32, 2>;
+    var phi_2397_: type_36;
+    var phi_2422_: type_36;
+    var phi_2498_: bool;
+    var phi_2499_: bool;
+    var phi_2503_: array<u32, 2>;
+    var phi_2400_: array<u32, 2>;
     var local_32: array<u32, 2>;
     var local_33: array<u32, 2>;
     var local_34: array<u32, 2>;
     var local_35: array<u32, 2>;
     var local_36: array<u32, 2>;
     var local_37: array<u32, 2>;
-    var phi_2501_: bool;
-    var phi_2502_: bool;
-    var phi_2553_: type_36;
-    var phi_2556_: array<u32, 2>;
-    var phi_2554_: type_36;
-    var phi_2579_: type_36;
-    var phi_2654_: bool;
-    var phi_2655_: bool;
-    var phi_2659_: array<u32, 2>;
-    var phi_2557_: array<u32, 2>;
-    var phi_2710_: type_36;
-    var phi_2713_: array<u32, 2>;
-    var phi_2711_: type_36;
-    var phi_2736_: type_36;
-    var phi_2812_: bool;
-    var phi_2813_: bool;
-    var phi_2817_: array<u32, 2>;
-    var phi_2714_: array<u32, 2>;
+    var phi_2519_: bool;
+    var phi_2520_: bool;
+    var phi_2571_: type_36;
+    var phi_2574_: array<u32, 2>;
+    var phi_2572_: type_36;
+    var phi_2597_: type_36;
+    var phi_2672_: bool;
+    var phi_2673_: bool;
+    var phi_2677_: array<u32, 2>;
+    var phi_2575_: array<u32, 2>;
+    var phi_2728_: type_36;
+    var phi_2731_: array<u32, 2>;
+    var phi_2729_: type_36;
+    var phi_2754_: type_36;
+    var phi_2830_: bool;
+    var phi_2831_: bool;
+    var phi_2835_: array<u32, 2>;
+    var phi_2732_: array<u32, 2>;
     var local_38: array<u32, 2>;
     var local_39: array<u32, 2>;
     var local_40: array<u32, 2>;
     var local_41: array<u32, 2>;
     var local_42: array<u32, 2>;
     var local_43: array<u32, 2>;
-    var phi_2833_: bool;
-    var phi_2834_: bool;
-    var phi_2142_: bool;
-    var phi_2838_: bool;
-    var phi_2839_: bool;
-    var phi_2840_: bool;
-    var phi_2844_: bool;
-    var phi_2845_: bool;
-    var phi_2846_: bool;
-    var phi_2847_: bool;
-    var phi_2848_: bool;
+    var phi_2851_: bool;
     var phi_2852_: bool;
-    var phi_2867_: bool;
-    var phi_2868_: bool;
-    var phi_2900_: type_36;
-    var phi_2901_: type_36;
-    var phi_2924_: type_36;
-    var phi_2947_: u32;
-    var phi_3001_: type_36;
-    var phi_3006_: type_36;
-    var phi_3022_: bool;
-    var phi_3023_: bool;
+    var phi_2160_: bool;
+    var phi_2856_: bool;
+    var phi_2857_: bool;
+    var phi_2858_: bool;
+    var phi_2862_: bool;
+    var phi_2863_: bool;
+    var phi_2864_: bool;
+    var phi_2865_: bool;
+    var phi_2866_: bool;
+    var phi_2870_: bool;
+    var phi_2885_: bool;
+    var phi_2886_: bool;
+    var phi_2936_: type_36;
+    var phi_2937_: type_36;
+    var phi_2960_: type_36;
+    var phi_2983_: u32;
+    var phi_3037_: type_36;
+    var phi_3042_: type_36;
+    var phi_3058_: bool;
+    var phi_3059_: bool;
     var local_44: u32;
     var local_45: bool;
     var local_46: bool;
@@ -646,8 +646,8 @@ fn function_() {
                 }
             }
             phi_765_ = type_36(0u, 32u);
-            let _e2230 = local_44;
-            phi_768_ = _e2230;
+            let _e2246 = local_44;
+            phi_768_ = _e2246;
             loop {
                 let _e501 = phi_765_;
                 let _e503 = phi_768_;
@@ -662,8 +662,8 @@ fn function_() {
                 let _e519 = phi_791_;
                 if (bitcast<i32>(_e519.member) != 0i) {
                     if (_e503 == 0u) {
-                        phi_1823_ = u32();
-                        phi_1824_ = false;
+                        phi_1841_ = u32();
+                        phi_1842_ = false;
                     } else {
                         let _e530 = names[((_e106 * 32u) + select(firstTrailingBit(_e503), 32u, (_e503 == 0u)))];
                         let _e533 = (_e230 + _e107);
@@ -1151,8 +1151,8 @@ fn function_() {
                                                 break if !(_e746);
                                             }
                                         }
-                                        let _e2306 = local_45;
-                                        phi_1762_ = _e2306;
+                                        let _e2322 = local_45;
+                                        phi_1762_ = _e2322;
                                     }
                                     let _e1249 = phi_1762_;
                                     phi_1763_ = _e1249;
@@ -1208,682 +1208,694 @@ fn function_() {
                             }
                             let _e1280 = phi_1801_;
                             let _e1284 = atomicAdd((&output.member[0u]), 1u);
+                            if ((_e1284 + 1u) < _e1284) {
+                                let _e1288 = atomicAdd((&output.member[2u]), 1u);
+                            }
                             if (_e1284 < _e1267) {
                                 atomicStore((&output.member[(4u + (2u * _e1284))]), _e1280.member);
                                 atomicStore((&output.member[((2u * _e1284) + 5u)]), _e1280.member_1);
                             }
-                            let _e1293 = atomicAdd((&output.member[1u]), 1u);
+                            let _e1297 = atomicAdd((&output.member[1u]), 1u);
+                            if ((_e1297 + 1u) < _e1297) {
+                                let _e1301 = atomicAdd((&output.member[3u]), 1u);
+                            }
                         }
-                        phi_1823_ = (_e503 & (_e503 - 1u));
-                        phi_1824_ = true;
+                        phi_1841_ = (_e503 & (_e503 - 1u));
+                        phi_1842_ = true;
                     }
-                    let _e1295 = phi_1823_;
-                    let _e1297 = phi_1824_;
-                    phi_769_ = _e1295;
-                    phi_1825_ = _e1297;
+                    let _e1303 = phi_1841_;
+                    let _e1305 = phi_1842_;
+                    phi_769_ = _e1303;
+                    phi_1843_ = _e1305;
                 } else {
                     phi_769_ = u32();
-                    phi_1825_ = false;
+                    phi_1843_ = false;
                 }
-                let _e1299 = phi_769_;
-                let _e1301 = phi_1825_;
+                let _e1307 = phi_769_;
+                let _e1309 = phi_1843_;
                 continue;
                 continuing {
                     phi_765_ = _e517;
-                    phi_768_ = _e1299;
-                    break if !(_e1301);
+                    phi_768_ = _e1307;
+                    break if !(_e1309);
                 }
             }
             workgroupBarrier();
-            let _e1304 = atomicLoad((&counters[4u]));
-            if (2048u < _e1304) {
-                phi_1832_ = 2048u;
+            let _e1312 = atomicLoad((&counters[4u]));
+            if (2048u < _e1312) {
+                phi_1850_ = 2048u;
             } else {
-                phi_1832_ = _e1304;
+                phi_1850_ = _e1312;
             }
-            let _e1307 = phi_1832_;
-            phi_1835_ = type_36(0u, 16u);
+            let _e1315 = phi_1850_;
+            phi_1853_ = type_36(0u, 16u);
             loop {
-                let _e1309 = phi_1835_;
-                if (_e1309.member < _e1309.member_1) {
-                    phi_1836_ = type_36((_e1309.member + 1u), _e1309.member_1);
-                    phi_1859_ = type_36(1u, _e1309.member);
+                let _e1317 = phi_1853_;
+                if (_e1317.member < _e1317.member_1) {
+                    phi_1854_ = type_36((_e1317.member + 1u), _e1317.member_1);
+                    phi_1877_ = type_36(1u, _e1317.member);
                 } else {
-                    phi_1836_ = _e1309;
-                    phi_1859_ = type_36(0u, type_36().member_1);
+                    phi_1854_ = _e1317;
+                    phi_1877_ = type_36(0u, type_36().member_1);
                 }
-                let _e1323 = phi_1836_;
-                let _e1325 = phi_1859_;
-                if (bitcast<i32>(_e1325.member) != 0i) {
-                    let _e1331 = (_e83 + (_e1325.member_1 * 128u));
-                    if (_e1331 >= _e1307) {
-                        phi_2867_ = false;
+                let _e1331 = phi_1854_;
+                let _e1333 = phi_1877_;
+                if (bitcast<i32>(_e1333.member) != 0i) {
+                    let _e1339 = (_e83 + (_e1333.member_1 * 128u));
+                    if (_e1339 >= _e1315) {
+                        phi_2885_ = false;
                     } else {
-                        let _e1334 = hits[_e1331];
-                        let _e1337 = ((_e1334 >> bitcast<u32>(10i)) & 3u);
-                        let _e1344 = firsts[(2u * _e1337)];
-                        let _e1345 = (_e1344 + ((_e1334 >> bitcast<u32>(5i)) & 31u));
-                        let _e1349 = firsts[((2u * _e1337) + 1u)];
-                        let _e1350 = (_e1349 + (_e1334 & 31u));
-                        let _e1352 = leaves.member[_e1345];
-                        let _e1354 = leaves.member[_e1350];
-                        local_18 = type_24(array<u32, 3>(_e1352.member[0], _e1352.member[1], _e1352.member[2]), _e1352.member_1);
-                        local_19 = type_24(array<u32, 3>(_e1354.member[0], _e1354.member[1], _e1354.member[2]), _e1354.member_1);
-                        let _e1370 = nodes.member[_e1345];
-                        let _e1372 = nodes.member[_e1350];
-                        let _e1374 = params.member.member_1;
-                        if ((_e1374 & 1u) != 0u) {
-                            let _e1378 = params.member.member_8;
-                            if (_e1378 == 0u) {
-                                let _e1422 = local_18.member[0u];
-                                let _e1425 = local_19.member[0u];
-                                if (_e1422 == _e1425) {
-                                    phi_1978_ = bool();
-                                    phi_1979_ = true;
+                        let _e1342 = hits[_e1339];
+                        let _e1345 = ((_e1342 >> bitcast<u32>(10i)) & 3u);
+                        let _e1352 = firsts[(2u * _e1345)];
+                        let _e1353 = (_e1352 + ((_e1342 >> bitcast<u32>(5i)) & 31u));
+                        let _e1357 = firsts[((2u * _e1345) + 1u)];
+                        let _e1358 = (_e1357 + (_e1342 & 31u));
+                        let _e1360 = leaves.member[_e1353];
+                        let _e1362 = leaves.member[_e1358];
+                        local_18 = type_24(array<u32, 3>(_e1360.member[0], _e1360.member[1], _e1360.member[2]), _e1360.member_1);
+                        local_19 = type_24(array<u32, 3>(_e1362.member[0], _e1362.member[1], _e1362.member[2]), _e1362.member_1);
+                        let _e1378 = nodes.member[_e1353];
+                        let _e1380 = nodes.member[_e1358];
+                        let _e1382 = params.member.member_1;
+                        if ((_e1382 & 1u) != 0u) {
+                            let _e1386 = params.member.member_8;
+                            if (_e1386 == 0u) {
+                                let _e1430 = local_18.member[0u];
+                                let _e1433 = local_19.member[0u];
+                                if (_e1430 == _e1433) {
+                                    phi_1996_ = bool();
+                                    phi_1997_ = true;
                                 } else {
-                                    let _e1429 = local_18.member[0u];
-                                    let _e1432 = local_19.member[1u];
-                                    let _e1433 = (_e1429 == _e1432);
-                                    if _e1433 {
-                                        phi_1977_ = bool();
+                                    let _e1437 = local_18.member[0u];
+                                    let _e1440 = local_19.member[1u];
+                                    let _e1441 = (_e1437 == _e1440);
+                                    if _e1441 {
+                                        phi_1995_ = bool();
                                     } else {
-                                        let _e1436 = local_18.member[0u];
-                                        let _e1439 = local_19.member[2u];
-                                        phi_1977_ = (_e1436 == _e1439);
+                                        let _e1444 = local_18.member[0u];
+                                        let _e1447 = local_19.member[2u];
+                                        phi_1995_ = (_e1444 == _e1447);
                                     }
-                                    let _e1442 = phi_1977_;
-                                    phi_1978_ = _e1442;
-                                    phi_1979_ = _e1433;
+                                    let _e1450 = phi_1995_;
+                                    phi_1996_ = _e1450;
+                                    phi_1997_ = _e1441;
                                 }
-                                let _e1444 = phi_1978_;
-                                let _e1446 = phi_1979_;
-                                if _e1446 {
-                                    phi_1983_ = true;
+                                let _e1452 = phi_1996_;
+                                let _e1454 = phi_1997_;
+                                if _e1454 {
+                                    phi_2001_ = true;
                                 } else {
-                                    phi_1983_ = _e1444;
+                                    phi_2001_ = _e1452;
                                 }
-                                let _e1448 = phi_1983_;
-                                phi_2022_ = _e1448;
+                                let _e1456 = phi_2001_;
+                                phi_2040_ = _e1456;
                             } else {
-                                let _e1382 = local_18.member[0u];
-                                let _e1385 = local_19.member[0u];
-                                if (_e1382 == _e1385) {
-                                    phi_2016_ = bool();
-                                    phi_2017_ = true;
+                                let _e1390 = local_18.member[0u];
+                                let _e1393 = local_19.member[0u];
+                                if (_e1390 == _e1393) {
+                                    phi_2034_ = bool();
+                                    phi_2035_ = true;
                                 } else {
-                                    let _e1389 = local_18.member[0u];
-                                    let _e1392 = local_19.member[1u];
-                                    if (_e1389 == _e1392) {
-                                        phi_2014_ = bool();
-                                        phi_2015_ = true;
+                                    let _e1397 = local_18.member[0u];
+                                    let _e1400 = local_19.member[1u];
+                                    if (_e1397 == _e1400) {
+                                        phi_2032_ = bool();
+                                        phi_2033_ = true;
                                     } else {
-                                        let _e1396 = local_18.member[1u];
-                                        let _e1399 = local_19.member[0u];
-                                        let _e1400 = (_e1396 == _e1399);
-                                        if _e1400 {
-                                            phi_2013_ = bool();
+                                        let _e1404 = local_18.member[1u];
+                                        let _e1407 = local_19.member[0u];
+                                        let _e1408 = (_e1404 == _e1407);
+                                        if _e1408 {
+                                            phi_2031_ = bool();
                                         } else {
-                                            let _e1403 = local_18.member[1u];
-                                            let _e1406 = local_19.member[1u];
-                                            phi_2013_ = (_e1403 == _e1406);
+                                            let _e1411 = local_18.member[1u];
+                                            let _e1414 = local_19.member[1u];
+                                            phi_2031_ = (_e1411 == _e1414);
                                         }
-                                        let _e1409 = phi_2013_;
-                                        phi_2014_ = _e1409;
-                                        phi_2015_ = _e1400;
+                                        let _e1417 = phi_2031_;
+                                        phi_2032_ = _e1417;
+                                        phi_2033_ = _e1408;
                                     }
-                                    let _e1411 = phi_2014_;
-                                    let _e1413 = phi_2015_;
-                                    phi_2016_ = _e1411;
-                                    phi_2017_ = _e1413;
+                                    let _e1419 = phi_2032_;
+                                    let _e1421 = phi_2033_;
+                                    phi_2034_ = _e1419;
+                                    phi_2035_ = _e1421;
                                 }
-                                let _e1415 = phi_2016_;
-                                let _e1417 = phi_2017_;
-                                if _e1417 {
-                                    phi_2021_ = true;
+                                let _e1423 = phi_2034_;
+                                let _e1425 = phi_2035_;
+                                if _e1425 {
+                                    phi_2039_ = true;
                                 } else {
-                                    phi_2021_ = _e1415;
+                                    phi_2039_ = _e1423;
                                 }
-                                let _e1419 = phi_2021_;
-                                phi_2022_ = _e1419;
+                                let _e1427 = phi_2039_;
+                                phi_2040_ = _e1427;
                             }
-                            let _e1450 = phi_2022_;
-                            if _e1450 {
-                                phi_2026_ = false;
+                            let _e1458 = phi_2040_;
+                            if _e1458 {
+                                phi_2044_ = false;
                             } else {
-                                phi_2026_ = true;
+                                phi_2044_ = true;
                             }
-                            let _e1452 = phi_2026_;
-                            phi_2027_ = _e1452;
+                            let _e1460 = phi_2044_;
+                            phi_2045_ = _e1460;
                         } else {
-                            phi_2027_ = true;
+                            phi_2045_ = true;
                         }
-                        let _e1454 = phi_2027_;
-                        if _e1454 {
-                            let _e1456 = params.member.member_1;
-                            if ((_e1456 & 2u) != 0u) {
-                                let _e1461 = local_18.member[0u];
-                                let _e1463 = bodies.member[_e1461];
-                                let _e1466 = local_19.member[0u];
-                                let _e1468 = bodies.member[_e1466];
-                                if ((_e1463 / 2u) == (_e1468 / 2u)) {
-                                    let _e1473 = params.member.member_1;
-                                    phi_2073_ = !(((_e1473 & 4u) != 0u));
+                        let _e1462 = phi_2045_;
+                        if _e1462 {
+                            let _e1464 = params.member.member_1;
+                            if ((_e1464 & 2u) != 0u) {
+                                let _e1469 = local_18.member[0u];
+                                let _e1471 = bodies.member[_e1469];
+                                let _e1474 = local_19.member[0u];
+                                let _e1476 = bodies.member[_e1474];
+                                if ((_e1471 / 2u) == (_e1476 / 2u)) {
+                                    let _e1481 = params.member.member_1;
+                                    phi_2091_ = !(((_e1481 & 4u) != 0u));
                                 } else {
-                                    phi_2073_ = false;
+                                    phi_2091_ = false;
                                 }
-                                let _e1478 = phi_2073_;
-                                if _e1478 {
-                                    phi_2084_ = true;
+                                let _e1486 = phi_2091_;
+                                if _e1486 {
+                                    phi_2102_ = true;
                                 } else {
-                                    if (((_e1463 & _e1468) & 1u) == 0u) {
-                                        phi_2083_ = false;
+                                    if (((_e1471 & _e1476) & 1u) == 0u) {
+                                        phi_2101_ = false;
                                     } else {
-                                        phi_2083_ = true;
+                                        phi_2101_ = true;
                                     }
-                                    let _e1483 = phi_2083_;
-                                    phi_2084_ = _e1483;
+                                    let _e1491 = phi_2101_;
+                                    phi_2102_ = _e1491;
                                 }
-                                let _e1485 = phi_2084_;
-                                if _e1485 {
-                                    phi_2088_ = false;
+                                let _e1493 = phi_2102_;
+                                if _e1493 {
+                                    phi_2106_ = false;
                                 } else {
-                                    phi_2088_ = true;
+                                    phi_2106_ = true;
                                 }
-                                let _e1487 = phi_2088_;
-                                phi_2089_ = _e1487;
+                                let _e1495 = phi_2106_;
+                                phi_2107_ = _e1495;
                             } else {
-                                phi_2089_ = true;
+                                phi_2107_ = true;
                             }
-                            let _e1489 = phi_2089_;
-                            if _e1489 {
-                                let _e1491 = params.member.member_1;
-                                if ((_e1491 & 32u) != 0u) {
-                                    let _e1495 = params.member.member_6;
-                                    let _e1536 = (((((((_e1370.member_1[0] - _e1372.member[0]) > _e1495) && ((_e1372.member_1[0] - _e1370.member[0]) > _e1495)) && ((_e1370.member_1[1] - _e1372.member[1]) > _e1495)) && ((_e1372.member_1[1] - _e1370.member[1]) > _e1495)) && ((_e1370.member_1[2] - _e1372.member[2]) > _e1495)) && ((_e1372.member_1[2] - _e1370.member[2]) > _e1495));
-                                    if _e1536 {
-                                        phi_2838_ = bool();
+                            let _e1497 = phi_2107_;
+                            if _e1497 {
+                                let _e1499 = params.member.member_1;
+                                if ((_e1499 & 32u) != 0u) {
+                                    let _e1503 = params.member.member_6;
+                                    let _e1544 = (((((((_e1378.member_1[0] - _e1380.member[0]) > _e1503) && ((_e1380.member_1[0] - _e1378.member[0]) > _e1503)) && ((_e1378.member_1[1] - _e1380.member[1]) > _e1503)) && ((_e1380.member_1[1] - _e1378.member[1]) > _e1503)) && ((_e1378.member_1[2] - _e1380.member[2]) > _e1503)) && ((_e1380.member_1[2] - _e1378.member[2]) > _e1503));
+                                    if _e1544 {
+                                        phi_2856_ = bool();
                                     } else {
-                                        phi_2138_ = type_36(0u, 3u);
-                                        phi_2141_ = true;
+                                        phi_2156_ = type_36(0u, 3u);
+                                        phi_2159_ = true;
                                         loop {
-                                            let _e1540 = phi_2138_;
-                                            let _e1542 = phi_2141_;
-                                            local_46 = _e1542;
-                                            if (_e1540.member < _e1540.member_1) {
-                                                phi_2139_ = type_36((_e1540.member + 1u), _e1540.member_1);
-                                                phi_2164_ = type_36(1u, _e1540.member);
+                                            let _e1548 = phi_2156_;
+                                            let _e1550 = phi_2159_;
+                                            local_46 = _e1550;
+                                            if (_e1548.member < _e1548.member_1) {
+                                                phi_2157_ = type_36((_e1548.member + 1u), _e1548.member_1);
+                                                phi_2182_ = type_36(1u, _e1548.member);
                                             } else {
-                                                phi_2139_ = _e1540;
-                                                phi_2164_ = type_36(0u, type_36().member_1);
+                                                phi_2157_ = _e1548;
+                                                phi_2182_ = type_36(0u, type_36().member_1);
                                             }
-                                            let _e1556 = phi_2139_;
-                                            let _e1558 = phi_2164_;
-                                            let _e1562 = (bitcast<i32>(_e1558.member) != 0i);
-                                            if _e1562 {
-                                                let _e1564 = local_18.member[0u];
-                                                let _e1566 = keys.member[_e1564];
-                                                local_6 = array<array<u32, 2>, 6>(array<u32, 2>(_e1566[0][0], _e1566[0][1]), array<u32, 2>(_e1566[1][0], _e1566[1][1]), array<u32, 2>(_e1566[2][0], _e1566[2][1]), array<u32, 2>(_e1566[3][0], _e1566[3][1]), array<u32, 2>(_e1566[4][0], _e1566[4][1]), array<u32, 2>(_e1566[5][0], _e1566[5][1]));
-                                                if (_e1558.member_1 < 6u) {
+                                            let _e1564 = phi_2157_;
+                                            let _e1566 = phi_2182_;
+                                            let _e1570 = (bitcast<i32>(_e1566.member) != 0i);
+                                            if _e1570 {
+                                                let _e1572 = local_18.member[0u];
+                                                let _e1574 = keys.member[_e1572];
+                                                local_6 = array<array<u32, 2>, 6>(array<u32, 2>(_e1574[0][0], _e1574[0][1]), array<u32, 2>(_e1574[1][0], _e1574[1][1]), array<u32, 2>(_e1574[2][0], _e1574[2][1]), array<u32, 2>(_e1574[3][0], _e1574[3][1]), array<u32, 2>(_e1574[4][0], _e1574[4][1]), array<u32, 2>(_e1574[5][0], _e1574[5][1]));
+                                                if (_e1566.member_1 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1594 = local_6[_e1558.member_1];
-                                                phi_2221_ = type_36(1u, 3u);
-                                                phi_2224_ = array<u32, 2>(_e1594[0], _e1594[1]);
+                                                let _e1602 = local_6[_e1566.member_1];
+                                                phi_2239_ = type_36(1u, 3u);
+                                                phi_2242_ = array<u32, 2>(_e1602[0], _e1602[1]);
                                                 loop {
-                                                    let _e1599 = phi_2221_;
-                                                    let _e1601 = phi_2224_;
-                                                    local_32 = _e1601;
-                                                    local_34 = _e1601;
-                                                    local_36 = _e1601;
-                                                    if (_e1599.member < _e1599.member_1) {
-                                                        phi_2222_ = type_36((_e1599.member + 1u), _e1599.member_1);
-                                                        phi_2247_ = type_36(1u, _e1599.member);
+                                                    let _e1607 = phi_2239_;
+                                                    let _e1609 = phi_2242_;
+                                                    local_32 = _e1609;
+                                                    local_34 = _e1609;
+                                                    local_36 = _e1609;
+                                                    if (_e1607.member < _e1607.member_1) {
+                                                        phi_2240_ = type_36((_e1607.member + 1u), _e1607.member_1);
+                                                        phi_2265_ = type_36(1u, _e1607.member);
                                                     } else {
-                                                        phi_2222_ = _e1599;
-                                                        phi_2247_ = type_36(0u, type_36().member_1);
+                                                        phi_2240_ = _e1607;
+                                                        phi_2265_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1615 = phi_2222_;
-                                                    let _e1617 = phi_2247_;
-                                                    let _e1621 = (bitcast<i32>(_e1617.member) != 0i);
-                                                    if _e1621 {
-                                                        if (_e1617.member_1 < 3u) {
+                                                    let _e1623 = phi_2240_;
+                                                    let _e1625 = phi_2265_;
+                                                    let _e1629 = (bitcast<i32>(_e1625.member) != 0i);
+                                                    if _e1629 {
+                                                        if (_e1625.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1624 = local_18.member[_e1617.member_1];
-                                                        let _e1626 = keys.member[_e1624];
-                                                        local_7 = array<array<u32, 2>, 6>(array<u32, 2>(_e1626[0][0], _e1626[0][1]), array<u32, 2>(_e1626[1][0], _e1626[1][1]), array<u32, 2>(_e1626[2][0], _e1626[2][1]), array<u32, 2>(_e1626[3][0], _e1626[3][1]), array<u32, 2>(_e1626[4][0], _e1626[4][1]), array<u32, 2>(_e1626[5][0], _e1626[5][1]));
-                                                        if (_e1558.member_1 < 6u) {
+                                                        let _e1632 = local_18.member[_e1625.member_1];
+                                                        let _e1634 = keys.member[_e1632];
+                                                        local_7 = array<array<u32, 2>, 6>(array<u32, 2>(_e1634[0][0], _e1634[0][1]), array<u32, 2>(_e1634[1][0], _e1634[1][1]), array<u32, 2>(_e1634[2][0], _e1634[2][1]), array<u32, 2>(_e1634[3][0], _e1634[3][1]), array<u32, 2>(_e1634[4][0], _e1634[4][1]), array<u32, 2>(_e1634[5][0], _e1634[5][1]));
+                                                        if (_e1566.member_1 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1654 = local_7[_e1558.member_1];
-                                                        if (_e1601[1] > _e1654[1]) {
-                                                            phi_2323_ = true;
+                                                        let _e1662 = local_7[_e1566.member_1];
+                                                        if (_e1609[1] > _e1662[1]) {
+                                                            phi_2341_ = true;
                                                         } else {
-                                                            if (_e1601[1] == _e1654[1]) {
-                                                                phi_2322_ = (_e1601[0] > _e1654[0]);
+                                                            if (_e1609[1] == _e1662[1]) {
+                                                                phi_2340_ = (_e1609[0] > _e1662[0]);
                                                             } else {
-                                                                phi_2322_ = false;
+                                                                phi_2340_ = false;
                                                             }
-                                                            let _e1665 = phi_2322_;
-                                                            phi_2323_ = _e1665;
+                                                            let _e1673 = phi_2340_;
+                                                            phi_2341_ = _e1673;
                                                         }
-                                                        let _e1667 = phi_2323_;
-                                                        if _e1667 {
-                                                            phi_2327_ = array<u32, 2>(_e1654[0], _e1654[1]);
+                                                        let _e1675 = phi_2341_;
+                                                        if _e1675 {
+                                                            phi_2345_ = array<u32, 2>(_e1662[0], _e1662[1]);
                                                         } else {
-                                                            phi_2327_ = _e1601;
+                                                            phi_2345_ = _e1609;
                                                         }
-                                                        let _e1669 = phi_2327_;
-                                                        phi_2225_ = _e1669;
+                                                        let _e1677 = phi_2345_;
+                                                        phi_2243_ = _e1677;
                                                     } else {
-                                                        phi_2225_ = array<u32, 2>();
+                                                        phi_2243_ = array<u32, 2>();
                                                     }
-                                                    let _e1671 = phi_2225_;
+                                                    let _e1679 = phi_2243_;
                                                     continue;
                                                     continuing {
-                                                        phi_2221_ = _e1615;
-                                                        phi_2224_ = _e1671;
-                                                        break if !(_e1621);
+                                                        phi_2239_ = _e1623;
+                                                        phi_2242_ = _e1679;
+                                                        break if !(_e1629);
                                                     }
                                                 }
-                                                let _e1674 = local_19.member[0u];
-                                                let _e1676 = keys.member[_e1674];
-                                                local_4 = array<array<u32, 2>, 6>(array<u32, 2>(_e1676[0][0], _e1676[0][1]), array<u32, 2>(_e1676[1][0], _e1676[1][1]), array<u32, 2>(_e1676[2][0], _e1676[2][1]), array<u32, 2>(_e1676[3][0], _e1676[3][1]), array<u32, 2>(_e1676[4][0], _e1676[4][1]), array<u32, 2>(_e1676[5][0], _e1676[5][1]));
-                                                let _e1702 = (3u + _e1558.member_1);
-                                                if (_e1702 < 6u) {
+                                                let _e1682 = local_19.member[0u];
+                                                let _e1684 = keys.member[_e1682];
+                                                local_4 = array<array<u32, 2>, 6>(array<u32, 2>(_e1684[0][0], _e1684[0][1]), array<u32, 2>(_e1684[1][0], _e1684[1][1]), array<u32, 2>(_e1684[2][0], _e1684[2][1]), array<u32, 2>(_e1684[3][0], _e1684[3][1]), array<u32, 2>(_e1684[4][0], _e1684[4][1]), array<u32, 2>(_e1684[5][0], _e1684[5][1]));
+                                                let _e1710 = (3u + _e1566.member_1);
+                                                if (_e1710 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1705 = local_4[_e1702];
-                                                phi_2378_ = type_36(1u, 3u);
-                                                phi_2381_ = array<u32, 2>(_e1705[0], _e1705[1]);
+                                                let _e1713 = local_4[_e1710];
+                                                phi_2396_ = type_36(1u, 3u);
+                                                phi_2399_ = array<u32, 2>(_e1713[0], _e1713[1]);
                                                 loop {
-                                                    let _e1710 = phi_2378_;
-                                                    let _e1712 = phi_2381_;
-                                                    local_33 = _e1712;
-                                                    local_35 = _e1712;
-                                                    local_37 = _e1712;
-                                                    if (_e1710.member < _e1710.member_1) {
-                                                        phi_2379_ = type_36((_e1710.member + 1u), _e1710.member_1);
-                                                        phi_2404_ = type_36(1u, _e1710.member);
+                                                    let _e1718 = phi_2396_;
+                                                    let _e1720 = phi_2399_;
+                                                    local_33 = _e1720;
+                                                    local_35 = _e1720;
+                                                    local_37 = _e1720;
+                                                    if (_e1718.member < _e1718.member_1) {
+                                                        phi_2397_ = type_36((_e1718.member + 1u), _e1718.member_1);
+                                                        phi_2422_ = type_36(1u, _e1718.member);
                                                     } else {
-                                                        phi_2379_ = _e1710;
-                                                        phi_2404_ = type_36(0u, type_36().member_1);
+                                                        phi_2397_ = _e1718;
+                                                        phi_2422_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1726 = phi_2379_;
-                                                    let _e1728 = phi_2404_;
-                                                    let _e1732 = (bitcast<i32>(_e1728.member) != 0i);
-                                                    if _e1732 {
-                                                        if (_e1728.member_1 < 3u) {
+                                                    let _e1734 = phi_2397_;
+                                                    let _e1736 = phi_2422_;
+                                                    let _e1740 = (bitcast<i32>(_e1736.member) != 0i);
+                                                    if _e1740 {
+                                                        if (_e1736.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1735 = local_19.member[_e1728.member_1];
-                                                        let _e1737 = keys.member[_e1735];
-                                                        local_5 = array<array<u32, 2>, 6>(array<u32, 2>(_e1737[0][0], _e1737[0][1]), array<u32, 2>(_e1737[1][0], _e1737[1][1]), array<u32, 2>(_e1737[2][0], _e1737[2][1]), array<u32, 2>(_e1737[3][0], _e1737[3][1]), array<u32, 2>(_e1737[4][0], _e1737[4][1]), array<u32, 2>(_e1737[5][0], _e1737[5][1]));
-                                                        let _e1763 = (3u + _e1558.member_1);
-                                                        if (_e1763 < 6u) {
+                                                        let _e1743 = local_19.member[_e1736.member_1];
+                                                        let _e1745 = keys.member[_e1743];
+                                                        local_5 = array<array<u32, 2>, 6>(array<u32, 2>(_e1745[0][0], _e1745[0][1]), array<u32, 2>(_e1745[1][0], _e1745[1][1]), array<u32, 2>(_e1745[2][0], _e1745[2][1]), array<u32, 2>(_e1745[3][0], _e1745[3][1]), array<u32, 2>(_e1745[4][0], _e1745[4][1]), array<u32, 2>(_e1745[5][0], _e1745[5][1]));
+                                                        let _e1771 = (3u + _e1566.member_1);
+                                                        if (_e1771 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1766 = local_5[_e1763];
-                                                        if (_e1766[1] > _e1712[1]) {
-                                                            phi_2481_ = true;
+                                                        let _e1774 = local_5[_e1771];
+                                                        if (_e1774[1] > _e1720[1]) {
+                                                            phi_2499_ = true;
                                                         } else {
-                                                            if (_e1766[1] == _e1712[1]) {
-                                                                phi_2480_ = (_e1766[0] > _e1712[0]);
+                                                            if (_e1774[1] == _e1720[1]) {
+                                                                phi_2498_ = (_e1774[0] > _e1720[0]);
                                                             } else {
-                                                                phi_2480_ = false;
+                                                                phi_2498_ = false;
                                                             }
-                                                            let _e1777 = phi_2480_;
-                                                            phi_2481_ = _e1777;
+                                                            let _e1785 = phi_2498_;
+                                                            phi_2499_ = _e1785;
                                                         }
-                                                        let _e1779 = phi_2481_;
-                                                        if _e1779 {
-                                                            phi_2485_ = array<u32, 2>(_e1766[0], _e1766[1]);
+                                                        let _e1787 = phi_2499_;
+                                                        if _e1787 {
+                                                            phi_2503_ = array<u32, 2>(_e1774[0], _e1774[1]);
                                                         } else {
-                                                            phi_2485_ = _e1712;
+                                                            phi_2503_ = _e1720;
                                                         }
-                                                        let _e1781 = phi_2485_;
-                                                        phi_2382_ = _e1781;
+                                                        let _e1789 = phi_2503_;
+                                                        phi_2400_ = _e1789;
                                                     } else {
-                                                        phi_2382_ = array<u32, 2>();
+                                                        phi_2400_ = array<u32, 2>();
                                                     }
-                                                    let _e1783 = phi_2382_;
+                                                    let _e1791 = phi_2400_;
                                                     continue;
                                                     continuing {
-                                                        phi_2378_ = _e1726;
-                                                        phi_2381_ = _e1783;
-                                                        break if !(_e1732);
+                                                        phi_2396_ = _e1734;
+                                                        phi_2399_ = _e1791;
+                                                        break if !(_e1740);
                                                     }
                                                 }
-                                                let _e1786 = local_32;
-                                                let _e1789 = local_33;
-                                                if (_e1786[1] > _e1789[1]) {
-                                                    phi_2502_ = true;
+                                                let _e1794 = local_32;
+                                                let _e1797 = local_33;
+                                                if (_e1794[1] > _e1797[1]) {
+                                                    phi_2520_ = true;
                                                 } else {
-                                                    let _e1793 = local_34;
-                                                    let _e1796 = local_35;
-                                                    if (_e1793[1] == _e1796[1]) {
-                                                        let _e1800 = local_36;
-                                                        let _e1803 = local_37;
-                                                        phi_2501_ = (_e1800[0] > _e1803[0]);
+                                                    let _e1801 = local_34;
+                                                    let _e1804 = local_35;
+                                                    if (_e1801[1] == _e1804[1]) {
+                                                        let _e1808 = local_36;
+                                                        let _e1811 = local_37;
+                                                        phi_2519_ = (_e1808[0] > _e1811[0]);
                                                     } else {
-                                                        phi_2501_ = false;
+                                                        phi_2519_ = false;
                                                     }
-                                                    let _e1807 = phi_2501_;
-                                                    phi_2502_ = _e1807;
+                                                    let _e1815 = phi_2519_;
+                                                    phi_2520_ = _e1815;
                                                 }
-                                                let _e1809 = phi_2502_;
-                                                let _e1812 = local_19.member[0u];
-                                                let _e1814 = keys.member[_e1812];
-                                                local_2 = array<array<u32, 2>, 6>(array<u32, 2>(_e1814[0][0], _e1814[0][1]), array<u32, 2>(_e1814[1][0], _e1814[1][1]), array<u32, 2>(_e1814[2][0], _e1814[2][1]), array<u32, 2>(_e1814[3][0], _e1814[3][1]), array<u32, 2>(_e1814[4][0], _e1814[4][1]), array<u32, 2>(_e1814[5][0], _e1814[5][1]));
-                                                if (_e1558.member_1 < 6u) {
+                                                let _e1817 = phi_2520_;
+                                                let _e1820 = local_19.member[0u];
+                                                let _e1822 = keys.member[_e1820];
+                                                local_2 = array<array<u32, 2>, 6>(array<u32, 2>(_e1822[0][0], _e1822[0][1]), array<u32, 2>(_e1822[1][0], _e1822[1][1]), array<u32, 2>(_e1822[2][0], _e1822[2][1]), array<u32, 2>(_e1822[3][0], _e1822[3][1]), array<u32, 2>(_e1822[4][0], _e1822[4][1]), array<u32, 2>(_e1822[5][0], _e1822[5][1]));
+                                                if (_e1566.member_1 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1842 = local_2[_e1558.member_1];
-                                                phi_2553_ = type_36(1u, 3u);
-                                                phi_2556_ = array<u32, 2>(_e1842[0], _e1842[1]);
+                                                let _e1850 = local_2[_e1566.member_1];
+                                                phi_2571_ = type_36(1u, 3u);
+                                                phi_2574_ = array<u32, 2>(_e1850[0], _e1850[1]);
                                                 loop {
-                                                    let _e1847 = phi_2553_;
-                                                    let _e1849 = phi_2556_;
-                                                    local_38 = _e1849;
-                                                    local_40 = _e1849;
-                                                    local_42 = _e1849;
-                                                    if (_e1847.member < _e1847.member_1) {
-                                                        phi_2554_ = type_36((_e1847.member + 1u), _e1847.member_1);
-                                                        phi_2579_ = type_36(1u, _e1847.member);
+                                                    let _e1855 = phi_2571_;
+                                                    let _e1857 = phi_2574_;
+                                                    local_38 = _e1857;
+                                                    local_40 = _e1857;
+                                                    local_42 = _e1857;
+                                                    if (_e1855.member < _e1855.member_1) {
+                                                        phi_2572_ = type_36((_e1855.member + 1u), _e1855.member_1);
+                                                        phi_2597_ = type_36(1u, _e1855.member);
                                                     } else {
-                                                        phi_2554_ = _e1847;
-                                                        phi_2579_ = type_36(0u, type_36().member_1);
+                                                        phi_2572_ = _e1855;
+                                                        phi_2597_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1863 = phi_2554_;
-                                                    let _e1865 = phi_2579_;
-                                                    let _e1869 = (bitcast<i32>(_e1865.member) != 0i);
-                                                    if _e1869 {
-                                                        if (_e1865.member_1 < 3u) {
+                                                    let _e1871 = phi_2572_;
+                                                    let _e1873 = phi_2597_;
+                                                    let _e1877 = (bitcast<i32>(_e1873.member) != 0i);
+                                                    if _e1877 {
+                                                        if (_e1873.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1872 = local_19.member[_e1865.member_1];
-                                                        let _e1874 = keys.member[_e1872];
-                                                        local_3 = array<array<u32, 2>, 6>(array<u32, 2>(_e1874[0][0], _e1874[0][1]), array<u32, 2>(_e1874[1][0], _e1874[1][1]), array<u32, 2>(_e1874[2][0], _e1874[2][1]), array<u32, 2>(_e1874[3][0], _e1874[3][1]), array<u32, 2>(_e1874[4][0], _e1874[4][1]), array<u32, 2>(_e1874[5][0], _e1874[5][1]));
-                                                        if (_e1558.member_1 < 6u) {
+                                                        let _e1880 = local_19.member[_e1873.member_1];
+                                                        let _e1882 = keys.member[_e1880];
+                                                        local_3 = array<array<u32, 2>, 6>(array<u32, 2>(_e1882[0][0], _e1882[0][1]), array<u32, 2>(_e1882[1][0], _e1882[1][1]), array<u32, 2>(_e1882[2][0], _e1882[2][1]), array<u32, 2>(_e1882[3][0], _e1882[3][1]), array<u32, 2>(_e1882[4][0], _e1882[4][1]), array<u32, 2>(_e1882[5][0], _e1882[5][1]));
+                                                        if (_e1566.member_1 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1902 = local_3[_e1558.member_1];
-                                                        if (_e1849[1] > _e1902[1]) {
-                                                            phi_2655_ = true;
+                                                        let _e1910 = local_3[_e1566.member_1];
+                                                        if (_e1857[1] > _e1910[1]) {
+                                                            phi_2673_ = true;
                                                         } else {
-                                                            if (_e1849[1] == _e1902[1]) {
-                                                                phi_2654_ = (_e1849[0] > _e1902[0]);
+                                                            if (_e1857[1] == _e1910[1]) {
+                                                                phi_2672_ = (_e1857[0] > _e1910[0]);
                                                             } else {
-                                                                phi_2654_ = false;
+                                                                phi_2672_ = false;
                                                             }
-                                                            let _e1913 = phi_2654_;
-                                                            phi_2655_ = _e1913;
+                                                            let _e1921 = phi_2672_;
+                                                            phi_2673_ = _e1921;
                                                         }
-                                                        let _e1915 = phi_2655_;
-                                                        if _e1915 {
-                                                            phi_2659_ = array<u32, 2>(_e1902[0], _e1902[1]);
+                                                        let _e1923 = phi_2673_;
+                                                        if _e1923 {
+                                                            phi_2677_ = array<u32, 2>(_e1910[0], _e1910[1]);
                                                         } else {
-                                                            phi_2659_ = _e1849;
+                                                            phi_2677_ = _e1857;
                                                         }
-                                                        let _e1917 = phi_2659_;
-                                                        phi_2557_ = _e1917;
+                                                        let _e1925 = phi_2677_;
+                                                        phi_2575_ = _e1925;
                                                     } else {
-                                                        phi_2557_ = array<u32, 2>();
+                                                        phi_2575_ = array<u32, 2>();
                                                     }
-                                                    let _e1919 = phi_2557_;
+                                                    let _e1927 = phi_2575_;
                                                     continue;
                                                     continuing {
-                                                        phi_2553_ = _e1863;
-                                                        phi_2556_ = _e1919;
-                                                        break if !(_e1869);
+                                                        phi_2571_ = _e1871;
+                                                        phi_2574_ = _e1927;
+                                                        break if !(_e1877);
                                                     }
                                                 }
-                                                let _e1922 = local_18.member[0u];
-                                                let _e1924 = keys.member[_e1922];
-                                                local = array<array<u32, 2>, 6>(array<u32, 2>(_e1924[0][0], _e1924[0][1]), array<u32, 2>(_e1924[1][0], _e1924[1][1]), array<u32, 2>(_e1924[2][0], _e1924[2][1]), array<u32, 2>(_e1924[3][0], _e1924[3][1]), array<u32, 2>(_e1924[4][0], _e1924[4][1]), array<u32, 2>(_e1924[5][0], _e1924[5][1]));
-                                                let _e1950 = (3u + _e1558.member_1);
-                                                if (_e1950 < 6u) {
+                                                let _e1930 = local_18.member[0u];
+                                                let _e1932 = keys.member[_e1930];
+                                                local = array<array<u32, 2>, 6>(array<u32, 2>(_e1932[0][0], _e1932[0][1]), array<u32, 2>(_e1932[1][0], _e1932[1][1]), array<u32, 2>(_e1932[2][0], _e1932[2][1]), array<u32, 2>(_e1932[3][0], _e1932[3][1]), array<u32, 2>(_e1932[4][0], _e1932[4][1]), array<u32, 2>(_e1932[5][0], _e1932[5][1]));
+                                                let _e1958 = (3u + _e1566.member_1);
+                                                if (_e1958 < 6u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1953 = local[_e1950];
-                                                phi_2710_ = type_36(1u, 3u);
-                                                phi_2713_ = array<u32, 2>(_e1953[0], _e1953[1]);
+                                                let _e1961 = local[_e1958];
+                                                phi_2728_ = type_36(1u, 3u);
+                                                phi_2731_ = array<u32, 2>(_e1961[0], _e1961[1]);
                                                 loop {
-                                                    let _e1958 = phi_2710_;
-                                                    let _e1960 = phi_2713_;
-                                                    local_39 = _e1960;
-                                                    local_41 = _e1960;
-                                                    local_43 = _e1960;
-                                                    if (_e1958.member < _e1958.member_1) {
-                                                        phi_2711_ = type_36((_e1958.member + 1u), _e1958.member_1);
-                                                        phi_2736_ = type_36(1u, _e1958.member);
+                                                    let _e1966 = phi_2728_;
+                                                    let _e1968 = phi_2731_;
+                                                    local_39 = _e1968;
+                                                    local_41 = _e1968;
+                                                    local_43 = _e1968;
+                                                    if (_e1966.member < _e1966.member_1) {
+                                                        phi_2729_ = type_36((_e1966.member + 1u), _e1966.member_1);
+                                                        phi_2754_ = type_36(1u, _e1966.member);
                                                     } else {
-                                                        phi_2711_ = _e1958;
-                                                        phi_2736_ = type_36(0u, type_36().member_1);
+                                                        phi_2729_ = _e1966;
+                                                        phi_2754_ = type_36(0u, type_36().member_1);
                                                     }
-                                                    let _e1974 = phi_2711_;
-                                                    let _e1976 = phi_2736_;
-                                                    let _e1980 = (bitcast<i32>(_e1976.member) != 0i);
-                                                    if _e1980 {
-                                                        if (_e1976.member_1 < 3u) {
+                                                    let _e1982 = phi_2729_;
+                                                    let _e1984 = phi_2754_;
+                                                    let _e1988 = (bitcast<i32>(_e1984.member) != 0i);
+                                                    if _e1988 {
+                                                        if (_e1984.member_1 < 3u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1983 = local_18.member[_e1976.member_1];
-                                                        let _e1985 = keys.member[_e1983];
-                                                        local_1 = array<array<u32, 2>, 6>(array<u32, 2>(_e1985[0][0], _e1985[0][1]), array<u32, 2>(_e1985[1][0], _e1985[1][1]), array<u32, 2>(_e1985[2][0], _e1985[2][1]), array<u32, 2>(_e1985[3][0], _e1985[3][1]), array<u32, 2>(_e1985[4][0], _e1985[4][1]), array<u32, 2>(_e1985[5][0], _e1985[5][1]));
-                                                        let _e2011 = (3u + _e1558.member_1);
-                                                        if (_e2011 < 6u) {
+                                                        let _e1991 = local_18.member[_e1984.member_1];
+                                                        let _e1993 = keys.member[_e1991];
+                                                        local_1 = array<array<u32, 2>, 6>(array<u32, 2>(_e1993[0][0], _e1993[0][1]), array<u32, 2>(_e1993[1][0], _e1993[1][1]), array<u32, 2>(_e1993[2][0], _e1993[2][1]), array<u32, 2>(_e1993[3][0], _e1993[3][1]), array<u32, 2>(_e1993[4][0], _e1993[4][1]), array<u32, 2>(_e1993[5][0], _e1993[5][1]));
+                                                        let _e2019 = (3u + _e1566.member_1);
+                                                        if (_e2019 < 6u) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2014 = local_1[_e2011];
-                                                        if (_e2014[1] > _e1960[1]) {
-                                                            phi_2813_ = true;
+                                                        let _e2022 = local_1[_e2019];
+                                                        if (_e2022[1] > _e1968[1]) {
+                                                            phi_2831_ = true;
                                                         } else {
-                                                            if (_e2014[1] == _e1960[1]) {
-                                                                phi_2812_ = (_e2014[0] > _e1960[0]);
+                                                            if (_e2022[1] == _e1968[1]) {
+                                                                phi_2830_ = (_e2022[0] > _e1968[0]);
                                                             } else {
-                                                                phi_2812_ = false;
+                                                                phi_2830_ = false;
                                                             }
-                                                            let _e2025 = phi_2812_;
-                                                            phi_2813_ = _e2025;
+                                                            let _e2033 = phi_2830_;
+                                                            phi_2831_ = _e2033;
                                                         }
-                                                        let _e2027 = phi_2813_;
-                                                        if _e2027 {
-                                                            phi_2817_ = array<u32, 2>(_e2014[0], _e2014[1]);
+                                                        let _e2035 = phi_2831_;
+                                                        if _e2035 {
+                                                            phi_2835_ = array<u32, 2>(_e2022[0], _e2022[1]);
                                                         } else {
-                                                            phi_2817_ = _e1960;
+                                                            phi_2835_ = _e1968;
                                                         }
-                                                        let _e2029 = phi_2817_;
-                                                        phi_2714_ = _e2029;
+                                                        let _e2037 = phi_2835_;
+                                                        phi_2732_ = _e2037;
                                                     } else {
-                                                        phi_2714_ = array<u32, 2>();
+                                                        phi_2732_ = array<u32, 2>();
                                                     }
-                                                    let _e2031 = phi_2714_;
+                                                    let _e2039 = phi_2732_;
                                                     continue;
                                                     continuing {
-                                                        phi_2710_ = _e1974;
-                                                        phi_2713_ = _e2031;
-                                                        break if !(_e1980);
+                                                        phi_2728_ = _e1982;
+                                                        phi_2731_ = _e2039;
+                                                        break if !(_e1988);
                                                     }
                                                 }
-                                                let _e2034 = local_38;
-                                                let _e2037 = local_39;
-                                                if (_e2034[1] > _e2037[1]) {
-                                                    phi_2834_ = true;
+                                                let _e2042 = local_38;
+                                                let _e2045 = local_39;
+                                                if (_e2042[1] > _e2045[1]) {
+                                                    phi_2852_ = true;
                                                 } else {
-                                                    let _e2041 = local_40;
-                                                    let _e2044 = local_41;
-                                                    if (_e2041[1] == _e2044[1]) {
-                                                        let _e2048 = local_42;
-                                                        let _e2051 = local_43;
-                                                        phi_2833_ = (_e2048[0] > _e2051[0]);
+                                                    let _e2049 = local_40;
+                                                    let _e2052 = local_41;
+                                                    if (_e2049[1] == _e2052[1]) {
+                                                        let _e2056 = local_42;
+                                                        let _e2059 = local_43;
+                                                        phi_2851_ = (_e2056[0] > _e2059[0]);
                                                     } else {
-                                                        phi_2833_ = false;
+                                                        phi_2851_ = false;
                                                     }
-                                                    let _e2055 = phi_2833_;
-                                                    phi_2834_ = _e2055;
+                                                    let _e2063 = phi_2851_;
+                                                    phi_2852_ = _e2063;
                                                 }
-                                                let _e2057 = phi_2834_;
-                                                phi_2142_ = (_e1542 && (!(_e1809) && !(_e2057)));
+                                                let _e2065 = phi_2852_;
+                                                phi_2160_ = (_e1550 && (!(_e1817) && !(_e2065)));
                                             } else {
-                                                phi_2142_ = bool();
+                                                phi_2160_ = bool();
                                             }
-                                            let _e2062 = phi_2142_;
+                                            let _e2070 = phi_2160_;
                                             continue;
                                             continuing {
-                                                phi_2138_ = _e1556;
-                                                phi_2141_ = _e2062;
-                                                break if !(_e1562);
+                                                phi_2156_ = _e1564;
+                                                phi_2159_ = _e2070;
+                                                break if !(_e1570);
                                             }
                                         }
-                                        let _e2398 = local_46;
-                                        phi_2838_ = _e2398;
+                                        let _e2414 = local_46;
+                                        phi_2856_ = _e2414;
                                     }
-                                    let _e2065 = phi_2838_;
-                                    phi_2839_ = _e2065;
-                                    phi_2840_ = _e1536;
+                                    let _e2073 = phi_2856_;
+                                    phi_2857_ = _e2073;
+                                    phi_2858_ = _e1544;
                                 } else {
-                                    phi_2839_ = bool();
-                                    phi_2840_ = true;
+                                    phi_2857_ = bool();
+                                    phi_2858_ = true;
                                 }
-                                let _e2067 = phi_2839_;
-                                let _e2069 = phi_2840_;
-                                if _e2069 {
-                                    phi_2844_ = false;
+                                let _e2075 = phi_2857_;
+                                let _e2077 = phi_2858_;
+                                if _e2077 {
+                                    phi_2862_ = false;
                                 } else {
-                                    phi_2844_ = true;
+                                    phi_2862_ = true;
                                 }
-                                let _e2071 = phi_2844_;
-                                phi_2845_ = _e2067;
-                                phi_2846_ = _e2071;
+                                let _e2079 = phi_2862_;
+                                phi_2863_ = _e2075;
+                                phi_2864_ = _e2079;
                             } else {
-                                phi_2845_ = false;
-                                phi_2846_ = true;
+                                phi_2863_ = false;
+                                phi_2864_ = true;
                             }
-                            let _e2073 = phi_2845_;
-                            let _e2075 = phi_2846_;
-                            phi_2847_ = _e2073;
-                            phi_2848_ = _e2075;
+                            let _e2081 = phi_2863_;
+                            let _e2083 = phi_2864_;
+                            phi_2865_ = _e2081;
+                            phi_2866_ = _e2083;
                         } else {
-                            phi_2847_ = false;
-                            phi_2848_ = true;
+                            phi_2865_ = false;
+                            phi_2866_ = true;
                         }
-                        let _e2077 = phi_2847_;
-                        let _e2079 = phi_2848_;
-                        if _e2079 {
-                            phi_2852_ = _e2077;
+                        let _e2085 = phi_2865_;
+                        let _e2087 = phi_2866_;
+                        if _e2087 {
+                            phi_2870_ = _e2085;
                         } else {
-                            phi_2852_ = true;
+                            phi_2870_ = true;
                         }
-                        let _e2081 = phi_2852_;
-                        if _e2081 {
-                            let _e2083 = atomicAdd((&counters[7u]), 1u);
-                            let _e2085 = atomicAdd((&counters[5u]), 1u);
-                            hits[_e1331] = ((2147483648u | (_e2085 << bitcast<u32>(12i))) | _e1334);
+                        let _e2089 = phi_2870_;
+                        if _e2089 {
+                            let _e2091 = atomicAdd((&counters[7u]), 1u);
+                            let _e2093 = atomicAdd((&counters[5u]), 1u);
+                            hits[_e1339] = ((2147483648u | (_e2093 << bitcast<u32>(12i))) | _e1342);
                         }
-                        phi_2867_ = true;
+                        phi_2885_ = true;
                     }
-                    let _e2092 = phi_2867_;
-                    phi_2868_ = _e2092;
+                    let _e2100 = phi_2885_;
+                    phi_2886_ = _e2100;
                 } else {
-                    phi_2868_ = false;
+                    phi_2886_ = false;
                 }
-                let _e2094 = phi_2868_;
+                let _e2102 = phi_2886_;
                 continue;
                 continuing {
-                    phi_1835_ = _e1323;
-                    break if !(_e2094);
+                    phi_1853_ = _e1331;
+                    break if !(_e2102);
                 }
             }
             workgroupBarrier();
             if (_e83 == 0u) {
-                let _e2098 = atomicLoad((&counters[5u]));
-                if (_e2098 > 0u) {
-                    let _e2101 = atomicAdd((&output.member[0u]), _e2098);
-                    atomicStore((&counters[6u]), _e2101);
+                let _e2106 = atomicLoad((&counters[5u]));
+                if (_e2106 > 0u) {
+                    let _e2109 = atomicAdd((&output.member[0u]), _e2106);
+                    if ((_e2109 + _e2106) < _e2109) {
+                        let _e2113 = atomicAdd((&output.member[2u]), 1u);
+                    }
+                    atomicStore((&counters[6u]), _e2109);
                 }
             }
             workgroupBarrier();
-            let _e2104 = atomicLoad((&counters[6u]));
+            let _e2116 = atomicLoad((&counters[6u]));
             if (_e83 == 0u) {
-                let _e2107 = atomicLoad((&counters[7u]));
-                if (_e2107 > 0u) {
-                    let _e2110 = atomicAdd((&output.member[1u]), _e2107);
+                let _e2119 = atomicLoad((&counters[7u]));
+                if (_e2119 > 0u) {
+                    let _e2122 = atomicAdd((&output.member[1u]), _e2119);
+                    if ((_e2122 + _e2119) < _e2122) {
+                        let _e2126 = atomicAdd((&output.member[3u]), 1u);
+                    }
                 }
             }
-            phi_2900_ = type_36(0u, 16u);
+            phi_2936_ = type_36(0u, 16u);
             loop {
-                let _e2112 = phi_2900_;
-                if (_e2112.member < _e2112.member_1) {
-                    phi_2901_ = type_36((_e2112.member + 1u), _e2112.member_1);
-                    phi_2924_ = type_36(1u, _e2112.member);
+                let _e2128 = phi_2936_;
+                if (_e2128.member < _e2128.member_1) {
+                    phi_2937_ = type_36((_e2128.member + 1u), _e2128.member_1);
+                    phi_2960_ = type_36(1u, _e2128.member);
                 } else {
-                    phi_2901_ = _e2112;
-                    phi_2924_ = type_36(0u, type_36().member_1);
+                    phi_2937_ = _e2128;
+                    phi_2960_ = type_36(0u, type_36().member_1);
                 }
-                let _e2126 = phi_2901_;
-                let _e2128 = phi_2924_;
-                if (bitcast<i32>(_e2128.member) != 0i) {
-                    let _e2134 = (_e83 + (_e2128.member_1 * 128u));
-                    if (_e2134 >= _e1307) {
-                        phi_3022_ = false;
+                let _e2142 = phi_2937_;
+                let _e2144 = phi_2960_;
+                if (bitcast<i32>(_e2144.member) != 0i) {
+                    let _e2150 = (_e83 + (_e2144.member_1 * 128u));
+                    if (_e2150 >= _e1315) {
+                        phi_3058_ = false;
                     } else {
-                        let _e2137 = hits[_e2134];
-                        if ((_e2137 & 2147483648u) == 0u) {
-                            phi_2947_ = 4294967295u;
+                        let _e2153 = hits[_e2150];
+                        if ((_e2153 & 2147483648u) == 0u) {
+                            phi_2983_ = 4294967295u;
                         } else {
-                            phi_2947_ = ((_e2137 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_2983_ = ((_e2153 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e2144 = phi_2947_;
-                        if (_e2144 != 4294967295u) {
-                            let _e2148 = ((_e2137 >> bitcast<u32>(10i)) & 3u);
-                            let _e2155 = firsts[(2u * _e2148)];
-                            let _e2158 = leaves.member[(_e2155 + ((_e2137 >> bitcast<u32>(5i)) & 31u))];
-                            let _e2162 = firsts[((2u * _e2148) + 1u)];
-                            let _e2165 = leaves.member[(_e2162 + (_e2137 & 31u))];
-                            let _e2169 = params.member.member_16;
-                            let _e2170 = (_e2104 + _e2144);
+                        let _e2160 = phi_2983_;
+                        if (_e2160 != 4294967295u) {
+                            let _e2164 = ((_e2153 >> bitcast<u32>(10i)) & 3u);
+                            let _e2171 = firsts[(2u * _e2164)];
+                            let _e2174 = leaves.member[(_e2171 + ((_e2153 >> bitcast<u32>(5i)) & 31u))];
+                            let _e2178 = firsts[((2u * _e2164) + 1u)];
+                            let _e2181 = leaves.member[(_e2178 + (_e2153 & 31u))];
+                            let _e2185 = params.member.member_16;
+                            let _e2186 = (_e2116 + _e2160);
                             if (_e112[0] == _e112[1]) {
-                                if (_e2158.member_1 < _e2165.member_1) {
-                                    phi_3001_ = type_36(_e2158.member_1, _e2165.member_1);
+                                if (_e2174.member_1 < _e2181.member_1) {
+                                    phi_3037_ = type_36(_e2174.member_1, _e2181.member_1);
                                 } else {
-                                    phi_3001_ = type_36(_e2165.member_1, _e2158.member_1);
+                                    phi_3037_ = type_36(_e2181.member_1, _e2174.member_1);
                                 }
-                                let _e2177 = phi_3001_;
-                                phi_3006_ = _e2177;
+                                let _e2193 = phi_3037_;
+                                phi_3042_ = _e2193;
                             } else {
-                                phi_3006_ = type_36(_e2158.member_1, _e2165.member_1);
+                                phi_3042_ = type_36(_e2174.member_1, _e2181.member_1);
                             }
-                            let _e2179 = phi_3006_;
-                            if (_e2170 < _e2169) {
-                                atomicStore((&output.member[(4u + (2u * _e2170))]), _e2179.member);
-                                atomicStore((&output.member[((2u * _e2170) + 5u)]), _e2179.member_1);
+                            let _e2195 = phi_3042_;
+                            if (_e2186 < _e2185) {
+                                atomicStore((&output.member[(4u + (2u * _e2186))]), _e2195.member);
+                                atomicStore((&output.member[((2u * _e2186) + 5u)]), _e2195.member_1);
                             }
                         }
-                        phi_3022_ = true;
+                        phi_3058_ = true;
                     }
-                    let _e2190 = phi_3022_;
-                    phi_3023_ = _e2190;
+                    let _e2206 = phi_3058_;
+                    phi_3059_ = _e2206;
                 } else {
-                    phi_3023_ = false;
+                    phi_3059_ = false;
                 }
-                let _e2192 = phi_3023_;
+                let _e2208 = phi_3059_;
                 continue;
                 continuing {
-                    phi_2900_ = _e2126;
-                    break if !(_e2192);
+                    phi_2936_ = _e2142;
+                    break if !(_e2208);
                 }
             }
             workgroupBarrier();

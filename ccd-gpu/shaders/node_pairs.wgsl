@@ -102,16 +102,16 @@ fn function_() {
     var phi_672_: u32;
     var phi_670_: type_31;
     var phi_695_: type_31;
-    var phi_738_: u32;
-    var phi_739_: bool;
-    var phi_673_: u32;
-    var phi_740_: bool;
     var phi_747_: u32;
-    var phi_771_: type_31;
-    var phi_772_: type_31;
-    var phi_795_: type_31;
-    var phi_841_: bool;
-    var phi_842_: bool;
+    var phi_748_: bool;
+    var phi_673_: u32;
+    var phi_749_: bool;
+    var phi_756_: u32;
+    var phi_789_: type_31;
+    var phi_790_: type_31;
+    var phi_813_: type_31;
+    var phi_859_: bool;
+    var phi_860_: bool;
     var local: u32;
 
     let _e50 = id_1;
@@ -422,8 +422,8 @@ fn function_() {
                 }
             }
             phi_669_ = type_31(0u, 32u);
-            let _e620 = local;
-            phi_672_ = _e620;
+            let _e628 = local;
+            phi_672_ = _e628;
             loop {
                 let _e453 = phi_669_;
                 let _e455 = phi_672_;
@@ -438,96 +438,102 @@ fn function_() {
                 let _e471 = phi_695_;
                 if (bitcast<i32>(_e471.member) != 0i) {
                     if (_e455 == 0u) {
-                        phi_738_ = u32();
-                        phi_739_ = false;
+                        phi_747_ = u32();
+                        phi_748_ = false;
                     } else {
                         let _e482 = names[((_e72 * 32u) + select(firstTrailingBit(_e455), 32u, (_e455 == 0u)))];
                         let _e486 = params.member.member_16;
                         let _e493 = atomicAdd((&output.member[0u]), 1u);
+                        if ((_e493 + 1u) < _e493) {
+                            let _e497 = atomicAdd((&output.member[2u]), 1u);
+                        }
                         if (_e493 < _e486) {
                             atomicStore((&output.member[(4u + (2u * _e493))]), ((_e176 * 32u) + (_e52 % 32u)));
                             atomicStore((&output.member[((2u * _e493) + 5u)]), ((_e179 * 32u) + _e482));
                         }
-                        phi_738_ = (_e455 & (_e455 - 1u));
-                        phi_739_ = true;
+                        phi_747_ = (_e455 & (_e455 - 1u));
+                        phi_748_ = true;
                     }
-                    let _e502 = phi_738_;
-                    let _e504 = phi_739_;
-                    phi_673_ = _e502;
-                    phi_740_ = _e504;
+                    let _e506 = phi_747_;
+                    let _e508 = phi_748_;
+                    phi_673_ = _e506;
+                    phi_749_ = _e508;
                 } else {
                     phi_673_ = u32();
-                    phi_740_ = false;
+                    phi_749_ = false;
                 }
-                let _e506 = phi_673_;
-                let _e508 = phi_740_;
+                let _e510 = phi_673_;
+                let _e512 = phi_749_;
                 continue;
                 continuing {
                     phi_669_ = _e469;
-                    phi_672_ = _e506;
-                    break if !(_e508);
+                    phi_672_ = _e510;
+                    break if !(_e512);
                 }
             }
             workgroupBarrier();
-            let _e511 = atomicLoad((&counters[4u]));
-            if (2048u < _e511) {
-                phi_747_ = 2048u;
+            let _e515 = atomicLoad((&counters[4u]));
+            if (2048u < _e515) {
+                phi_756_ = 2048u;
             } else {
-                phi_747_ = _e511;
+                phi_756_ = _e515;
             }
-            let _e514 = phi_747_;
+            let _e518 = phi_756_;
             if (_e52 == 0u) {
-                atomicStore((&counters[5u]), _e514);
+                atomicStore((&counters[5u]), _e518);
             }
             workgroupBarrier();
             if (_e52 == 0u) {
-                let _e519 = atomicLoad((&counters[5u]));
-                if (_e519 > 0u) {
-                    let _e522 = atomicAdd((&output.member[0u]), _e519);
-                    atomicStore((&counters[6u]), _e522);
-                }
-            }
-            workgroupBarrier();
-            let _e525 = atomicLoad((&counters[6u]));
-            phi_771_ = type_31(0u, 16u);
-            loop {
-                let _e527 = phi_771_;
-                if (_e527.member < _e527.member_1) {
-                    phi_772_ = type_31((_e527.member + 1u), _e527.member_1);
-                    phi_795_ = type_31(1u, _e527.member);
-                } else {
-                    phi_772_ = _e527;
-                    phi_795_ = type_31(0u, type_31().member_1);
-                }
-                let _e541 = phi_772_;
-                let _e543 = phi_795_;
-                if (bitcast<i32>(_e543.member) != 0i) {
-                    let _e549 = (_e52 + (_e543.member_1 * 128u));
-                    if (_e549 >= _e514) {
-                        phi_841_ = false;
-                    } else {
-                        let _e552 = hits[_e549];
-                        let _e555 = ((_e552 >> bitcast<u32>(10i)) & 3u);
-                        let _e561 = params.member.member_16;
-                        let _e562 = (_e525 + _e549);
-                        let _e565 = firsts[(2u * _e555)];
-                        let _e570 = firsts[((2u * _e555) + 1u)];
-                        if (_e562 < _e561) {
-                            atomicStore((&output.member[(4u + (2u * _e562))]), (_e565 + ((_e552 >> bitcast<u32>(5i)) & 31u)));
-                            atomicStore((&output.member[((2u * _e562) + 5u)]), (_e570 + (_e552 & 31u)));
-                        }
-                        phi_841_ = true;
+                let _e523 = atomicLoad((&counters[5u]));
+                if (_e523 > 0u) {
+                    let _e526 = atomicAdd((&output.member[0u]), _e523);
+                    if ((_e526 + _e523) < _e526) {
+                        let _e530 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    let _e580 = phi_841_;
-                    phi_842_ = _e580;
-                } else {
-                    phi_842_ = false;
+                    atomicStore((&counters[6u]), _e526);
                 }
-                let _e582 = phi_842_;
+            }
+            workgroupBarrier();
+            let _e533 = atomicLoad((&counters[6u]));
+            phi_789_ = type_31(0u, 16u);
+            loop {
+                let _e535 = phi_789_;
+                if (_e535.member < _e535.member_1) {
+                    phi_790_ = type_31((_e535.member + 1u), _e535.member_1);
+                    phi_813_ = type_31(1u, _e535.member);
+                } else {
+                    phi_790_ = _e535;
+                    phi_813_ = type_31(0u, type_31().member_1);
+                }
+                let _e549 = phi_790_;
+                let _e551 = phi_813_;
+                if (bitcast<i32>(_e551.member) != 0i) {
+                    let _e557 = (_e52 + (_e551.member_1 * 128u));
+                    if (_e557 >= _e518) {
+                        phi_859_ = false;
+                    } else {
+                        let _e560 = hits[_e557];
+                        let _e563 = ((_e560 >> bitcast<u32>(10i)) & 3u);
+                        let _e569 = params.member.member_16;
+                        let _e570 = (_e533 + _e557);
+                        let _e573 = firsts[(2u * _e563)];
+                        let _e578 = firsts[((2u * _e563) + 1u)];
+                        if (_e570 < _e569) {
+                            atomicStore((&output.member[(4u + (2u * _e570))]), (_e573 + ((_e560 >> bitcast<u32>(5i)) & 31u)));
+                            atomicStore((&output.member[((2u * _e570) + 5u)]), (_e578 + (_e560 & 31u)));
+                        }
+                        phi_859_ = true;
+                    }
+                    let _e588 = phi_859_;
+                    phi_860_ = _e588;
+                } else {
+                    phi_860_ = false;
+                }
+                let _e590 = phi_860_;
                 continue;
                 continuing {
-                    phi_771_ = _e541;
-                    break if !(_e582);
+                    phi_789_ = _e549;
+                    break if !(_e590);
                 }
             }
             workgroupBarrier();

@@ -108,7 +108,7 @@ fn function_() {
     var phi_417_: u32;
     var phi_424_: bool;
     var phi_431_: bool;
-    var phi_523_: bool;
+    var phi_541_: bool;
 
     let _e30 = id_1;
     let _e31 = n_1;
@@ -237,29 +237,35 @@ fn function_() {
                     if (_e165 != 4294967295u) {
                         let _e220 = params.member.member_16;
                         let _e222 = atomicAdd((&out.member[0u]), 1u);
+                        if ((_e222 + 1u) < _e222) {
+                            let _e226 = atomicAdd((&out.member[2u]), 1u);
+                        }
                         if (_e222 < _e220) {
                             atomicStore((&out.member[(4u + (2u * _e222))]), _e54);
                             atomicStore((&out.member[((2u * _e222) + 5u)]), _e165);
                         }
                     }
                     if (_e178 != 4294967295u) {
-                        let _e232 = params.member.member_16;
-                        let _e234 = atomicAdd((&out.member[0u]), 1u);
-                        if (_e234 < _e232) {
-                            atomicStore((&out.member[(4u + (2u * _e234))]), _e54);
-                            atomicStore((&out.member[((2u * _e234) + 5u)]), _e178);
+                        let _e236 = params.member.member_16;
+                        let _e238 = atomicAdd((&out.member[0u]), 1u);
+                        if ((_e238 + 1u) < _e238) {
+                            let _e242 = atomicAdd((&out.member[2u]), 1u);
+                        }
+                        if (_e238 < _e236) {
+                            atomicStore((&out.member[(4u + (2u * _e238))]), _e54);
+                            atomicStore((&out.member[((2u * _e238) + 5u)]), _e178);
                         }
                     }
                 }
-                phi_523_ = _e80;
+                phi_541_ = _e80;
             } else {
-                phi_523_ = false;
+                phi_541_ = false;
             }
-            let _e243 = phi_523_;
+            let _e251 = phi_541_;
             continue;
             continuing {
                 phi_226_ = _e73;
-                break if !(_e243);
+                break if !(_e251);
             }
         }
     }

@@ -103,8 +103,8 @@ fn function_() {
     var phi_420_: bool;
     var phi_427_: bool;
     var phi_488_: type_22;
-    var phi_520_: type_22;
-    var phi_539_: bool;
+    var phi_529_: type_22;
+    var phi_557_: bool;
 
     let _e29 = id_1;
     let _e30 = n_1;
@@ -268,35 +268,41 @@ fn function_() {
                         }
                         let _e235 = phi_488_;
                         let _e239 = atomicAdd((&out.member[0u]), 1u);
+                        if ((_e239 + 1u) < _e239) {
+                            let _e243 = atomicAdd((&out.member[2u]), 1u);
+                        }
                         if (_e239 < _e229) {
                             atomicStore((&out.member[(4u + (2u * _e239))]), _e235.member);
                             atomicStore((&out.member[((2u * _e239) + 5u)]), _e235.member_1);
                         }
                     }
                     if (_e187 != 4294967295u) {
-                        let _e249 = params.member.member_16;
+                        let _e253 = params.member.member_16;
                         if (_e55.member_1 < _e187) {
-                            phi_520_ = type_22(_e55.member_1, _e187);
+                            phi_529_ = type_22(_e55.member_1, _e187);
                         } else {
-                            phi_520_ = type_22(_e187, _e55.member_1);
+                            phi_529_ = type_22(_e187, _e55.member_1);
                         }
-                        let _e255 = phi_520_;
-                        let _e259 = atomicAdd((&out.member[0u]), 1u);
-                        if (_e259 < _e249) {
-                            atomicStore((&out.member[(4u + (2u * _e259))]), _e255.member);
-                            atomicStore((&out.member[((2u * _e259) + 5u)]), _e255.member_1);
+                        let _e259 = phi_529_;
+                        let _e263 = atomicAdd((&out.member[0u]), 1u);
+                        if ((_e263 + 1u) < _e263) {
+                            let _e267 = atomicAdd((&out.member[2u]), 1u);
+                        }
+                        if (_e263 < _e253) {
+                            atomicStore((&out.member[(4u + (2u * _e263))]), _e259.member);
+                            atomicStore((&out.member[((2u * _e263) + 5u)]), _e259.member_1);
                         }
                     }
                 }
-                phi_539_ = _e81;
+                phi_557_ = _e81;
             } else {
-                phi_539_ = false;
+                phi_557_ = false;
             }
-            let _e268 = phi_539_;
+            let _e276 = phi_557_;
             continue;
             continuing {
                 phi_222_ = _e74;
-                break if !(_e268);
+                break if !(_e276);
             }
         }
     }

@@ -2,11 +2,11 @@
 
 use crate::device::Device;
 use crate::error::Error;
-use crate::list::{HEADER_BYTES, List};
+use crate::list::{HEADER_BYTES, List, read_header};
 use crate::radix_tree::RadixTree;
 use crate::readback::Readback;
 use crate::recorder::{Bench, Recorder, Timing, submit};
-use crate::tree::{Tree, check_countable};
+use crate::tree::Tree;
 use ccd_core::Aabb;
 use ccd_core::aabb::GREATEST;
 use ccd_core::error::check_boxes;
@@ -138,8 +138,7 @@ impl BroadPhase {
             })?;
             let read = readback.read(device, &parts)?;
             self.stages = bench.times(&stages)?;
-            let wanted: Vec<u32> = read.iter().map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
-            wanted[..wanted.len() - 1].iter().try_for_each(|&n| check_countable(n))?;
+            let wanted = read.iter().map(|header| read_header(header).map(|h| h[0])).collect::<Result<Vec<u32>, Error>>()?;
             let mut grown = false;
             for (list, &wanted) in buffers.blocks.pairs.iter_mut().flatten().chain([&mut *pairs]).zip(&wanted) {
                 grown |= list.grow(device, wanted)?;

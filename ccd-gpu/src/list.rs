@@ -8,6 +8,18 @@ use wgpu::BufferUsages as U;
 /// Bytes of a header.
 pub const HEADER_BYTES: u64 = 4 * LIST_HEADER as u64;
 
+/// What the header of a list says: the number of entries wanted, and the number of candidates looked at.
+pub fn read_header(bytes: &[u8]) -> Result<[u32; 2], Error> {
+    let word = |i: usize| bytes[4 * i..4 * i + 4].iter().rev().fold(0, |w, &b| w << 8 | b as u32);
+    for i in [0, 1] {
+        if word(i + 2) > 0 {
+            let count = (word(i + 2) as u64) << 32 | word(i) as u64;
+            return Err(ccd_core::Error::TooMany { element: "overlapping pairs", count, limit: u32::MAX as u64 }.into());
+        }
+    }
+    Ok([word(0), word(1)])
+}
+
 /// A list on the device.
 #[derive(Clone, Debug)]
 pub struct List {
@@ -36,7 +48,7 @@ impl List {
         Ok(list)
     }
 
-    /// The buffer: a header of four words, of which the first is the number of entries wanted, then the entries.
+    /// The buffer: a header of four words, of which the first is the number of entries wanted and the third is 0 unless that exceeds 32 bits, then the entries.
     pub fn buffer(&self) -> &wgpu::Buffer {
         &self.buffer
     }
@@ -68,5 +80,20 @@ impl List {
             other => other?,
         };
         Ok(true)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_that_ran_over_are_refused() {
+        let header = |words: [u32; 4]| read_header(bytemuck::cast_slice(&words));
+        assert_eq!(header([7, u32::MAX, 0, 0]).unwrap(), [7, u32::MAX]);
+        for (words, count) in [([5, 0, 1, 0], "4294967301"), ([5, 6, 0, 2], "8589934598")] {
+            let error = header(words).unwrap_err().to_string();
+            assert!(error.contains(count) && error.contains("4294967295"), "{error}");
+        }
     }
 }

@@ -3,12 +3,11 @@
 use crate::device::Device;
 use crate::error::Error;
 use crate::frame::{Buffers, Goal, SAMPLE};
-use crate::list::{HEADER_BYTES, List};
+use crate::list::{HEADER_BYTES, List, read_header};
 use crate::order::{self, Order};
-use crate::readback::Readback;
+use crate::readback::{Part, Readback};
 use crate::recorder::{Bench, Timing, submit};
 use crate::tail;
-use crate::tree::check_countable;
 use ccd_core::Real;
 use ccd_core::kernel::decide;
 use ccd_core::layout::{Pair, Touch};
@@ -267,23 +266,21 @@ impl Session {
                 _ => readback.copy(recorder, *of_contacts, buffers.contacts.buffer(), HEADER_BYTES),
             }
         })?;
-        let word = |bytes: &[u8], i: usize| bytes[4 * i..4 * i + 4].iter().rev().fold(0, |w, &b| w << 8 | b as u32);
-        let (earliest, sampled, wanted, seconds) = readback
-            .with(device, |bytes| {
-                let heads = of_heads.iter().map(|p| p.of(bytes));
-                let wanted: Vec<u32> = heads.clone().map(|h| word(h, 0)).collect();
-                let n = wanted[CONTACTS].min(guess) as usize;
-                tail::take_touches(&of_contacts.of(bytes)[..n * size_of::<Touch>()], &mut report.contacts);
-                let sampled = word(of_sample.of(bytes), 0) as u64 + word(of_sample.of(bytes), 1) as u64;
-                let earliest = word(of_vf.of(bytes), 0).min(word(of_ee.of(bytes), 0));
-                (earliest, sampled, wanted, heads.map(|h| word(h, 1)).collect::<Vec<u32>>())
-            })?
-            .unwrap_or_default();
+        let word = |part: &Part, bytes: &[u8], i: usize| part.of(bytes)[4 * i..4 * i + 4].iter().rev().fold(0, |w, &b| w << 8 | b as u32);
+        let mut found = Found::default();
+        let headers = readback.with(device, |bytes| -> Result<Vec<[u32; 2]>, Error> {
+            found.earliest = word(of_vf, bytes, 0).min(word(of_ee, bytes, 0));
+            found.sampled = word(of_sample, bytes, 0) as u64 + word(of_sample, bytes, 1) as u64;
+            let headers = of_heads.iter().map(|p| read_header(p.of(bytes))).collect::<Result<Vec<[u32; 2]>, Error>>()?;
+            let n = headers[CONTACTS][0].min(guess) as usize;
+            tail::take_touches(&of_contacts.of(bytes)[..n * size_of::<Touch>()], &mut report.contacts);
+            Ok(headers)
+        })?;
+        let headers = headers.unwrap_or(Ok(Vec::new()))?;
         self.stages = bench.times(&stages)?;
-        wanted[CONTACTS + 1..].iter().try_for_each(|&n| check_countable(n))?;
         let mut grown = false;
-        for (list, &wanted) in buffers.lists_mut().zip(&wanted) {
-            grown |= list.grow(device, wanted)?;
+        for (list, [wanted, _]) in buffers.lists_mut().zip(&headers) {
+            grown |= list.grow(device, *wanted)?;
         }
         // What is left open is written without looking at the room: there must be as much as for what is decided.
         for kind in [0, 1] {
@@ -295,20 +292,20 @@ impl Session {
             return Ok(None);
         }
         // The lists in the order of `Buffers::lists`: those that a frame ends with, then those of the descent.
-        let [c0, c1, s0, s1, u0, u1, n_contacts] = wanted[..=CONTACTS] else { return Ok(None) };
-        let mut found = Found { earliest, filtered: PerKind { vf: s0 as u64, ee: s1 as u64 }, ..Found::default() };
-        found.candidates = if goal == Goal::Candidates {
-            PerKind { vf: c0 as u64, ee: c1 as u64 }
-        } else {
-            PerKind { vf: seconds[2] as u64, ee: seconds[3] as u64 }
+        let [candidates @ .., filtered_vf, filtered_ee, open_vf, open_ee, contacts] = &headers[..=CONTACTS] else { return Ok(None) };
+        found.filtered = PerKind { vf: filtered_vf[0] as u64, ee: filtered_ee[0] as u64 };
+        found.candidates = match (goal, candidates) {
+            (Goal::Candidates, [vf, ee]) => PerKind { vf: vf[0] as u64, ee: ee[0] as u64 },
+            _ => PerKind { vf: filtered_vf[1] as u64, ee: filtered_ee[1] as u64 },
         };
-        if goal == Goal::Earliest && found.candidates.total() > sampled * SAMPLE as u64 / 4 {
+        if goal == Goal::Earliest && found.candidates.total() > found.sampled * SAMPLE as u64 / 4 {
             self.at_once = AT_ONCE;
         }
+        let (n_contacts, n_open) = (contacts[0], [open_vf[0], open_ee[0]]);
         let beyond = goal == Goal::Contacts && n_contacts > guess;
         found.in_order = !beyond && buffers.to_order > 0;
-        if beyond || !wide && u0 + u1 > 0 {
-            self.read_rest(&mut found, if beyond { n_contacts } else { 0 }, [u0, u1])?;
+        if beyond || !wide && n_open != [0, 0] {
+            self.read_rest(&mut found, if beyond { n_contacts } else { 0 }, n_open)?;
         }
         Ok(Some(found))
     }
@@ -364,6 +361,8 @@ impl Session {
 #[derive(Clone, Debug, Default)]
 struct Found {
     earliest: u32,
+    /// Candidates of the sample.
+    sampled: u64,
     candidates: PerKind,
     filtered: PerKind,
     open: [Vec<Pair>; 2],

@@ -19,17 +19,6 @@ pub fn groups(device: &Device) -> u32 {
 /// Pairs of nodes that one dispatch takes at most: some milliseconds of a small device, so that no driver thinks that it hangs.
 pub const DISPATCH_LIMIT: u32 = 1 << 20;
 
-/// Pairs of nodes of a level, at most: their children give at most 1024 times as many, and lists are counted with 32 bits.
-pub const MAX_NODE_PAIRS: u32 = (1 << 22) - 1;
-
-/// Refuses a scene in which a count may have run over.
-pub fn check_countable(node_pairs: u32) -> Result<(), Error> {
-    if node_pairs <= MAX_NODE_PAIRS {
-        return Ok(());
-    }
-    Err(ccd_core::Error::TooMany { element: "pairs of blocks of 32 boxes", count: node_pairs as u64, limit: MAX_NODE_PAIRS as u64 }.into())
-}
-
 /// Trees over up to three sets of boxes, which one sort orders.
 pub struct Tree {
     pub levels: Levels,
@@ -160,19 +149,5 @@ impl Tree {
         for part in 0..room_in.div_ceil(step).div_ceil(DISPATCH_LIMIT) {
             run(&Params { level, first: part * DISPATCH_LIMIT * step, step, limit: DISPATCH_LIMIT, room_in, room_out, ..*params });
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use ccd_core::kernel::blocks::WIDTH;
-
-    #[test]
-    fn counts_of_children_cannot_run_over() {
-        assert!((MAX_NODE_PAIRS as u64) * (WIDTH as u64 * WIDTH as u64) < 1 << 32);
-        assert!(check_countable(MAX_NODE_PAIRS).is_ok());
-        let error = check_countable(MAX_NODE_PAIRS + 1).unwrap_err().to_string();
-        assert!(error.contains("4194304 pairs of blocks") && error.contains("4194303"), "{error}");
     }
 }

@@ -3,7 +3,7 @@
 //! A thread holds one child of the first node; the children of the second that reach into the first are gathered in workgroup memory, and every thread
 //! whose child reaches into the second tests it against all of them. The hits of all teams are then worked on together, one a thread.
 
-use crate::share::{add, add_shared, barrier, get, group, length, set};
+use crate::share::{add_shared, barrier, count, get, group, length, set};
 use ccd_core::Aabb;
 use ccd_core::kernel::blocks::{NOT_KEPT, POOL, TEAMS, THREADS, WIDTH, keep, kept, pack, sets, slot, unpack, wanted};
 use ccd_core::kernel::filter;
@@ -120,7 +120,7 @@ fn reserve(lane: u32, counters: &mut [u32; 8], list: &mut [u32]) -> u32 {
     if lane == 0 {
         let n = get(counters, KEPT);
         if n > 0 {
-            set(counters, BASE, add(list, 0, n));
+            set(counters, BASE, count(list, 0, n));
         }
     }
     barrier();
@@ -139,7 +139,7 @@ fn write(list: &mut [u32], room: u32, i: u32, pair: [u32; 2]) {
 /// Appends one pair; for hits beyond the pool.
 #[inline(always)]
 fn append(list: &mut [u32], room: u32, pair: [u32; 2]) {
-    let i = add(list, 0, 1);
+    let i = count(list, 0, 1);
     write(list, room, i, pair);
 }
 
@@ -252,7 +252,7 @@ macro_rules! leaf_entry {
                     let (a, b) = (at(leaves, p), at(leaves, q));
                     if wanted(params, &a, &b, [&at(nodes, p), &at(nodes, q)], bodies, keys) {
                         append(output, params.room_out, ids(set_a == set_b, a.id, b.id));
-                        add(output, 1, 1);
+                        count(output, 1, 1);
                     }
                 }
                 barrier();
@@ -279,7 +279,7 @@ macro_rules! leaf_entry {
                 if lane == 0 {
                     let n = get(counters, WANTED);
                     if n > 0 {
-                        add(output, 1, n);
+                        count(output, 1, n);
                     }
                 }
                 for s in 0..SHARE {

@@ -22,6 +22,16 @@ pub fn add(words: &mut [u32], i: usize, value: u32) -> u32 {
     unsafe { atomic_i_add::<u32, DEVICE, RELAXED>(words.get_unchecked_mut(i), value) }
 }
 
+/// Adds to word 0 or 1 of a list's header and returns what it was; two words behind it is counted how often it ran over.
+#[inline(always)]
+pub fn count(list: &mut [u32], i: usize, value: u32) -> u32 {
+    let old = add(list, i, value);
+    if old.wrapping_add(value) < old {
+        add(list, i + 2, 1);
+    }
+    old
+}
+
 /// Raises a word of a buffer.
 #[inline(always)]
 pub fn raise(words: &mut [u32], i: usize, value: u32) {

@@ -1,6 +1,6 @@
 //! The binary radix tree: its branches, its boxes, and traversal with a stack. The boxes are set 1 of a block tree and the only set.
 
-use crate::share::{add, group};
+use crate::share::{count, group};
 use ccd_core::Aabb;
 use ccd_core::kernel::traverse::{NONE, Walk};
 use ccd_core::kernel::{blocks, build};
@@ -59,7 +59,7 @@ pub fn branch_boxes(
 /// Appends a pair; one for which there is no room is only counted.
 #[inline(always)]
 fn append(list: &mut [u32], room: u32, pair: Pair) {
-    let i = add(list, 0, 1);
+    let i = count(list, 0, 1);
     if i < room {
         put(list, LIST_HEADER + 2 * i as usize, pair.a);
         put(list, LIST_HEADER + 2 * i as usize + 1, pair.b);

@@ -19,6 +19,7 @@ pub const TESTS: crate::Tests = &[
     ("fit", check_fit),
     ("radix_tree", check_radix_tree),
     ("node_pairs", check_node_pairs),
+    ("counts", check_counts),
     ("candidates", check_candidates),
     ("filters", check_filters),
     ("folded_grid", check_folded),
@@ -343,7 +344,12 @@ fn check_radix_tree(device: &Device) {
                 harness::run(device, Id::TraverseHalf, &p, &mut buffers, n.div_ceil(128), 65_535).unwrap();
                 found.extend(entries(&buffers[2]));
             }
-            check_pairs("overlaps by a tree", all, found);
+            check_pairs("overlaps by a tree", all.clone(), found);
+            let p = Params { n, room_out: 0, ..twin.params };
+            let mut buffers = [nodes.clone(), branches.clone(), bytes(&[u32::MAX, 0, 0, 0])];
+            harness::run(device, Id::TraverseHalf, &p, &mut buffers, n.div_ceil(128), 65_535).unwrap();
+            let wrapped = !all.is_empty() as u32;
+            assert_eq!(read::<u32>(&buffers[2]), [(all.len() as u32).wrapping_sub(1), 0, wrapped, 0], "a count that runs over");
             let loose: Vec<Aabb> = uniform[1000..1300].iter().map(|b| b.inflated(0.02)).collect();
             let p = Params { n: 300, room_out, ..twin.params };
             let mut buffers = [bytes(&loose), nodes.clone(), branches.clone(), room(room_out)];
@@ -411,6 +417,27 @@ fn check_node_pairs(device: &Device) {
         assert_eq!(words[0] as usize, want.len());
         assert!(words[LIST_HEADER + 20..].iter().all(|&w| w == 0), "written beyond the room");
     }
+}
+
+/// A count that exceeds 32 bits says so: both words of headers, in every kernel that adds to them.
+fn check_counts(device: &Device) {
+    let boxes: Vec<Aabb> = uniform_boxes(2000).iter().map(|b| b.inflated(0.03)).collect();
+    let twin = Twin::new([&[], &boxes, &[]], |_, i| [2 * i, 2 * i + 1, 2 * i + 1]);
+    let (above, blocks) = (twin.node_pairs(2, 1), twin.node_pairs(1, 1));
+    let n_hits = brute::self_pairs(&boxes).len() as u32;
+    let near = |back: u32| bytes(&[0u32.wrapping_sub(back), 0u32.wrapping_sub(back), 0, 0]);
+    let p = Params { kind: 1, step: 1, limit: u32::MAX, room_out: 0, ..twin.params };
+    for (back, wraps) in [(1, 1), (n_hits, 1), (n_hits + 1, 0)] {
+        let list_p = Params { level: 1, room_in: blocks.len() as u32, ..p };
+        let mut buffers = [bytes(&twin.nodes), bytes(&twin.leaves), vec![0; 16], vec![0; 48], list(&blocks), near(back)];
+        harness::run(device, Id::ListCandidates, &list_p, &mut buffers, 5, 65_535).unwrap();
+        let head: Vec<u32> = read(&buffers[5][..16]);
+        assert_eq!(head, [n_hits.wrapping_sub(back), n_hits.wrapping_sub(back), wraps, wraps], "candidates");
+    }
+    let p = Params { level: 2, room_in: above.len() as u32, ..p };
+    let mut buffers = [bytes(&twin.nodes), list(&above), near(1)];
+    harness::run(device, Id::NodePairs, &p, &mut buffers, 1, 65_535).unwrap();
+    assert_eq!(read::<u32>(&buffers[2][..16]), [blocks.len() as u32 - 1, u32::MAX, 1, 0], "pairs of nodes");
 }
 
 /// Candidates by testing each feature against each.

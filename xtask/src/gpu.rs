@@ -35,13 +35,18 @@ pub fn run(runs: usize, out: &Path) -> Result<(), String> {
         "# GPU: measured times\n\n`cargo xtask report --gpu`. Milliseconds, medians. Device: all kernels together, by its timestamps; stages: ",
     );
     text.push_str("each by itself, so that none overlaps another. Wall: with upload, waiting and reading back. Floor: bytes that must move, at 4.3 TB/s.\n");
+    // What was measured before a failure is kept.
+    let write = |text: &str| std::fs::write(out, text).map_err(|e| format!("{}: {e}", out.display()));
     for path in [Shaders::Passthrough, Shaders::Wgsl] {
         let device = Device::open(&DeviceOptions { path: Some(path), ..DeviceOptions::default() }).map_err(error)?;
         let _ = write!(text, "\n## {} through {path:?}\n\n```\n{}\n```\n", device.info().adapter.name, device.info());
         for scene in SCENES.iter().filter(|s| dir.join("scenes").join(s.name).is_dir()) {
             measure_scene(&device, scene, &dir, runs, &mut text).map_err(error)?;
+            write(&text)?;
         }
-        measure_boxes(&device, runs, &mut text).map_err(error)?;
+        let measured = measure_boxes(&device, runs, &mut text).map_err(error);
+        write(&text)?;
+        measured?;
         measure_sort(&device, runs, &mut text).map_err(error)?;
     }
     let device = Device::open(&DeviceOptions { narrow: true, ..DeviceOptions::default() }).map_err(error)?;
@@ -51,7 +56,7 @@ pub fn run(runs: usize, out: &Path) -> Result<(), String> {
     for scene in SCENES.iter().filter(|s| dir.join("scenes").join(s.name).is_dir()) {
         measure_narrow(&device, scene, &dir, runs, &mut text).map_err(error)?;
     }
-    std::fs::write(out, &text).map_err(|e| format!("{}: {e}", out.display()))?;
+    write(&text)?;
     println!("{text}");
     Ok(())
 }
