@@ -1,4 +1,4 @@
-struct type_10 {
+struct type_8 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -22,82 +22,82 @@ struct type_10 {
     member_20: array<array<u32, 4>, 8>,
 }
 
-struct type_12 {
-    member: type_10,
+struct type_9 {
+    member: type_8,
 }
 
-struct type_16 {
+struct type_11 {
     member: array<u32>,
 }
 
-var<private> id_1: vec3<u32>;
-var<private> n_1: vec3<u32>;
-var<private> lane_1: u32;
 @group(0) @binding(0) 
-var<storage> params: type_12;
+var<storage> params: type_9;
 @group(0) @binding(1) 
-var<storage> contacts: type_16;
+var<storage> contacts: type_11;
 @group(0) @binding(2) 
-var<storage, read_write> keys: type_16;
+var<storage, read_write> keys: type_11;
 @group(0) @binding(3) 
-var<storage, read_write> order: type_16;
+var<storage, read_write> order: type_11;
 
-fn function_() {
+fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_84_: u32;
     var phi_101_: u32;
     var phi_150_: u32;
     var phi_151_: u32;
+    var id_2: vec3<u32>;
+    var n_2: vec3<u32>;
+    var lane_2: u32;
 
-    let _e19 = id_1;
-    let _e20 = n_1;
-    let _e21 = lane_1;
-    let _e32 = ((((_e19.y * _e20.x) + _e19.x) * 256u) + _e21);
-    let _e34 = params.member.member_17;
-    if (_e32 < _e34) {
-        let _e37 = params.member.member_9;
-        if (_e37 == 0u) {
-            order.member[_e32] = _e32;
-            phi_84_ = _e32;
+    id_2 = id_1;
+    n_2 = n_1;
+    lane_2 = lane_1;
+    let _e13 = id_2;
+    let _e14 = n_2;
+    let _e15 = lane_2;
+    let _e26 = ((((_e13.y * _e14.x) + _e13.x) * 256u) + _e15);
+    let _e28 = params.member.member_17;
+    if (_e26 < _e28) {
+        let _e31 = params.member.member_9;
+        if (_e31 == 0u) {
+            order.member[_e26] = _e26;
+            phi_84_ = _e26;
         } else {
-            let _e40 = order.member[_e32];
-            phi_84_ = _e40;
+            let _e34 = order.member[_e26];
+            phi_84_ = _e34;
         }
-        let _e43 = phi_84_;
-        let _e45 = contacts.member[0u];
-        let _e47 = params.member.member_15;
-        if (_e47 < _e45) {
-            phi_101_ = _e47;
+        let _e37 = phi_84_;
+        let _e39 = contacts.member[0u];
+        let _e41 = params.member.member_15;
+        if (_e41 < _e39) {
+            phi_101_ = _e41;
         } else {
-            phi_101_ = _e45;
+            phi_101_ = _e39;
         }
-        let _e50 = phi_101_;
-        if (_e43 >= _e50) {
+        let _e44 = phi_101_;
+        if (_e37 >= _e44) {
             phi_151_ = 4294967295u;
         } else {
-            let _e52 = (6u * _e43);
-            let _e55 = params.member.member_9;
-            if (_e55 == 0u) {
-                let _e69 = contacts.member[(_e52 + 7u)];
-                phi_150_ = _e69;
+            let _e46 = (6u * _e37);
+            let _e49 = params.member.member_9;
+            if (_e49 == 0u) {
+                let _e63 = contacts.member[(_e46 + 7u)];
+                phi_150_ = _e63;
             } else {
-                let _e58 = contacts.member[(4u + _e52)];
-                let _e61 = params.member.member[0u];
-                let _e65 = contacts.member[(_e52 + 6u)];
-                phi_150_ = ((_e58 * _e61) + _e65);
+                let _e52 = contacts.member[(4u + _e46)];
+                let _e55 = params.member.member[0u];
+                let _e59 = contacts.member[(_e46 + 6u)];
+                phi_150_ = ((_e52 * _e55) + _e59);
             }
-            let _e71 = phi_150_;
-            phi_151_ = _e71;
+            let _e65 = phi_150_;
+            phi_151_ = _e65;
         }
-        let _e73 = phi_151_;
-        keys.member[_e32] = _e73;
+        let _e67 = phi_151_;
+        keys.member[_e26] = _e67;
     }
     return;
 }
 
 @compute @workgroup_size(256, 1, 1) 
 fn contact_keys(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    id_1 = id;
-    n_1 = n;
-    lane_1 = lane;
-    function_();
+    function_(id, n, lane);
 }

@@ -1,9 +1,9 @@
-struct type_6 {
+struct type_4 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_12 {
+struct type_10 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -27,45 +27,42 @@ struct type_12 {
     member_20: array<array<u32, 4>, 8>,
 }
 
-struct type_14 {
-    member: type_12,
+struct type_11 {
+    member: type_10,
 }
 
-struct type_18 {
-    member: array<type_6>,
+struct type_13 {
+    member: array<type_4>,
 }
 
-struct type_22 {
+struct type_15 {
     member: array<u32>,
 }
 
-struct type_31 {
+struct type_18 {
     member: u32,
     member_1: u32,
 }
 
-struct type_43 {
+struct type_25 {
     member: array<atomic<u32>>,
 }
 
-var<private> id_1: vec3<u32>;
-var<private> n_1: vec3<u32>;
-var<private> lane_1: u32;
 @group(0) @binding(0) 
-var<storage> params: type_14;
+var<storage> params: type_11;
 @group(0) @binding(1) 
-var<storage> nodes: type_18;
+var<storage> nodes: type_13;
 @group(0) @binding(2) 
-var<storage> input: type_22;
+var<storage> input: type_15;
 @group(0) @binding(3) 
-var<storage, read_write> output: type_43;
+var<storage, read_write> output: type_25;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
-var<workgroup> columns: array<type_6, 128>;
+var<workgroup> columns: array<type_4, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
 
-fn function_() {
+fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_127_: u32;
     var phi_155_: u32;
     var phi_156_: u32;
@@ -73,9 +70,9 @@ fn function_() {
     var phi_179_: u32;
     var phi_200_: u32;
     var phi_201_: u32;
-    var phi_204_: type_31;
-    var phi_205_: type_31;
-    var phi_228_: type_31;
+    var phi_204_: type_18;
+    var phi_205_: type_18;
+    var phi_228_: type_18;
     var phi_266_: u32;
     var phi_267_: u32;
     var phi_274_: u32;
@@ -83,12 +80,12 @@ fn function_() {
     var phi_334_: array<u32, 2>;
     var phi_528_: bool;
     var phi_529_: bool;
-    var phi_533_: type_6;
+    var phi_533_: type_4;
     var phi_541_: bool;
-    var phi_548_: type_31;
+    var phi_548_: type_18;
     var phi_551_: u32;
-    var phi_549_: type_31;
-    var phi_574_: type_31;
+    var phi_549_: type_18;
+    var phi_574_: type_18;
     var phi_639_: bool;
     var phi_640_: bool;
     var phi_641_: bool;
@@ -98,450 +95,422 @@ fn function_() {
     var phi_665_: u32;
     var phi_666_: u32;
     var phi_552_: u32;
-    var phi_669_: type_31;
+    var phi_669_: type_18;
     var phi_672_: u32;
-    var phi_670_: type_31;
-    var phi_695_: type_31;
+    var phi_670_: type_18;
+    var phi_695_: type_18;
     var phi_747_: u32;
     var phi_748_: bool;
     var phi_673_: u32;
     var phi_749_: bool;
     var phi_756_: u32;
-    var phi_789_: type_31;
-    var phi_790_: type_31;
-    var phi_813_: type_31;
+    var phi_789_: type_18;
+    var phi_790_: type_18;
+    var phi_813_: type_18;
     var phi_859_: bool;
     var phi_860_: bool;
     var local: u32;
+    var id_2: vec3<u32>;
+    var n_2: vec3<u32>;
+    var lane_2: u32;
 
-    let _e50 = id_1;
-    let _e51 = n_1;
-    let _e52 = lane_1;
-    let _e61 = ((_e50.y * _e51.x) + _e50.x);
-    let _e64 = (_e51.x * _e51.y);
-    let _e66 = params.member.member_15;
-    let _e68 = input.member[0u];
-    if (_e66 < _e68) {
-        phi_127_ = _e66;
+    id_2 = id_1;
+    n_2 = n_1;
+    lane_2 = lane_1;
+    let _e37 = id_2;
+    let _e38 = n_2;
+    let _e39 = lane_2;
+    let _e48 = ((_e37.y * _e38.x) + _e37.x);
+    let _e51 = (_e38.x * _e38.y);
+    let _e53 = params.member.member_15;
+    let _e55 = input.member[0u];
+    if (_e53 < _e55) {
+        phi_127_ = _e53;
     } else {
-        phi_127_ = _e68;
+        phi_127_ = _e55;
     }
-    let _e71 = phi_127_;
-    let _e72 = (_e52 / 32u);
-    let _e74 = params.member.member_12;
-    if (_e71 > _e74) {
-        let _e77 = params.member.member_12;
-        let _e78 = (_e71 - _e77);
-        let _e80 = params.member.member_13;
-        if (_e80 == 0u) {
+    let _e58 = phi_127_;
+    let _e59 = (_e39 / 32u);
+    let _e61 = params.member.member_12;
+    if (_e58 > _e61) {
+        let _e64 = params.member.member_12;
+        let _e65 = (_e58 - _e64);
+        let _e67 = params.member.member_13;
+        if (_e67 == 0u) {
             return;
         }
-        let _e82 = (_e78 / _e80);
-        if (_e80 == 0u) {
+        let _e69 = (_e65 / _e67);
+        if (_e67 == 0u) {
             return;
         }
-        if ((_e78 % _e80) > 0u) {
-            phi_155_ = (_e82 + 1u);
+        if ((_e65 % _e67) > 0u) {
+            phi_155_ = (_e69 + 1u);
         } else {
-            phi_155_ = _e82;
+            phi_155_ = _e69;
         }
-        let _e88 = phi_155_;
-        phi_156_ = _e88;
+        let _e75 = phi_155_;
+        phi_156_ = _e75;
     } else {
         phi_156_ = 0u;
     }
-    let _e90 = phi_156_;
-    let _e92 = params.member.member_14;
-    if (_e92 < _e90) {
-        phi_163_ = _e92;
+    let _e77 = phi_156_;
+    let _e79 = params.member.member_14;
+    if (_e79 < _e77) {
+        phi_163_ = _e79;
     } else {
-        phi_163_ = _e90;
+        phi_163_ = _e77;
     }
-    let _e95 = phi_163_;
-    let _e96 = (_e95 / 4u);
-    if ((_e95 % 4u) > 0u) {
-        phi_179_ = (_e96 + 1u);
+    let _e82 = phi_163_;
+    let _e83 = (_e82 / 4u);
+    if ((_e82 % 4u) > 0u) {
+        phi_179_ = (_e83 + 1u);
     } else {
-        phi_179_ = _e96;
+        phi_179_ = _e83;
     }
-    let _e101 = phi_179_;
-    if (_e101 > _e61) {
-        let _e103 = (_e101 - _e61);
-        if (_e64 == 0u) {
+    let _e88 = phi_179_;
+    if (_e88 > _e48) {
+        let _e90 = (_e88 - _e48);
+        if (_e51 == 0u) {
             return;
         }
-        let _e105 = (_e103 / _e64);
-        if (_e64 == 0u) {
+        let _e92 = (_e90 / _e51);
+        if (_e51 == 0u) {
             return;
         }
-        if ((_e103 % _e64) > 0u) {
-            phi_200_ = (_e105 + 1u);
+        if ((_e90 % _e51) > 0u) {
+            phi_200_ = (_e92 + 1u);
         } else {
-            phi_200_ = _e105;
+            phi_200_ = _e92;
         }
-        let _e111 = phi_200_;
-        phi_201_ = _e111;
+        let _e98 = phi_200_;
+        phi_201_ = _e98;
     } else {
         phi_201_ = 0u;
     }
-    let _e113 = phi_201_;
-    phi_204_ = type_31(0u, _e113);
+    let _e100 = phi_201_;
+    phi_204_ = type_18(0u, _e100);
     loop {
-        let _e116 = phi_204_;
-        if (_e116.member < _e116.member_1) {
-            phi_205_ = type_31((_e116.member + 1u), _e116.member_1);
-            phi_228_ = type_31(1u, _e116.member);
+        let _e103 = phi_204_;
+        if (_e103.member < _e103.member_1) {
+            phi_205_ = type_18((_e103.member + 1u), _e103.member_1);
+            phi_228_ = type_18(1u, _e103.member);
         } else {
-            phi_205_ = _e116;
-            phi_228_ = type_31(0u, type_31().member_1);
+            phi_205_ = _e103;
+            phi_228_ = type_18(0u, type_18().member_1);
         }
-        let _e130 = phi_205_;
-        let _e132 = phi_228_;
-        let _e136 = (bitcast<i32>(_e132.member) != 0i);
-        if _e136 {
-            let _e140 = (((_e61 + (_e132.member_1 * _e64)) * 4u) + _e72);
-            let _e142 = params.member.member_12;
-            if (_e71 > _e142) {
-                let _e145 = params.member.member_12;
-                let _e146 = (_e71 - _e145);
-                let _e148 = params.member.member_13;
-                if (_e148 == 0u) {
+        let _e115 = phi_205_;
+        let _e117 = phi_228_;
+        let _e121 = (bitcast<i32>(_e117.member) != 0i);
+        if _e121 {
+            let _e125 = (((_e48 + (_e117.member_1 * _e51)) * 4u) + _e59);
+            let _e127 = params.member.member_12;
+            if (_e58 > _e127) {
+                let _e130 = params.member.member_12;
+                let _e131 = (_e58 - _e130);
+                let _e133 = params.member.member_13;
+                if (_e133 == 0u) {
                     return;
                 }
-                let _e150 = (_e146 / _e148);
-                if (_e148 == 0u) {
+                let _e135 = (_e131 / _e133);
+                if (_e133 == 0u) {
                     return;
                 }
-                if ((_e146 % _e148) > 0u) {
-                    phi_266_ = (_e150 + 1u);
+                if ((_e131 % _e133) > 0u) {
+                    phi_266_ = (_e135 + 1u);
                 } else {
-                    phi_266_ = _e150;
+                    phi_266_ = _e135;
                 }
-                let _e156 = phi_266_;
-                phi_267_ = _e156;
+                let _e141 = phi_266_;
+                phi_267_ = _e141;
             } else {
                 phi_267_ = 0u;
             }
-            let _e158 = phi_267_;
-            let _e160 = params.member.member_14;
-            if (_e160 < _e158) {
-                phi_274_ = _e160;
+            let _e143 = phi_267_;
+            let _e145 = params.member.member_14;
+            if (_e145 < _e143) {
+                phi_274_ = _e145;
             } else {
-                phi_274_ = _e158;
+                phi_274_ = _e143;
             }
-            let _e163 = phi_274_;
-            let _e164 = (_e140 < _e163);
-            let _e166 = params.member.member_12;
-            if _e164 {
-                let _e168 = params.member.member_13;
-                phi_284_ = (_e140 * _e168);
+            let _e148 = phi_274_;
+            let _e149 = (_e125 < _e148);
+            let _e151 = params.member.member_12;
+            if _e149 {
+                let _e153 = params.member.member_13;
+                phi_284_ = (_e125 * _e153);
             } else {
                 phi_284_ = 0u;
             }
-            let _e171 = phi_284_;
-            let _e173 = (2u * (_e166 + _e171));
-            let _e176 = input.member[(4u + _e173)];
-            let _e179 = input.member[(_e173 + 5u)];
-            if (_e52 < 8u) {
-                atomicStore((&counters[_e52]), 0u);
+            let _e156 = phi_284_;
+            let _e158 = (2u * (_e151 + _e156));
+            let _e161 = input.member[(4u + _e158)];
+            let _e164 = input.member[(_e158 + 5u)];
+            if (_e39 < 8u) {
+                atomicStore((&counters[_e39]), 0u);
             }
             workgroupBarrier();
-            if ((_e52 % 32u) == 0u) {
-                firsts[(2u * _e72)] = (_e176 * 32u);
-                firsts[((2u * _e72) + 1u)] = (_e179 * 32u);
+            if ((_e39 % 32u) == 0u) {
+                firsts[(2u * _e59)] = (_e161 * 32u);
+                firsts[((2u * _e59) + 1u)] = (_e164 * 32u);
             }
-            let _e192 = params.member.member_8;
-            if (_e192 == 0u) {
+            let _e177 = params.member.member_8;
+            if (_e177 == 0u) {
                 phi_334_ = array<u32, 2>(0u, 2u);
             } else {
                 phi_334_ = array<u32, 2>(1u, 1u);
             }
-            let _e195 = phi_334_;
-            let _e198 = (_e52 / 32u);
-            let _e199 = (_e52 % 32u);
-            let _e201 = params.member.member_9;
-            if (_e201 < 8u) {
-            } else {
-                return;
-            }
-            if (_e195[0] < 4u) {
-            } else {
-                return;
-            }
-            let _e207 = params.member.member_20[_e201][_e195[0]];
-            let _e210 = nodes.member[(_e207 + _e176)];
-            let _e212 = params.member.member_9;
-            if (_e212 < 8u) {
-            } else {
-                return;
-            }
-            if (_e195[1] < 4u) {
-            } else {
-                return;
-            }
-            let _e218 = params.member.member_20[_e212][_e195[1]];
-            let _e221 = nodes.member[(_e218 + _e179)];
-            let _e223 = params.member.member_9;
-            let _e224 = (_e223 - 1u);
-            if (_e224 < 8u) {
-            } else {
-                return;
-            }
-            if (_e195[0] < 4u) {
-            } else {
-                return;
-            }
-            let _e232 = params.member.member_20[_e224][_e195[0]];
-            let _e235 = nodes.member[(_e232 + ((_e176 * 32u) + _e199))];
-            let _e237 = params.member.member_9;
-            let _e238 = (_e237 - 1u);
-            if (_e238 < 8u) {
-            } else {
-                return;
-            }
-            if (_e195[1] < 4u) {
-            } else {
-                return;
-            }
-            let _e246 = params.member.member_20[_e238][_e195[1]];
-            let _e249 = nodes.member[(_e246 + ((_e179 * 32u) + _e199))];
-            if _e164 {
-                if ((((((_e249.member[0] <= _e210.member_1[0]) && (_e210.member[0] <= _e249.member_1[0])) && (_e249.member[1] <= _e210.member_1[1])) && (_e210.member[1] <= _e249.member_1[1])) && (_e249.member[2] <= _e210.member_1[2])) && (_e210.member[2] <= _e249.member_1[2])) {
-                    let _e287 = atomicAdd((&counters[_e198]), 1u);
-                    let _e288 = ((_e198 * 32u) + _e287);
-                    columns[_e288] = type_6(array<f32, 3>(_e249.member[0], _e249.member[1], _e249.member[2]), array<f32, 3>(_e249.member_1[0], _e249.member_1[1], _e249.member_1[2]));
-                    names[_e288] = _e199;
+            let _e180 = phi_334_;
+            let _e183 = (_e39 / 32u);
+            let _e184 = (_e39 % 32u);
+            let _e186 = params.member.member_9;
+            let _e190 = params.member.member_20[_e186][_e180[0]];
+            let _e193 = nodes.member[(_e190 + _e161)];
+            let _e195 = params.member.member_9;
+            let _e199 = params.member.member_20[_e195][_e180[1]];
+            let _e202 = nodes.member[(_e199 + _e164)];
+            let _e204 = params.member.member_9;
+            let _e211 = params.member.member_20[(_e204 - 1u)][_e180[0]];
+            let _e214 = nodes.member[(_e211 + ((_e161 * 32u) + _e184))];
+            let _e216 = params.member.member_9;
+            let _e223 = params.member.member_20[(_e216 - 1u)][_e180[1]];
+            let _e226 = nodes.member[(_e223 + ((_e164 * 32u) + _e184))];
+            if _e149 {
+                if ((((((_e226.member[0] <= _e193.member_1[0]) && (_e193.member[0] <= _e226.member_1[0])) && (_e226.member[1] <= _e193.member_1[1])) && (_e193.member[1] <= _e226.member_1[1])) && (_e226.member[2] <= _e193.member_1[2])) && (_e193.member[2] <= _e226.member_1[2])) {
+                    let _e264 = atomicAdd((&counters[_e183]), 1u);
+                    let _e265 = ((_e183 * 32u) + _e264);
+                    columns[_e265] = type_4(array<f32, 3>(_e226.member[0], _e226.member[1], _e226.member[2]), array<f32, 3>(_e226.member_1[0], _e226.member_1[1], _e226.member_1[2]));
+                    names[_e265] = _e184;
                 }
             }
             workgroupBarrier();
-            if _e164 {
-                if ((((((_e235.member[0] <= _e221.member_1[0]) && (_e221.member[0] <= _e235.member_1[0])) && (_e235.member[1] <= _e221.member_1[1])) && (_e221.member[1] <= _e235.member_1[1])) && (_e235.member[2] <= _e221.member_1[2])) && (_e221.member[2] <= _e235.member_1[2])) {
+            if _e149 {
+                if ((((((_e214.member[0] <= _e202.member_1[0]) && (_e202.member[0] <= _e214.member_1[0])) && (_e214.member[1] <= _e202.member_1[1])) && (_e202.member[1] <= _e214.member_1[1])) && (_e214.member[2] <= _e202.member_1[2])) && (_e202.member[2] <= _e214.member_1[2])) {
                     phi_528_ = false;
                 } else {
                     phi_528_ = true;
                 }
-                let _e338 = phi_528_;
-                phi_529_ = _e338;
+                let _e315 = phi_528_;
+                phi_529_ = _e315;
             } else {
                 phi_529_ = true;
             }
-            let _e340 = phi_529_;
-            if _e340 {
-                phi_533_ = type_6(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            let _e317 = phi_529_;
+            if _e317 {
+                phi_533_ = type_4(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_533_ = _e235;
+                phi_533_ = _e214;
             }
-            let _e342 = phi_533_;
-            let _e344 = params.member.member_8;
-            if (_e344 == 1u) {
-                phi_541_ = (_e176 == _e179);
+            let _e319 = phi_533_;
+            let _e321 = params.member.member_8;
+            if (_e321 == 1u) {
+                phi_541_ = (_e161 == _e164);
             } else {
                 phi_541_ = false;
             }
-            let _e348 = phi_541_;
-            let _e349 = (_e52 / 32u);
-            let _e350 = (_e52 % 32u);
-            let _e352 = atomicLoad((&counters[_e349]));
-            phi_548_ = type_31(0u, _e352);
+            let _e325 = phi_541_;
+            let _e326 = (_e39 / 32u);
+            let _e327 = (_e39 % 32u);
+            let _e329 = atomicLoad((&counters[_e326]));
+            phi_548_ = type_18(0u, _e329);
             phi_551_ = 0u;
             loop {
-                let _e355 = phi_548_;
-                let _e357 = phi_551_;
-                local = _e357;
-                if (_e355.member < _e355.member_1) {
-                    phi_549_ = type_31((_e355.member + 1u), _e355.member_1);
-                    phi_574_ = type_31(1u, _e355.member);
+                let _e332 = phi_548_;
+                let _e334 = phi_551_;
+                local = _e334;
+                if (_e332.member < _e332.member_1) {
+                    phi_549_ = type_18((_e332.member + 1u), _e332.member_1);
+                    phi_574_ = type_18(1u, _e332.member);
                 } else {
-                    phi_549_ = _e355;
-                    phi_574_ = type_31(0u, type_31().member_1);
+                    phi_549_ = _e332;
+                    phi_574_ = type_18(0u, type_18().member_1);
                 }
-                let _e371 = phi_549_;
-                let _e373 = phi_574_;
-                let _e377 = (bitcast<i32>(_e373.member) != 0i);
-                if _e377 {
-                    let _e381 = names[((_e349 * 32u) + _e373.member_1)];
-                    let _e385 = columns[((_e349 * 32u) + _e373.member_1)];
-                    if ((((((_e342.member[0] <= _e385.member_1[0]) && (_e385.member[0] <= _e342.member_1[0])) && (_e342.member[1] <= _e385.member_1[1])) && (_e385.member[1] <= _e342.member_1[1])) && (_e342.member[2] <= _e385.member_1[2])) && (_e385.member[2] <= _e342.member_1[2])) {
-                        if _e348 {
-                            let _e417 = (_e350 < _e381);
-                            if _e417 {
+                let _e346 = phi_549_;
+                let _e348 = phi_574_;
+                let _e352 = (bitcast<i32>(_e348.member) != 0i);
+                if _e352 {
+                    let _e356 = names[((_e326 * 32u) + _e348.member_1)];
+                    let _e360 = columns[((_e326 * 32u) + _e348.member_1)];
+                    if ((((((_e319.member[0] <= _e360.member_1[0]) && (_e360.member[0] <= _e319.member_1[0])) && (_e319.member[1] <= _e360.member_1[1])) && (_e360.member[1] <= _e319.member_1[1])) && (_e319.member[2] <= _e360.member_1[2])) && (_e360.member[2] <= _e319.member_1[2])) {
+                        if _e325 {
+                            let _e392 = (_e327 < _e356);
+                            if _e392 {
                                 phi_640_ = bool();
                             } else {
-                                if (_e350 == _e381) {
+                                if (_e327 == _e356) {
                                     phi_639_ = true;
                                 } else {
                                     phi_639_ = false;
                                 }
-                                let _e420 = phi_639_;
-                                phi_640_ = _e420;
+                                let _e395 = phi_639_;
+                                phi_640_ = _e395;
                             }
-                            let _e422 = phi_640_;
-                            phi_641_ = _e422;
-                            phi_642_ = _e417;
+                            let _e397 = phi_640_;
+                            phi_641_ = _e397;
+                            phi_642_ = _e392;
                         } else {
                             phi_641_ = bool();
                             phi_642_ = true;
                         }
-                        let _e424 = phi_641_;
-                        let _e426 = phi_642_;
-                        if _e426 {
+                        let _e399 = phi_641_;
+                        let _e401 = phi_642_;
+                        if _e401 {
                             phi_646_ = true;
                         } else {
-                            phi_646_ = _e424;
+                            phi_646_ = _e399;
                         }
-                        let _e428 = phi_646_;
-                        if _e428 {
-                            let _e430 = atomicAdd((&counters[4u]), 1u);
-                            if (_e430 < 2048u) {
-                                hits[_e430] = (((_e349 << bitcast<u32>(10i)) | (_e350 << bitcast<u32>(5i))) | _e381);
-                                phi_664_ = _e357;
+                        let _e403 = phi_646_;
+                        if _e403 {
+                            let _e405 = atomicAdd((&counters[4u]), 1u);
+                            if (_e405 < 2048u) {
+                                hits[_e405] = (((_e326 << bitcast<u32>(10i)) | (_e327 << bitcast<u32>(5i))) | _e356);
+                                phi_664_ = _e334;
                             } else {
-                                phi_664_ = (_e357 | (1u << bitcast<u32>((_e373.member_1 & 31u))));
+                                phi_664_ = (_e334 | (1u << bitcast<u32>((_e348.member_1 & 31u))));
                             }
-                            let _e444 = phi_664_;
-                            phi_665_ = _e444;
+                            let _e419 = phi_664_;
+                            phi_665_ = _e419;
                         } else {
-                            phi_665_ = _e357;
+                            phi_665_ = _e334;
                         }
-                        let _e446 = phi_665_;
-                        phi_666_ = _e446;
+                        let _e421 = phi_665_;
+                        phi_666_ = _e421;
                     } else {
-                        phi_666_ = _e357;
+                        phi_666_ = _e334;
                     }
-                    let _e448 = phi_666_;
-                    phi_552_ = _e448;
+                    let _e423 = phi_666_;
+                    phi_552_ = _e423;
                 } else {
                     phi_552_ = u32();
                 }
-                let _e450 = phi_552_;
+                let _e425 = phi_552_;
                 continue;
                 continuing {
-                    phi_548_ = _e371;
-                    phi_551_ = _e450;
-                    break if !(_e377);
+                    phi_548_ = _e346;
+                    phi_551_ = _e425;
+                    break if !(_e352);
                 }
             }
-            phi_669_ = type_31(0u, 32u);
-            let _e628 = local;
-            phi_672_ = _e628;
+            phi_669_ = type_18(0u, 32u);
+            let _e599 = local;
+            phi_672_ = _e599;
             loop {
-                let _e453 = phi_669_;
-                let _e455 = phi_672_;
-                if (_e453.member < _e453.member_1) {
-                    phi_670_ = type_31((_e453.member + 1u), _e453.member_1);
-                    phi_695_ = type_31(1u, _e453.member);
+                let _e428 = phi_669_;
+                let _e430 = phi_672_;
+                if (_e428.member < _e428.member_1) {
+                    phi_670_ = type_18((_e428.member + 1u), _e428.member_1);
+                    phi_695_ = type_18(1u, _e428.member);
                 } else {
-                    phi_670_ = _e453;
-                    phi_695_ = type_31(0u, type_31().member_1);
+                    phi_670_ = _e428;
+                    phi_695_ = type_18(0u, type_18().member_1);
                 }
-                let _e469 = phi_670_;
-                let _e471 = phi_695_;
-                if (bitcast<i32>(_e471.member) != 0i) {
-                    if (_e455 == 0u) {
+                let _e442 = phi_670_;
+                let _e444 = phi_695_;
+                if (bitcast<i32>(_e444.member) != 0i) {
+                    if (_e430 == 0u) {
                         phi_747_ = u32();
                         phi_748_ = false;
                     } else {
-                        let _e482 = names[((_e72 * 32u) + select(firstTrailingBit(_e455), 32u, (_e455 == 0u)))];
-                        let _e486 = params.member.member_16;
-                        let _e493 = atomicAdd((&output.member[0u]), 1u);
-                        if ((_e493 + 1u) < _e493) {
-                            let _e497 = atomicAdd((&output.member[2u]), 1u);
+                        let _e455 = names[((_e59 * 32u) + select(firstTrailingBit(_e430), 32u, (_e430 == 0u)))];
+                        let _e459 = params.member.member_16;
+                        let _e466 = atomicAdd((&output.member[0u]), 1u);
+                        if ((_e466 + 1u) < _e466) {
+                            let _e470 = atomicAdd((&output.member[2u]), 1u);
                         }
-                        if (_e493 < _e486) {
-                            atomicStore((&output.member[(4u + (2u * _e493))]), ((_e176 * 32u) + (_e52 % 32u)));
-                            atomicStore((&output.member[((2u * _e493) + 5u)]), ((_e179 * 32u) + _e482));
+                        if (_e466 < _e459) {
+                            atomicStore((&output.member[(4u + (2u * _e466))]), ((_e161 * 32u) + (_e39 % 32u)));
+                            atomicStore((&output.member[((2u * _e466) + 5u)]), ((_e164 * 32u) + _e455));
                         }
-                        phi_747_ = (_e455 & (_e455 - 1u));
+                        phi_747_ = (_e430 & (_e430 - 1u));
                         phi_748_ = true;
                     }
-                    let _e506 = phi_747_;
-                    let _e508 = phi_748_;
-                    phi_673_ = _e506;
-                    phi_749_ = _e508;
+                    let _e479 = phi_747_;
+                    let _e481 = phi_748_;
+                    phi_673_ = _e479;
+                    phi_749_ = _e481;
                 } else {
                     phi_673_ = u32();
                     phi_749_ = false;
                 }
-                let _e510 = phi_673_;
-                let _e512 = phi_749_;
+                let _e483 = phi_673_;
+                let _e485 = phi_749_;
                 continue;
                 continuing {
-                    phi_669_ = _e469;
-                    phi_672_ = _e510;
-                    break if !(_e512);
+                    phi_669_ = _e442;
+                    phi_672_ = _e483;
+                    break if !(_e485);
                 }
             }
             workgroupBarrier();
-            let _e515 = atomicLoad((&counters[4u]));
-            if (2048u < _e515) {
+            let _e488 = atomicLoad((&counters[4u]));
+            if (2048u < _e488) {
                 phi_756_ = 2048u;
             } else {
-                phi_756_ = _e515;
+                phi_756_ = _e488;
             }
-            let _e518 = phi_756_;
-            if (_e52 == 0u) {
-                atomicStore((&counters[5u]), _e518);
+            let _e491 = phi_756_;
+            if (_e39 == 0u) {
+                atomicStore((&counters[5u]), _e491);
             }
             workgroupBarrier();
-            if (_e52 == 0u) {
-                let _e523 = atomicLoad((&counters[5u]));
-                if (_e523 > 0u) {
-                    let _e526 = atomicAdd((&output.member[0u]), _e523);
-                    if ((_e526 + _e523) < _e526) {
-                        let _e530 = atomicAdd((&output.member[2u]), 1u);
+            if (_e39 == 0u) {
+                let _e496 = atomicLoad((&counters[5u]));
+                if (_e496 > 0u) {
+                    let _e499 = atomicAdd((&output.member[0u]), _e496);
+                    if ((_e499 + _e496) < _e499) {
+                        let _e503 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e526);
+                    atomicStore((&counters[6u]), _e499);
                 }
             }
             workgroupBarrier();
-            let _e533 = atomicLoad((&counters[6u]));
-            phi_789_ = type_31(0u, 16u);
+            let _e506 = atomicLoad((&counters[6u]));
+            phi_789_ = type_18(0u, 16u);
             loop {
-                let _e535 = phi_789_;
-                if (_e535.member < _e535.member_1) {
-                    phi_790_ = type_31((_e535.member + 1u), _e535.member_1);
-                    phi_813_ = type_31(1u, _e535.member);
+                let _e508 = phi_789_;
+                if (_e508.member < _e508.member_1) {
+                    phi_790_ = type_18((_e508.member + 1u), _e508.member_1);
+                    phi_813_ = type_18(1u, _e508.member);
                 } else {
-                    phi_790_ = _e535;
-                    phi_813_ = type_31(0u, type_31().member_1);
+                    phi_790_ = _e508;
+                    phi_813_ = type_18(0u, type_18().member_1);
                 }
-                let _e549 = phi_790_;
-                let _e551 = phi_813_;
-                if (bitcast<i32>(_e551.member) != 0i) {
-                    let _e557 = (_e52 + (_e551.member_1 * 128u));
-                    if (_e557 >= _e518) {
+                let _e520 = phi_790_;
+                let _e522 = phi_813_;
+                if (bitcast<i32>(_e522.member) != 0i) {
+                    let _e528 = (_e39 + (_e522.member_1 * 128u));
+                    if (_e528 >= _e491) {
                         phi_859_ = false;
                     } else {
-                        let _e560 = hits[_e557];
-                        let _e563 = ((_e560 >> bitcast<u32>(10i)) & 3u);
-                        let _e569 = params.member.member_16;
-                        let _e570 = (_e533 + _e557);
-                        let _e573 = firsts[(2u * _e563)];
-                        let _e578 = firsts[((2u * _e563) + 1u)];
-                        if (_e570 < _e569) {
-                            atomicStore((&output.member[(4u + (2u * _e570))]), (_e573 + ((_e560 >> bitcast<u32>(5i)) & 31u)));
-                            atomicStore((&output.member[((2u * _e570) + 5u)]), (_e578 + (_e560 & 31u)));
+                        let _e531 = hits[_e528];
+                        let _e534 = ((_e531 >> bitcast<u32>(10i)) & 3u);
+                        let _e540 = params.member.member_16;
+                        let _e541 = (_e506 + _e528);
+                        let _e544 = firsts[(2u * _e534)];
+                        let _e549 = firsts[((2u * _e534) + 1u)];
+                        if (_e541 < _e540) {
+                            atomicStore((&output.member[(4u + (2u * _e541))]), (_e544 + ((_e531 >> bitcast<u32>(5i)) & 31u)));
+                            atomicStore((&output.member[((2u * _e541) + 5u)]), (_e549 + (_e531 & 31u)));
                         }
                         phi_859_ = true;
                     }
-                    let _e588 = phi_859_;
-                    phi_860_ = _e588;
+                    let _e559 = phi_859_;
+                    phi_860_ = _e559;
                 } else {
                     phi_860_ = false;
                 }
-                let _e590 = phi_860_;
+                let _e561 = phi_860_;
                 continue;
                 continuing {
-                    phi_789_ = _e549;
-                    break if !(_e590);
+                    phi_789_ = _e520;
+                    break if !(_e561);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_204_ = _e130;
-            break if !(_e136);
+            phi_204_ = _e115;
+            break if !(_e121);
         }
     }
     return;
@@ -549,8 +518,5 @@ fn function_() {
 
 @compute @workgroup_size(128, 1, 1) 
 fn node_pairs(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    id_1 = id;
-    n_1 = n;
-    lane_1 = lane;
-    function_();
+    function_(id, n, lane);
 }

@@ -1,4 +1,4 @@
-struct type_10 {
+struct type_8 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -22,80 +22,83 @@ struct type_10 {
     member_20: array<array<u32, 4>, 8>,
 }
 
-struct type_12 {
-    member: type_10,
+struct type_9 {
+    member: type_8,
 }
 
-struct type_16 {
+struct type_11 {
     member: array<u32>,
 }
 
-struct type_21 {
+struct type_13 {
     member: u32,
     member_1: u32,
 }
 
-var<private> id_1: vec3<u32>;
-var<private> n_1: vec3<u32>;
-var<private> lane_1: u32;
 @group(0) @binding(0) 
-var<storage> params: type_12;
+var<storage> params: type_9;
 @group(0) @binding(2) 
-var<storage> order: type_16;
+var<storage> order: type_11;
 @group(0) @binding(1) 
-var<storage> contacts: type_16;
+var<storage> contacts: type_11;
 @group(0) @binding(3) 
-var<storage, read_write> ordered: type_16;
+var<storage, read_write> ordered: type_11;
 
-fn function_() {
+fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_81_: u32;
     var phi_86_: u32;
-    var phi_105_: type_21;
-    var phi_106_: type_21;
-    var phi_129_: type_21;
+    var phi_105_: type_13;
+    var phi_106_: type_13;
+    var phi_129_: type_13;
+    var id_2: vec3<u32>;
+    var n_2: vec3<u32>;
+    var lane_2: u32;
 
-    let _e20 = id_1;
-    let _e21 = n_1;
-    let _e22 = lane_1;
-    let _e33 = ((((_e20.y * _e21.x) + _e20.x) * 256u) + _e22);
-    let _e35 = params.member.member_17;
-    let _e37 = params.member.member_15;
-    let _e39 = contacts.member[0u];
-    if (_e37 < _e39) {
-        phi_81_ = _e37;
+    id_2 = id_1;
+    n_2 = n_1;
+    lane_2 = lane_1;
+    let _e15 = id_2;
+    let _e16 = n_2;
+    let _e17 = lane_2;
+    let _e28 = ((((_e15.y * _e16.x) + _e15.x) * 256u) + _e17);
+    let _e30 = params.member.member_17;
+    let _e32 = params.member.member_15;
+    let _e34 = contacts.member[0u];
+    if (_e32 < _e34) {
+        phi_81_ = _e32;
     } else {
-        phi_81_ = _e39;
+        phi_81_ = _e34;
     }
-    let _e42 = phi_81_;
-    if (_e42 < _e35) {
-        phi_86_ = _e42;
+    let _e37 = phi_81_;
+    if (_e37 < _e30) {
+        phi_86_ = _e37;
     } else {
-        phi_86_ = _e35;
+        phi_86_ = _e30;
     }
-    let _e45 = phi_86_;
-    if (_e33 < _e45) {
-        let _e48 = order.member[_e33];
-        phi_105_ = type_21(0u, 6u);
+    let _e40 = phi_86_;
+    if (_e28 < _e40) {
+        let _e43 = order.member[_e28];
+        phi_105_ = type_13(0u, 6u);
         loop {
-            let _e52 = phi_105_;
-            if (_e52.member < _e52.member_1) {
-                phi_106_ = type_21((_e52.member + 1u), _e52.member_1);
-                phi_129_ = type_21(1u, _e52.member);
+            let _e47 = phi_105_;
+            if (_e47.member < _e47.member_1) {
+                phi_106_ = type_13((_e47.member + 1u), _e47.member_1);
+                phi_129_ = type_13(1u, _e47.member);
             } else {
-                phi_106_ = _e52;
-                phi_129_ = type_21(0u, type_21().member_1);
+                phi_106_ = _e47;
+                phi_129_ = type_13(0u, type_13().member_1);
             }
-            let _e66 = phi_106_;
-            let _e68 = phi_129_;
-            let _e72 = (bitcast<i32>(_e68.member) != 0i);
-            if _e72 {
-                let _e77 = contacts.member[((4u + (6u * _e48)) + _e68.member_1)];
-                ordered.member[((6u * _e33) + _e68.member_1)] = _e77;
+            let _e59 = phi_106_;
+            let _e61 = phi_129_;
+            let _e65 = (bitcast<i32>(_e61.member) != 0i);
+            if _e65 {
+                let _e70 = contacts.member[((4u + (6u * _e43)) + _e61.member_1)];
+                ordered.member[((6u * _e28) + _e61.member_1)] = _e70;
             }
             continue;
             continuing {
-                phi_105_ = _e66;
-                break if !(_e72);
+                phi_105_ = _e59;
+                break if !(_e65);
             }
         }
     }
@@ -104,8 +107,5 @@ fn function_() {
 
 @compute @workgroup_size(256, 1, 1) 
 fn order_contacts(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    id_1 = id;
-    n_1 = n;
-    lane_1 = lane;
-    function_();
+    function_(id, n, lane);
 }

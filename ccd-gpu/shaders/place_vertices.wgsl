@@ -1,9 +1,9 @@
-struct type_6 {
+struct type_4 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_13 {
+struct type_10 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -27,73 +27,70 @@ struct type_13 {
     member_20: array<array<u32, 4>, 8>,
 }
 
-struct type_15 {
-    member: type_13,
+struct type_11 {
+    member: type_10,
 }
 
-struct type_19 {
-    member: array<type_6>,
+struct type_13 {
+    member: array<type_4>,
 }
 
-struct type_26 {
+struct type_16 {
     member: u32,
     member_1: u32,
 }
 
-struct type_33 {
+struct type_20 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
 }
 
-struct type_35 {
+struct type_21 {
     member: array<f64, 3>,
     member_1: array<f64, 3>,
 }
 
-struct type_39 {
+struct type_23 {
     member: array<array<f64, 3>>,
 }
 
-struct type_43 {
-    member: array<type_33>,
+struct type_25 {
+    member: array<type_20>,
 }
 
-struct type_48 {
+struct type_28 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-var<private> id_1: vec3<u32>;
-var<private> n_1: vec3<u32>;
-var<private> lane_1: u32;
 @group(0) @binding(0) 
-var<storage> params: type_15;
+var<storage> params: type_11;
 @group(0) @binding(1) 
-var<storage> positions: type_39;
+var<storage> positions: type_23;
 @group(0) @binding(2) 
-var<storage, read_write> paths: type_43;
+var<storage, read_write> paths: type_25;
 @group(0) @binding(3) 
-var<storage, read_write> keys: type_48;
+var<storage, read_write> keys: type_28;
 @group(0) @binding(4) 
-var<storage, read_write> boxes: type_19;
+var<storage, read_write> boxes: type_13;
 
-fn function_() {
-    var local: type_6;
-    var local_1: type_6;
+fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
+    var local: type_4;
+    var local_1: type_4;
     var local_2: array<f64, 3>;
     var local_3: array<f64, 3>;
-    var local_4: type_33;
-    var local_5: type_35;
-    var local_6: type_35;
-    var local_7: type_35;
-    var local_8: type_35;
-    var phi_187_: type_26;
-    var phi_188_: type_26;
-    var phi_211_: type_26;
+    var local_4: type_20;
+    var local_5: type_21;
+    var local_6: type_21;
+    var local_7: type_21;
+    var local_8: type_21;
+    var phi_187_: type_16;
+    var phi_188_: type_16;
+    var phi_211_: type_16;
     var phi_237_: f64;
     var phi_264_: f64;
-    var phi_311_: type_26;
-    var phi_312_: type_26;
-    var phi_335_: type_26;
+    var phi_311_: type_16;
+    var phi_312_: type_16;
+    var phi_335_: type_16;
     var phi_362_: bool;
     var phi_379_: f64;
     var phi_380_: f64;
@@ -102,9 +99,9 @@ fn function_() {
     var phi_425_: f64;
     var phi_426_: f64;
     var phi_427_: f64;
-    var phi_481_: type_26;
-    var phi_482_: type_26;
-    var phi_505_: type_26;
+    var phi_481_: type_16;
+    var phi_482_: type_16;
+    var phi_505_: type_16;
     var phi_553_: bool;
     var phi_570_: f32;
     var phi_571_: f32;
@@ -177,9 +174,9 @@ fn function_() {
     var phi_1003_: array<u32, 2>;
     var phi_1004_: bool;
     var phi_1010_: array<u32, 2>;
-    var phi_1016_: type_26;
-    var phi_1017_: type_26;
-    var phi_1040_: type_26;
+    var phi_1016_: type_16;
+    var phi_1017_: type_16;
+    var phi_1040_: type_16;
     var phi_1072_: bool;
     var phi_1089_: f32;
     var phi_1090_: f32;
@@ -194,9 +191,9 @@ fn function_() {
     var phi_1155_: f32;
     var phi_1161_: f32;
     var phi_1166_: f32;
-    var phi_1199_: type_26;
-    var phi_1200_: type_26;
-    var phi_1223_: type_26;
+    var phi_1199_: type_16;
+    var phi_1200_: type_16;
+    var phi_1223_: type_16;
     var phi_1244_: bool;
     var phi_1267_: bool;
     var phi_1271_: f32;
@@ -205,928 +202,823 @@ fn function_() {
     var phi_1324_: bool;
     var phi_1328_: f32;
     var phi_1337_: f32;
+    var id_2: vec3<u32>;
+    var n_2: vec3<u32>;
+    var lane_2: u32;
 
-    let _e51 = id_1;
-    let _e52 = n_1;
-    let _e53 = lane_1;
-    let _e65 = ((((_e51.y * _e52.x) + _e51.x) * 256u) + _e53);
-    let _e68 = params.member.member[0u];
-    if (_e65 < _e68) {
-        let _e71 = positions.member[_e65];
-        let _e74 = params.member.member[0u];
-        let _e77 = positions.member[(_e74 + _e65)];
-        local_7 = type_35(array<f64, 3>(_e77[0], _e77[1], _e77[2]), array<f64, 3>(_e77[0], _e77[1], _e77[2]));
-        local_6 = type_35(array<f64, 3>(_e71[0], _e71[1], _e71[2]), array<f64, 3>(_e71[0], _e71[1], _e71[2]));
-        phi_187_ = type_26(0u, 3u);
+    id_2 = id_1;
+    n_2 = n_1;
+    lane_2 = lane_1;
+    let _e40 = id_2;
+    let _e41 = n_2;
+    let _e42 = lane_2;
+    let _e54 = ((((_e40.y * _e41.x) + _e40.x) * 256u) + _e42);
+    let _e57 = params.member.member[0u];
+    if (_e54 < _e57) {
+        let _e60 = positions.member[_e54];
+        let _e63 = params.member.member[0u];
+        let _e66 = positions.member[(_e63 + _e54)];
+        local_7 = type_21(array<f64, 3>(_e66[0], _e66[1], _e66[2]), array<f64, 3>(_e66[0], _e66[1], _e66[2]));
+        local_6 = type_21(array<f64, 3>(_e60[0], _e60[1], _e60[2]), array<f64, 3>(_e60[0], _e60[1], _e60[2]));
+        phi_187_ = type_16(0u, 3u);
         loop {
-            let _e97 = phi_187_;
-            if (_e97.member < _e97.member_1) {
-                phi_188_ = type_26((_e97.member + 1u), _e97.member_1);
-                phi_211_ = type_26(1u, _e97.member);
+            let _e86 = phi_187_;
+            if (_e86.member < _e86.member_1) {
+                phi_188_ = type_16((_e86.member + 1u), _e86.member_1);
+                phi_211_ = type_16(1u, _e86.member);
             } else {
-                phi_188_ = _e97;
-                phi_211_ = type_26(0u, type_26().member_1);
+                phi_188_ = _e86;
+                phi_211_ = type_16(0u, type_16().member_1);
             }
-            let _e111 = phi_188_;
-            let _e113 = phi_211_;
-            let _e117 = (bitcast<i32>(_e113.member) != 0i);
-            if _e117 {
-                if (_e113.member_1 < 3u) {
+            let _e98 = phi_188_;
+            let _e100 = phi_211_;
+            let _e104 = (bitcast<i32>(_e100.member) != 0i);
+            if _e104 {
+                let _e107 = local_6.member[_e100.member_1];
+                let _e110 = local_7.member[_e100.member_1];
+                if (_e107 < _e110) {
+                    phi_237_ = _e107;
                 } else {
-                    return;
+                    phi_237_ = _e110;
                 }
-                let _e121 = local_6.member[_e113.member_1];
-                if (_e113.member_1 < 3u) {
+                let _e113 = phi_237_;
+                local_6.member[_e100.member_1] = _e113;
+                let _e118 = local_6.member_1[_e100.member_1];
+                let _e121 = local_7.member_1[_e100.member_1];
+                if (_e118 > _e121) {
+                    phi_264_ = _e118;
                 } else {
-                    return;
+                    phi_264_ = _e121;
                 }
-                let _e125 = local_7.member[_e113.member_1];
-                if (_e121 < _e125) {
-                    phi_237_ = _e121;
-                } else {
-                    phi_237_ = _e125;
-                }
-                let _e128 = phi_237_;
-                if (_e113.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                local_6.member[_e113.member_1] = _e128;
-                if (_e113.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                let _e135 = local_6.member_1[_e113.member_1];
-                if (_e113.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                let _e139 = local_7.member_1[_e113.member_1];
-                if (_e135 > _e139) {
-                    phi_264_ = _e135;
-                } else {
-                    phi_264_ = _e139;
-                }
-                let _e142 = phi_264_;
-                if (_e113.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                local_6.member_1[_e113.member_1] = _e142;
+                let _e124 = phi_264_;
+                local_6.member_1[_e100.member_1] = _e124;
             }
             continue;
             continuing {
-                phi_187_ = _e111;
-                break if !(_e117);
+                phi_187_ = _e98;
+                break if !(_e104);
             }
         }
-        let _e147 = local_6;
-        let _e149 = params.member.member_19;
-        let _e156 = bitcast<f64>(((u64(_e149[1]) * 4294967296lu) + u64(_e149[0])));
-        if (_e156 > f64(0f)) {
-            local_5 = _e147;
-            phi_311_ = type_26(0u, 3u);
+        let _e128 = local_6;
+        let _e130 = params.member.member_19;
+        let _e137 = bitcast<f64>(((u64(_e130[1]) * 4294967296lu) + u64(_e130[0])));
+        if (_e137 > f64(0f)) {
+            local_5 = _e128;
+            phi_311_ = type_16(0u, 3u);
             loop {
-                let _e160 = phi_311_;
-                if (_e160.member < _e160.member_1) {
-                    phi_312_ = type_26((_e160.member + 1u), _e160.member_1);
-                    phi_335_ = type_26(1u, _e160.member);
+                let _e141 = phi_311_;
+                if (_e141.member < _e141.member_1) {
+                    phi_312_ = type_16((_e141.member + 1u), _e141.member_1);
+                    phi_335_ = type_16(1u, _e141.member);
                 } else {
-                    phi_312_ = _e160;
-                    phi_335_ = type_26(0u, type_26().member_1);
+                    phi_312_ = _e141;
+                    phi_335_ = type_16(0u, type_16().member_1);
                 }
-                let _e174 = phi_312_;
-                let _e176 = phi_335_;
-                let _e180 = (bitcast<i32>(_e176.member) != 0i);
-                if _e180 {
-                    if (_e176.member_1 < 3u) {
-                    } else {
-                        return;
-                    }
-                    let _e184 = local_5.member[_e176.member_1];
-                    let _e186 = -((_e184 - _e156));
-                    let _e187 = bitcast<u64>(_e186);
-                    if ((_e187 & 9218868437227405312lu) == 9218868437227405312lu) {
-                        phi_362_ = (_e186 < 0.0lf);
+                let _e153 = phi_312_;
+                let _e155 = phi_335_;
+                let _e159 = (bitcast<i32>(_e155.member) != 0i);
+                if _e159 {
+                    let _e162 = local_5.member[_e155.member_1];
+                    let _e164 = -((_e162 - _e137));
+                    let _e165 = bitcast<u64>(_e164);
+                    if ((_e165 & 9218868437227405312lu) == 9218868437227405312lu) {
+                        phi_362_ = (_e164 < 0.0lf);
                     } else {
                         phi_362_ = true;
                     }
-                    let _e192 = phi_362_;
-                    if _e192 {
-                        if (_e186 > 0.0lf) {
-                            phi_380_ = bitcast<f64>((_e187 + 1lu));
+                    let _e170 = phi_362_;
+                    if _e170 {
+                        if (_e164 > 0.0lf) {
+                            phi_380_ = bitcast<f64>((_e165 + 1lu));
                         } else {
-                            if (_e186 < 0.0lf) {
-                                phi_379_ = bitcast<f64>((_e187 - 1lu));
+                            if (_e164 < 0.0lf) {
+                                phi_379_ = bitcast<f64>((_e165 - 1lu));
                             } else {
                                 phi_379_ = 5e-324lf;
                             }
-                            let _e198 = phi_379_;
-                            phi_380_ = _e198;
+                            let _e176 = phi_379_;
+                            phi_380_ = _e176;
                         }
-                        let _e202 = phi_380_;
-                        phi_381_ = _e202;
+                        let _e180 = phi_380_;
+                        phi_381_ = _e180;
                     } else {
-                        phi_381_ = _e186;
+                        phi_381_ = _e164;
                     }
-                    let _e204 = phi_381_;
-                    if (_e176.member_1 < 3u) {
-                    } else {
-                        return;
-                    }
-                    local_5.member[_e176.member_1] = -(_e204);
-                    if (_e176.member_1 < 3u) {
-                    } else {
-                        return;
-                    }
-                    let _e212 = local_5.member_1[_e176.member_1];
-                    let _e213 = (_e212 + _e156);
-                    let _e214 = bitcast<u64>(_e213);
-                    if ((_e214 & 9218868437227405312lu) == 9218868437227405312lu) {
-                        phi_408_ = (_e213 < 0.0lf);
+                    let _e182 = phi_381_;
+                    local_5.member[_e155.member_1] = -(_e182);
+                    let _e188 = local_5.member_1[_e155.member_1];
+                    let _e189 = (_e188 + _e137);
+                    let _e190 = bitcast<u64>(_e189);
+                    if ((_e190 & 9218868437227405312lu) == 9218868437227405312lu) {
+                        phi_408_ = (_e189 < 0.0lf);
                     } else {
                         phi_408_ = true;
                     }
-                    let _e219 = phi_408_;
-                    if _e219 {
-                        if (_e213 > 0.0lf) {
-                            phi_426_ = bitcast<f64>((_e214 + 1lu));
+                    let _e195 = phi_408_;
+                    if _e195 {
+                        if (_e189 > 0.0lf) {
+                            phi_426_ = bitcast<f64>((_e190 + 1lu));
                         } else {
-                            if (_e213 < 0.0lf) {
-                                phi_425_ = bitcast<f64>((_e214 - 1lu));
+                            if (_e189 < 0.0lf) {
+                                phi_425_ = bitcast<f64>((_e190 - 1lu));
                             } else {
                                 phi_425_ = 5e-324lf;
                             }
-                            let _e225 = phi_425_;
-                            phi_426_ = _e225;
+                            let _e201 = phi_425_;
+                            phi_426_ = _e201;
                         }
-                        let _e229 = phi_426_;
-                        phi_427_ = _e229;
+                        let _e205 = phi_426_;
+                        phi_427_ = _e205;
                     } else {
-                        phi_427_ = _e213;
+                        phi_427_ = _e189;
                     }
-                    let _e231 = phi_427_;
-                    if (_e176.member_1 < 3u) {
-                    } else {
-                        return;
-                    }
-                    local_5.member_1[_e176.member_1] = _e231;
+                    let _e207 = phi_427_;
+                    local_5.member_1[_e155.member_1] = _e207;
                 }
                 continue;
                 continuing {
-                    phi_311_ = _e174;
-                    break if !(_e180);
+                    phi_311_ = _e153;
+                    break if !(_e159);
                 }
             }
         } else {
-            local_5 = _e147;
+            local_5 = _e128;
         }
-        let _e236 = local_5;
-        local_8 = _e236;
-        local_2 = array<f64, 3>(_e71[0], _e71[1], _e71[2]);
-        local_3 = array<f64, 3>(_e77[0], _e77[1], _e77[2]);
+        let _e211 = local_5;
+        local_8 = _e211;
+        local_2 = array<f64, 3>(_e60[0], _e60[1], _e60[2]);
+        local_3 = array<f64, 3>(_e66[0], _e66[1], _e66[2]);
         local_4.member = array<f32, 4>(0f, 0f, 0f, 0f);
         local_4.member_1 = array<f32, 4>(0f, 0f, 0f, 0f);
-        phi_481_ = type_26(0u, 3u);
+        phi_481_ = type_16(0u, 3u);
         loop {
-            let _e248 = phi_481_;
-            if (_e248.member < _e248.member_1) {
-                phi_482_ = type_26((_e248.member + 1u), _e248.member_1);
-                phi_505_ = type_26(1u, _e248.member);
+            let _e223 = phi_481_;
+            if (_e223.member < _e223.member_1) {
+                phi_482_ = type_16((_e223.member + 1u), _e223.member_1);
+                phi_505_ = type_16(1u, _e223.member);
             } else {
-                phi_482_ = _e248;
-                phi_505_ = type_26(0u, type_26().member_1);
+                phi_482_ = _e223;
+                phi_505_ = type_16(0u, type_16().member_1);
             }
-            let _e262 = phi_482_;
-            let _e264 = phi_505_;
-            let _e268 = (bitcast<i32>(_e264.member) != 0i);
-            if _e268 {
-                if (_e264.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                let _e272 = params.member.member_18[_e264.member_1];
-                let _e279 = bitcast<f64>(((u64(_e272[1]) * 4294967296lu) + u64(_e272[0])));
-                if (_e264.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                let _e282 = local_2[_e264.member_1];
-                let _e283 = (_e282 - _e279);
-                let _e284 = f32(_e283);
-                if (f64(_e284) > _e283) {
-                    let _e287 = -(_e284);
-                    let _e288 = bitcast<u32>(_e287);
-                    if ((_e288 & 2139095040u) == 2139095040u) {
-                        phi_553_ = (_e287 < 0f);
+            let _e235 = phi_482_;
+            let _e237 = phi_505_;
+            let _e241 = (bitcast<i32>(_e237.member) != 0i);
+            if _e241 {
+                let _e244 = params.member.member_18[_e237.member_1];
+                let _e251 = bitcast<f64>(((u64(_e244[1]) * 4294967296lu) + u64(_e244[0])));
+                let _e253 = local_2[_e237.member_1];
+                let _e254 = (_e253 - _e251);
+                let _e255 = f32(_e254);
+                if (f64(_e255) > _e254) {
+                    let _e258 = -(_e255);
+                    let _e259 = bitcast<u32>(_e258);
+                    if ((_e259 & 2139095040u) == 2139095040u) {
+                        phi_553_ = (_e258 < 0f);
                     } else {
                         phi_553_ = true;
                     }
-                    let _e293 = phi_553_;
-                    if _e293 {
-                        if (_e287 > 0f) {
-                            phi_571_ = bitcast<f32>((_e288 + 1u));
+                    let _e264 = phi_553_;
+                    if _e264 {
+                        if (_e258 > 0f) {
+                            phi_571_ = bitcast<f32>((_e259 + 1u));
                         } else {
-                            if (_e287 < 0f) {
-                                phi_570_ = bitcast<f32>((_e288 - 1u));
+                            if (_e258 < 0f) {
+                                phi_570_ = bitcast<f32>((_e259 - 1u));
                             } else {
                                 phi_570_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e299 = phi_570_;
-                            phi_571_ = _e299;
+                            let _e270 = phi_570_;
+                            phi_571_ = _e270;
                         }
-                        let _e303 = phi_571_;
-                        phi_572_ = _e303;
+                        let _e274 = phi_571_;
+                        phi_572_ = _e274;
                     } else {
-                        phi_572_ = _e287;
+                        phi_572_ = _e258;
                     }
-                    let _e305 = phi_572_;
-                    phi_574_ = -(_e305);
+                    let _e276 = phi_572_;
+                    phi_574_ = -(_e276);
                 } else {
-                    phi_574_ = _e284;
+                    phi_574_ = _e255;
                 }
-                let _e308 = phi_574_;
-                let _e309 = f32(_e283);
-                if (f64(_e309) < _e283) {
-                    let _e312 = bitcast<u32>(_e309);
-                    if ((_e312 & 2139095040u) == 2139095040u) {
-                        phi_591_ = (_e309 < 0f);
+                let _e279 = phi_574_;
+                let _e280 = f32(_e254);
+                if (f64(_e280) < _e254) {
+                    let _e283 = bitcast<u32>(_e280);
+                    if ((_e283 & 2139095040u) == 2139095040u) {
+                        phi_591_ = (_e280 < 0f);
                     } else {
                         phi_591_ = true;
                     }
-                    let _e317 = phi_591_;
-                    if _e317 {
-                        if (_e309 > 0f) {
-                            phi_609_ = bitcast<f32>((_e312 + 1u));
+                    let _e288 = phi_591_;
+                    if _e288 {
+                        if (_e280 > 0f) {
+                            phi_609_ = bitcast<f32>((_e283 + 1u));
                         } else {
-                            if (_e309 < 0f) {
-                                phi_608_ = bitcast<f32>((_e312 - 1u));
+                            if (_e280 < 0f) {
+                                phi_608_ = bitcast<f32>((_e283 - 1u));
                             } else {
                                 phi_608_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e323 = phi_608_;
-                            phi_609_ = _e323;
+                            let _e294 = phi_608_;
+                            phi_609_ = _e294;
                         }
-                        let _e327 = phi_609_;
-                        phi_610_ = _e327;
+                        let _e298 = phi_609_;
+                        phi_610_ = _e298;
                     } else {
-                        phi_610_ = _e309;
+                        phi_610_ = _e280;
                     }
-                    let _e329 = phi_610_;
-                    phi_611_ = _e329;
+                    let _e300 = phi_610_;
+                    phi_611_ = _e300;
                 } else {
-                    phi_611_ = _e309;
+                    phi_611_ = _e280;
                 }
-                let _e331 = phi_611_;
-                let _e333 = (_e283 - f64(_e308));
-                let _e335 = (f64(_e331) - _e283);
-                if (_e333 < _e335) {
+                let _e302 = phi_611_;
+                let _e304 = (_e254 - f64(_e279));
+                let _e306 = (f64(_e302) - _e254);
+                if (_e304 < _e306) {
                     phi_636_ = true;
                 } else {
-                    if (_e333 == _e335) {
-                        if ((bitcast<u32>(_e308) & 1u) == 0u) {
+                    if (_e304 == _e306) {
+                        if ((bitcast<u32>(_e279) & 1u) == 0u) {
                             phi_630_ = false;
                         } else {
                             phi_630_ = true;
                         }
-                        let _e342 = phi_630_;
-                        phi_631_ = _e342;
+                        let _e313 = phi_630_;
+                        phi_631_ = _e313;
                     } else {
                         phi_631_ = true;
                     }
-                    let _e344 = phi_631_;
-                    if _e344 {
+                    let _e315 = phi_631_;
+                    if _e315 {
                         phi_635_ = false;
                     } else {
                         phi_635_ = true;
                     }
-                    let _e346 = phi_635_;
-                    phi_636_ = _e346;
+                    let _e317 = phi_635_;
+                    phi_636_ = _e317;
                 }
-                let _e348 = phi_636_;
-                if _e348 {
-                    phi_640_ = _e308;
+                let _e319 = phi_636_;
+                if _e319 {
+                    phi_640_ = _e279;
                 } else {
-                    phi_640_ = _e331;
+                    phi_640_ = _e302;
                 }
-                let _e350 = phi_640_;
-                if (_e264.member_1 < 4u) {
-                } else {
-                    return;
-                }
-                local_4.member[_e264.member_1] = _e350;
-                if (_e264.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                let _e356 = local_3[_e264.member_1];
-                let _e357 = (_e356 - _e279);
-                let _e358 = f32(_e357);
-                if (f64(_e358) > _e357) {
-                    let _e361 = -(_e358);
-                    let _e362 = bitcast<u32>(_e361);
-                    if ((_e362 & 2139095040u) == 2139095040u) {
-                        phi_672_ = (_e361 < 0f);
+                let _e321 = phi_640_;
+                local_4.member[_e237.member_1] = _e321;
+                let _e325 = local_3[_e237.member_1];
+                let _e326 = (_e325 - _e251);
+                let _e327 = f32(_e326);
+                if (f64(_e327) > _e326) {
+                    let _e330 = -(_e327);
+                    let _e331 = bitcast<u32>(_e330);
+                    if ((_e331 & 2139095040u) == 2139095040u) {
+                        phi_672_ = (_e330 < 0f);
                     } else {
                         phi_672_ = true;
                     }
-                    let _e367 = phi_672_;
-                    if _e367 {
-                        if (_e361 > 0f) {
-                            phi_690_ = bitcast<f32>((_e362 + 1u));
+                    let _e336 = phi_672_;
+                    if _e336 {
+                        if (_e330 > 0f) {
+                            phi_690_ = bitcast<f32>((_e331 + 1u));
                         } else {
-                            if (_e361 < 0f) {
-                                phi_689_ = bitcast<f32>((_e362 - 1u));
+                            if (_e330 < 0f) {
+                                phi_689_ = bitcast<f32>((_e331 - 1u));
                             } else {
                                 phi_689_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e373 = phi_689_;
-                            phi_690_ = _e373;
+                            let _e342 = phi_689_;
+                            phi_690_ = _e342;
                         }
-                        let _e377 = phi_690_;
-                        phi_691_ = _e377;
+                        let _e346 = phi_690_;
+                        phi_691_ = _e346;
                     } else {
-                        phi_691_ = _e361;
+                        phi_691_ = _e330;
                     }
-                    let _e379 = phi_691_;
-                    phi_693_ = -(_e379);
+                    let _e348 = phi_691_;
+                    phi_693_ = -(_e348);
                 } else {
-                    phi_693_ = _e358;
+                    phi_693_ = _e327;
                 }
-                let _e382 = phi_693_;
-                let _e383 = f32(_e357);
-                if (f64(_e383) < _e357) {
-                    let _e386 = bitcast<u32>(_e383);
-                    if ((_e386 & 2139095040u) == 2139095040u) {
-                        phi_710_ = (_e383 < 0f);
+                let _e351 = phi_693_;
+                let _e352 = f32(_e326);
+                if (f64(_e352) < _e326) {
+                    let _e355 = bitcast<u32>(_e352);
+                    if ((_e355 & 2139095040u) == 2139095040u) {
+                        phi_710_ = (_e352 < 0f);
                     } else {
                         phi_710_ = true;
                     }
-                    let _e391 = phi_710_;
-                    if _e391 {
-                        if (_e383 > 0f) {
-                            phi_728_ = bitcast<f32>((_e386 + 1u));
+                    let _e360 = phi_710_;
+                    if _e360 {
+                        if (_e352 > 0f) {
+                            phi_728_ = bitcast<f32>((_e355 + 1u));
                         } else {
-                            if (_e383 < 0f) {
-                                phi_727_ = bitcast<f32>((_e386 - 1u));
+                            if (_e352 < 0f) {
+                                phi_727_ = bitcast<f32>((_e355 - 1u));
                             } else {
                                 phi_727_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e397 = phi_727_;
-                            phi_728_ = _e397;
+                            let _e366 = phi_727_;
+                            phi_728_ = _e366;
                         }
-                        let _e401 = phi_728_;
-                        phi_729_ = _e401;
+                        let _e370 = phi_728_;
+                        phi_729_ = _e370;
                     } else {
-                        phi_729_ = _e383;
+                        phi_729_ = _e352;
                     }
-                    let _e403 = phi_729_;
-                    phi_730_ = _e403;
+                    let _e372 = phi_729_;
+                    phi_730_ = _e372;
                 } else {
-                    phi_730_ = _e383;
+                    phi_730_ = _e352;
                 }
-                let _e405 = phi_730_;
-                let _e407 = (_e357 - f64(_e382));
-                let _e409 = (f64(_e405) - _e357);
-                if (_e407 < _e409) {
+                let _e374 = phi_730_;
+                let _e376 = (_e326 - f64(_e351));
+                let _e378 = (f64(_e374) - _e326);
+                if (_e376 < _e378) {
                     phi_755_ = true;
                 } else {
-                    if (_e407 == _e409) {
-                        if ((bitcast<u32>(_e382) & 1u) == 0u) {
+                    if (_e376 == _e378) {
+                        if ((bitcast<u32>(_e351) & 1u) == 0u) {
                             phi_749_ = false;
                         } else {
                             phi_749_ = true;
                         }
-                        let _e416 = phi_749_;
-                        phi_750_ = _e416;
+                        let _e385 = phi_749_;
+                        phi_750_ = _e385;
                     } else {
                         phi_750_ = true;
                     }
-                    let _e418 = phi_750_;
-                    if _e418 {
+                    let _e387 = phi_750_;
+                    if _e387 {
                         phi_754_ = false;
                     } else {
                         phi_754_ = true;
                     }
-                    let _e420 = phi_754_;
-                    phi_755_ = _e420;
+                    let _e389 = phi_754_;
+                    phi_755_ = _e389;
                 }
-                let _e422 = phi_755_;
-                if _e422 {
-                    phi_759_ = _e382;
+                let _e391 = phi_755_;
+                if _e391 {
+                    phi_759_ = _e351;
                 } else {
-                    phi_759_ = _e405;
+                    phi_759_ = _e374;
                 }
-                let _e424 = phi_759_;
-                if (_e264.member_1 < 4u) {
-                } else {
-                    return;
-                }
-                local_4.member_1[_e264.member_1] = _e424;
+                let _e393 = phi_759_;
+                local_4.member_1[_e237.member_1] = _e393;
             }
             continue;
             continuing {
-                phi_481_ = _e262;
-                break if !(_e268);
+                phi_481_ = _e235;
+                break if !(_e241);
             }
         }
-        let _e429 = local_4;
-        paths.member[_e65] = type_33(array<f32, 4>(_e429.member[0], _e429.member[1], _e429.member[2], _e429.member[3]), array<f32, 4>(_e429.member_1[0], _e429.member_1[1], _e429.member_1[2], _e429.member_1[3]));
-        let _e445 = local_8.member;
-        let _e450 = local_8.member_1;
-        let _e454 = bitcast<u64>(_e445[0]);
-        let _e455 = u32(_e454);
-        let _e457 = u32((_e454 / 4294967296lu));
-        if ((_e457 >> bitcast<u32>(31i)) == 0u) {
+        let _e397 = local_4;
+        paths.member[_e54] = type_20(array<f32, 4>(_e397.member[0], _e397.member[1], _e397.member[2], _e397.member[3]), array<f32, 4>(_e397.member_1[0], _e397.member_1[1], _e397.member_1[2], _e397.member_1[3]));
+        let _e413 = local_8.member;
+        let _e418 = local_8.member_1;
+        let _e422 = bitcast<u64>(_e413[0]);
+        let _e423 = u32(_e422);
+        let _e425 = u32((_e422 / 4294967296lu));
+        if ((_e425 >> bitcast<u32>(31i)) == 0u) {
             phi_823_ = array<u32, 2>();
             phi_824_ = true;
         } else {
-            if (_e457 == 2147483648u) {
-                if (_e455 == 0u) {
+            if (_e425 == 2147483648u) {
+                if (_e423 == 0u) {
                     phi_813_ = false;
                 } else {
                     phi_813_ = true;
                 }
-                let _e464 = phi_813_;
-                phi_814_ = _e464;
+                let _e432 = phi_813_;
+                phi_814_ = _e432;
             } else {
                 phi_814_ = true;
             }
-            let _e466 = phi_814_;
-            if _e466 {
-                phi_821_ = array<u32, 2>(~(_e455), ~(_e457));
+            let _e434 = phi_814_;
+            if _e434 {
+                phi_821_ = array<u32, 2>(~(_e423), ~(_e425));
                 phi_822_ = false;
             } else {
                 phi_821_ = array<u32, 2>();
                 phi_822_ = true;
             }
-            let _e471 = phi_821_;
-            let _e473 = phi_822_;
-            phi_823_ = _e471;
-            phi_824_ = _e473;
+            let _e439 = phi_821_;
+            let _e441 = phi_822_;
+            phi_823_ = _e439;
+            phi_824_ = _e441;
         }
-        let _e475 = phi_823_;
-        let _e477 = phi_824_;
-        if _e477 {
-            phi_830_ = array<u32, 2>(_e455, (_e457 | 2147483648u));
+        let _e443 = phi_823_;
+        let _e445 = phi_824_;
+        if _e445 {
+            phi_830_ = array<u32, 2>(_e423, (_e425 | 2147483648u));
         } else {
-            phi_830_ = _e475;
+            phi_830_ = _e443;
         }
-        let _e481 = phi_830_;
-        let _e482 = bitcast<u64>(_e445[1]);
-        let _e483 = u32(_e482);
-        let _e485 = u32((_e482 / 4294967296lu));
-        if ((_e485 >> bitcast<u32>(31i)) == 0u) {
+        let _e449 = phi_830_;
+        let _e450 = bitcast<u64>(_e413[1]);
+        let _e451 = u32(_e450);
+        let _e453 = u32((_e450 / 4294967296lu));
+        if ((_e453 >> bitcast<u32>(31i)) == 0u) {
             phi_859_ = array<u32, 2>();
             phi_860_ = true;
         } else {
-            if (_e485 == 2147483648u) {
-                if (_e483 == 0u) {
+            if (_e453 == 2147483648u) {
+                if (_e451 == 0u) {
                     phi_849_ = false;
                 } else {
                     phi_849_ = true;
                 }
-                let _e492 = phi_849_;
-                phi_850_ = _e492;
+                let _e460 = phi_849_;
+                phi_850_ = _e460;
             } else {
                 phi_850_ = true;
             }
-            let _e494 = phi_850_;
-            if _e494 {
-                phi_857_ = array<u32, 2>(~(_e483), ~(_e485));
+            let _e462 = phi_850_;
+            if _e462 {
+                phi_857_ = array<u32, 2>(~(_e451), ~(_e453));
                 phi_858_ = false;
             } else {
                 phi_857_ = array<u32, 2>();
                 phi_858_ = true;
             }
-            let _e499 = phi_857_;
-            let _e501 = phi_858_;
-            phi_859_ = _e499;
-            phi_860_ = _e501;
+            let _e467 = phi_857_;
+            let _e469 = phi_858_;
+            phi_859_ = _e467;
+            phi_860_ = _e469;
         }
-        let _e503 = phi_859_;
-        let _e505 = phi_860_;
-        if _e505 {
-            phi_866_ = array<u32, 2>(_e483, (_e485 | 2147483648u));
+        let _e471 = phi_859_;
+        let _e473 = phi_860_;
+        if _e473 {
+            phi_866_ = array<u32, 2>(_e451, (_e453 | 2147483648u));
         } else {
-            phi_866_ = _e503;
+            phi_866_ = _e471;
         }
-        let _e509 = phi_866_;
-        let _e510 = bitcast<u64>(_e445[2]);
-        let _e511 = u32(_e510);
-        let _e513 = u32((_e510 / 4294967296lu));
-        if ((_e513 >> bitcast<u32>(31i)) == 0u) {
+        let _e477 = phi_866_;
+        let _e478 = bitcast<u64>(_e413[2]);
+        let _e479 = u32(_e478);
+        let _e481 = u32((_e478 / 4294967296lu));
+        if ((_e481 >> bitcast<u32>(31i)) == 0u) {
             phi_895_ = array<u32, 2>();
             phi_896_ = true;
         } else {
-            if (_e513 == 2147483648u) {
-                if (_e511 == 0u) {
+            if (_e481 == 2147483648u) {
+                if (_e479 == 0u) {
                     phi_885_ = false;
                 } else {
                     phi_885_ = true;
                 }
-                let _e520 = phi_885_;
-                phi_886_ = _e520;
+                let _e488 = phi_885_;
+                phi_886_ = _e488;
             } else {
                 phi_886_ = true;
             }
-            let _e522 = phi_886_;
-            if _e522 {
-                phi_893_ = array<u32, 2>(~(_e511), ~(_e513));
+            let _e490 = phi_886_;
+            if _e490 {
+                phi_893_ = array<u32, 2>(~(_e479), ~(_e481));
                 phi_894_ = false;
             } else {
                 phi_893_ = array<u32, 2>();
                 phi_894_ = true;
             }
-            let _e527 = phi_893_;
-            let _e529 = phi_894_;
-            phi_895_ = _e527;
-            phi_896_ = _e529;
+            let _e495 = phi_893_;
+            let _e497 = phi_894_;
+            phi_895_ = _e495;
+            phi_896_ = _e497;
         }
-        let _e531 = phi_895_;
-        let _e533 = phi_896_;
-        if _e533 {
-            phi_902_ = array<u32, 2>(_e511, (_e513 | 2147483648u));
+        let _e499 = phi_895_;
+        let _e501 = phi_896_;
+        if _e501 {
+            phi_902_ = array<u32, 2>(_e479, (_e481 | 2147483648u));
         } else {
-            phi_902_ = _e531;
+            phi_902_ = _e499;
         }
-        let _e537 = phi_902_;
-        let _e538 = bitcast<u64>(_e450[0]);
-        let _e539 = u32(_e538);
-        let _e541 = u32((_e538 / 4294967296lu));
-        if ((_e541 >> bitcast<u32>(31i)) == 0u) {
+        let _e505 = phi_902_;
+        let _e506 = bitcast<u64>(_e418[0]);
+        let _e507 = u32(_e506);
+        let _e509 = u32((_e506 / 4294967296lu));
+        if ((_e509 >> bitcast<u32>(31i)) == 0u) {
             phi_931_ = array<u32, 2>();
             phi_932_ = true;
         } else {
-            if (_e541 == 2147483648u) {
-                if (_e539 == 0u) {
+            if (_e509 == 2147483648u) {
+                if (_e507 == 0u) {
                     phi_921_ = false;
                 } else {
                     phi_921_ = true;
                 }
-                let _e548 = phi_921_;
-                phi_922_ = _e548;
+                let _e516 = phi_921_;
+                phi_922_ = _e516;
             } else {
                 phi_922_ = true;
             }
-            let _e550 = phi_922_;
-            if _e550 {
-                phi_929_ = array<u32, 2>(~(_e539), ~(_e541));
+            let _e518 = phi_922_;
+            if _e518 {
+                phi_929_ = array<u32, 2>(~(_e507), ~(_e509));
                 phi_930_ = false;
             } else {
                 phi_929_ = array<u32, 2>();
                 phi_930_ = true;
             }
-            let _e555 = phi_929_;
-            let _e557 = phi_930_;
-            phi_931_ = _e555;
-            phi_932_ = _e557;
+            let _e523 = phi_929_;
+            let _e525 = phi_930_;
+            phi_931_ = _e523;
+            phi_932_ = _e525;
         }
-        let _e559 = phi_931_;
-        let _e561 = phi_932_;
-        if _e561 {
-            phi_938_ = array<u32, 2>(_e539, (_e541 | 2147483648u));
+        let _e527 = phi_931_;
+        let _e529 = phi_932_;
+        if _e529 {
+            phi_938_ = array<u32, 2>(_e507, (_e509 | 2147483648u));
         } else {
-            phi_938_ = _e559;
+            phi_938_ = _e527;
         }
-        let _e565 = phi_938_;
-        let _e566 = bitcast<u64>(_e450[1]);
-        let _e567 = u32(_e566);
-        let _e569 = u32((_e566 / 4294967296lu));
-        if ((_e569 >> bitcast<u32>(31i)) == 0u) {
+        let _e533 = phi_938_;
+        let _e534 = bitcast<u64>(_e418[1]);
+        let _e535 = u32(_e534);
+        let _e537 = u32((_e534 / 4294967296lu));
+        if ((_e537 >> bitcast<u32>(31i)) == 0u) {
             phi_967_ = array<u32, 2>();
             phi_968_ = true;
         } else {
-            if (_e569 == 2147483648u) {
-                if (_e567 == 0u) {
+            if (_e537 == 2147483648u) {
+                if (_e535 == 0u) {
                     phi_957_ = false;
                 } else {
                     phi_957_ = true;
                 }
-                let _e576 = phi_957_;
-                phi_958_ = _e576;
+                let _e544 = phi_957_;
+                phi_958_ = _e544;
             } else {
                 phi_958_ = true;
             }
-            let _e578 = phi_958_;
-            if _e578 {
-                phi_965_ = array<u32, 2>(~(_e567), ~(_e569));
+            let _e546 = phi_958_;
+            if _e546 {
+                phi_965_ = array<u32, 2>(~(_e535), ~(_e537));
                 phi_966_ = false;
             } else {
                 phi_965_ = array<u32, 2>();
                 phi_966_ = true;
             }
-            let _e583 = phi_965_;
-            let _e585 = phi_966_;
-            phi_967_ = _e583;
-            phi_968_ = _e585;
+            let _e551 = phi_965_;
+            let _e553 = phi_966_;
+            phi_967_ = _e551;
+            phi_968_ = _e553;
         }
-        let _e587 = phi_967_;
-        let _e589 = phi_968_;
-        if _e589 {
-            phi_974_ = array<u32, 2>(_e567, (_e569 | 2147483648u));
+        let _e555 = phi_967_;
+        let _e557 = phi_968_;
+        if _e557 {
+            phi_974_ = array<u32, 2>(_e535, (_e537 | 2147483648u));
         } else {
-            phi_974_ = _e587;
+            phi_974_ = _e555;
         }
-        let _e593 = phi_974_;
-        let _e594 = bitcast<u64>(_e450[2]);
-        let _e595 = u32(_e594);
-        let _e597 = u32((_e594 / 4294967296lu));
-        if ((_e597 >> bitcast<u32>(31i)) == 0u) {
+        let _e561 = phi_974_;
+        let _e562 = bitcast<u64>(_e418[2]);
+        let _e563 = u32(_e562);
+        let _e565 = u32((_e562 / 4294967296lu));
+        if ((_e565 >> bitcast<u32>(31i)) == 0u) {
             phi_1003_ = array<u32, 2>();
             phi_1004_ = true;
         } else {
-            if (_e597 == 2147483648u) {
-                if (_e595 == 0u) {
+            if (_e565 == 2147483648u) {
+                if (_e563 == 0u) {
                     phi_993_ = false;
                 } else {
                     phi_993_ = true;
                 }
-                let _e604 = phi_993_;
-                phi_994_ = _e604;
+                let _e572 = phi_993_;
+                phi_994_ = _e572;
             } else {
                 phi_994_ = true;
             }
-            let _e606 = phi_994_;
-            if _e606 {
-                phi_1001_ = array<u32, 2>(~(_e595), ~(_e597));
+            let _e574 = phi_994_;
+            if _e574 {
+                phi_1001_ = array<u32, 2>(~(_e563), ~(_e565));
                 phi_1002_ = false;
             } else {
                 phi_1001_ = array<u32, 2>();
                 phi_1002_ = true;
             }
-            let _e611 = phi_1001_;
-            let _e613 = phi_1002_;
-            phi_1003_ = _e611;
-            phi_1004_ = _e613;
+            let _e579 = phi_1001_;
+            let _e581 = phi_1002_;
+            phi_1003_ = _e579;
+            phi_1004_ = _e581;
         }
-        let _e615 = phi_1003_;
-        let _e617 = phi_1004_;
-        if _e617 {
-            phi_1010_ = array<u32, 2>(_e595, (_e597 | 2147483648u));
+        let _e583 = phi_1003_;
+        let _e585 = phi_1004_;
+        if _e585 {
+            phi_1010_ = array<u32, 2>(_e563, (_e565 | 2147483648u));
         } else {
-            phi_1010_ = _e615;
+            phi_1010_ = _e583;
         }
-        let _e621 = phi_1010_;
-        keys.member[_e65] = array<array<u32, 2>, 6>(_e481, _e509, _e537, _e565, _e593, _e621);
-        local_1 = type_6(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_1016_ = type_26(0u, 3u);
+        let _e589 = phi_1010_;
+        keys.member[_e54] = array<array<u32, 2>, 6>(_e449, _e477, _e505, _e533, _e561, _e589);
+        local_1 = type_4(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_1016_ = type_16(0u, 3u);
         loop {
-            let _e625 = phi_1016_;
-            if (_e625.member < _e625.member_1) {
-                phi_1017_ = type_26((_e625.member + 1u), _e625.member_1);
-                phi_1040_ = type_26(1u, _e625.member);
+            let _e593 = phi_1016_;
+            if (_e593.member < _e593.member_1) {
+                phi_1017_ = type_16((_e593.member + 1u), _e593.member_1);
+                phi_1040_ = type_16(1u, _e593.member);
             } else {
-                phi_1017_ = _e625;
-                phi_1040_ = type_26(0u, type_26().member_1);
+                phi_1017_ = _e593;
+                phi_1040_ = type_16(0u, type_16().member_1);
             }
-            let _e639 = phi_1017_;
-            let _e641 = phi_1040_;
-            let _e645 = (bitcast<i32>(_e641.member) != 0i);
-            if _e645 {
-                if (_e641.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                let _e649 = local_8.member[_e641.member_1];
-                let _e650 = f32(_e649);
-                if (f64(_e650) > _e649) {
-                    let _e653 = -(_e650);
-                    let _e654 = bitcast<u32>(_e653);
-                    if ((_e654 & 2139095040u) == 2139095040u) {
-                        phi_1072_ = (_e653 < 0f);
+            let _e605 = phi_1017_;
+            let _e607 = phi_1040_;
+            let _e611 = (bitcast<i32>(_e607.member) != 0i);
+            if _e611 {
+                let _e614 = local_8.member[_e607.member_1];
+                let _e615 = f32(_e614);
+                if (f64(_e615) > _e614) {
+                    let _e618 = -(_e615);
+                    let _e619 = bitcast<u32>(_e618);
+                    if ((_e619 & 2139095040u) == 2139095040u) {
+                        phi_1072_ = (_e618 < 0f);
                     } else {
                         phi_1072_ = true;
                     }
-                    let _e659 = phi_1072_;
-                    if _e659 {
-                        if (_e653 > 0f) {
-                            phi_1090_ = bitcast<f32>((_e654 + 1u));
+                    let _e624 = phi_1072_;
+                    if _e624 {
+                        if (_e618 > 0f) {
+                            phi_1090_ = bitcast<f32>((_e619 + 1u));
                         } else {
-                            if (_e653 < 0f) {
-                                phi_1089_ = bitcast<f32>((_e654 - 1u));
+                            if (_e618 < 0f) {
+                                phi_1089_ = bitcast<f32>((_e619 - 1u));
                             } else {
                                 phi_1089_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e665 = phi_1089_;
-                            phi_1090_ = _e665;
+                            let _e630 = phi_1089_;
+                            phi_1090_ = _e630;
                         }
-                        let _e669 = phi_1090_;
-                        phi_1091_ = _e669;
+                        let _e634 = phi_1090_;
+                        phi_1091_ = _e634;
                     } else {
-                        phi_1091_ = _e653;
+                        phi_1091_ = _e618;
                     }
-                    let _e671 = phi_1091_;
-                    phi_1093_ = -(_e671);
+                    let _e636 = phi_1091_;
+                    phi_1093_ = -(_e636);
                 } else {
-                    phi_1093_ = _e650;
+                    phi_1093_ = _e615;
                 }
-                let _e674 = phi_1093_;
-                let _e675 = -(290000000000000000000000000000000000000f);
-                if (_e674 > _e675) {
-                    phi_1099_ = _e674;
+                let _e639 = phi_1093_;
+                let _e640 = -(290000000000000000000000000000000000000f);
+                if (_e639 > _e640) {
+                    phi_1099_ = _e639;
                 } else {
-                    phi_1099_ = _e675;
+                    phi_1099_ = _e640;
                 }
-                let _e678 = phi_1099_;
-                if (_e678 < 290000000000000000000000000000000000000f) {
-                    phi_1104_ = _e678;
+                let _e643 = phi_1099_;
+                if (_e643 < 290000000000000000000000000000000000000f) {
+                    phi_1104_ = _e643;
                 } else {
                     phi_1104_ = 290000000000000000000000000000000000000f;
                 }
-                let _e681 = phi_1104_;
-                if (_e641.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                local_1.member[_e641.member_1] = _e681;
-                if (_e641.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                let _e688 = local_8.member_1[_e641.member_1];
-                let _e689 = f32(_e688);
-                if (f64(_e689) < _e688) {
-                    let _e692 = bitcast<u32>(_e689);
-                    if ((_e692 & 2139095040u) == 2139095040u) {
-                        phi_1135_ = (_e689 < 0f);
+                let _e646 = phi_1104_;
+                local_1.member[_e607.member_1] = _e646;
+                let _e651 = local_8.member_1[_e607.member_1];
+                let _e652 = f32(_e651);
+                if (f64(_e652) < _e651) {
+                    let _e655 = bitcast<u32>(_e652);
+                    if ((_e655 & 2139095040u) == 2139095040u) {
+                        phi_1135_ = (_e652 < 0f);
                     } else {
                         phi_1135_ = true;
                     }
-                    let _e697 = phi_1135_;
-                    if _e697 {
-                        if (_e689 > 0f) {
-                            phi_1153_ = bitcast<f32>((_e692 + 1u));
+                    let _e660 = phi_1135_;
+                    if _e660 {
+                        if (_e652 > 0f) {
+                            phi_1153_ = bitcast<f32>((_e655 + 1u));
                         } else {
-                            if (_e689 < 0f) {
-                                phi_1152_ = bitcast<f32>((_e692 - 1u));
+                            if (_e652 < 0f) {
+                                phi_1152_ = bitcast<f32>((_e655 - 1u));
                             } else {
                                 phi_1152_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e703 = phi_1152_;
-                            phi_1153_ = _e703;
+                            let _e666 = phi_1152_;
+                            phi_1153_ = _e666;
                         }
-                        let _e707 = phi_1153_;
-                        phi_1154_ = _e707;
+                        let _e670 = phi_1153_;
+                        phi_1154_ = _e670;
                     } else {
-                        phi_1154_ = _e689;
+                        phi_1154_ = _e652;
                     }
-                    let _e709 = phi_1154_;
-                    phi_1155_ = _e709;
+                    let _e672 = phi_1154_;
+                    phi_1155_ = _e672;
                 } else {
-                    phi_1155_ = _e689;
+                    phi_1155_ = _e652;
                 }
-                let _e711 = phi_1155_;
-                let _e712 = -(290000000000000000000000000000000000000f);
-                if (_e711 > _e712) {
-                    phi_1161_ = _e711;
+                let _e674 = phi_1155_;
+                let _e675 = -(290000000000000000000000000000000000000f);
+                if (_e674 > _e675) {
+                    phi_1161_ = _e674;
                 } else {
-                    phi_1161_ = _e712;
+                    phi_1161_ = _e675;
                 }
-                let _e715 = phi_1161_;
-                if (_e715 < 290000000000000000000000000000000000000f) {
-                    phi_1166_ = _e715;
+                let _e678 = phi_1161_;
+                if (_e678 < 290000000000000000000000000000000000000f) {
+                    phi_1166_ = _e678;
                 } else {
                     phi_1166_ = 290000000000000000000000000000000000000f;
                 }
-                let _e718 = phi_1166_;
-                if (_e641.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                local_1.member_1[_e641.member_1] = _e718;
+                let _e681 = phi_1166_;
+                local_1.member_1[_e607.member_1] = _e681;
             }
             continue;
             continuing {
-                phi_1016_ = _e639;
-                break if !(_e645);
+                phi_1016_ = _e605;
+                break if !(_e611);
             }
         }
-        let _e723 = local_1;
-        local = _e723;
-        phi_1199_ = type_26(0u, 3u);
+        let _e685 = local_1;
+        local = _e685;
+        phi_1199_ = type_16(0u, 3u);
         loop {
-            let _e725 = phi_1199_;
-            if (_e725.member < _e725.member_1) {
-                phi_1200_ = type_26((_e725.member + 1u), _e725.member_1);
-                phi_1223_ = type_26(1u, _e725.member);
+            let _e687 = phi_1199_;
+            if (_e687.member < _e687.member_1) {
+                phi_1200_ = type_16((_e687.member + 1u), _e687.member_1);
+                phi_1223_ = type_16(1u, _e687.member);
             } else {
-                phi_1200_ = _e725;
-                phi_1223_ = type_26(0u, type_26().member_1);
+                phi_1200_ = _e687;
+                phi_1223_ = type_16(0u, type_16().member_1);
             }
-            let _e739 = phi_1200_;
-            let _e741 = phi_1223_;
-            let _e745 = (bitcast<i32>(_e741.member) != 0i);
-            if _e745 {
-                if (_e741.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                let _e749 = local.member[_e741.member_1];
-                if (_e749 < 0.000000000000000000000000000000000000011754944f) {
-                    phi_1244_ = (_e749 > -(0.000000000000000000000000000000000000011754944f));
+            let _e699 = phi_1200_;
+            let _e701 = phi_1223_;
+            let _e705 = (bitcast<i32>(_e701.member) != 0i);
+            if _e705 {
+                let _e708 = local.member[_e701.member_1];
+                if (_e708 < 0.000000000000000000000000000000000000011754944f) {
+                    phi_1244_ = (_e708 > -(0.000000000000000000000000000000000000011754944f));
                 } else {
                     phi_1244_ = false;
                 }
-                let _e754 = phi_1244_;
-                if _e754 {
-                    if (_e741.member_1 < 3u) {
-                    } else {
-                        return;
-                    }
-                    let _e762 = local_8.member[_e741.member_1];
-                    let _e764 = bitcast<u64>(-(_e762));
-                    let _e767 = u32((_e764 / 4294967296lu));
-                    if ((_e767 >> bitcast<u32>(31i)) == 0u) {
-                        phi_1267_ = ((u32(_e764) | _e767) != 0u);
+                let _e713 = phi_1244_;
+                if _e713 {
+                    let _e719 = local_8.member[_e701.member_1];
+                    let _e721 = bitcast<u64>(-(_e719));
+                    let _e724 = u32((_e721 / 4294967296lu));
+                    if ((_e724 >> bitcast<u32>(31i)) == 0u) {
+                        phi_1267_ = ((u32(_e721) | _e724) != 0u);
                     } else {
                         phi_1267_ = false;
                     }
-                    let _e774 = phi_1267_;
-                    if _e774 {
+                    let _e731 = phi_1267_;
+                    if _e731 {
                         phi_1271_ = 0.000000000000000000000000000000000000011754944f;
                     } else {
                         phi_1271_ = 0f;
                     }
-                    let _e776 = phi_1271_;
-                    phi_1280_ = -(_e776);
+                    let _e733 = phi_1271_;
+                    phi_1280_ = -(_e733);
                 } else {
-                    if (_e741.member_1 < 3u) {
-                    } else {
-                        return;
-                    }
-                    let _e758 = local.member[_e741.member_1];
-                    phi_1280_ = _e758;
+                    let _e716 = local.member[_e701.member_1];
+                    phi_1280_ = _e716;
                 }
-                let _e779 = phi_1280_;
-                if (_e741.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                local.member[_e741.member_1] = _e779;
-                if (_e741.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                let _e786 = local.member_1[_e741.member_1];
-                if (_e786 < 0.000000000000000000000000000000000000011754944f) {
-                    phi_1301_ = (_e786 > -(0.000000000000000000000000000000000000011754944f));
+                let _e736 = phi_1280_;
+                local.member[_e701.member_1] = _e736;
+                let _e741 = local.member_1[_e701.member_1];
+                if (_e741 < 0.000000000000000000000000000000000000011754944f) {
+                    phi_1301_ = (_e741 > -(0.000000000000000000000000000000000000011754944f));
                 } else {
                     phi_1301_ = false;
                 }
-                let _e791 = phi_1301_;
-                if _e791 {
-                    if (_e741.member_1 < 3u) {
-                    } else {
-                        return;
-                    }
-                    let _e799 = local_8.member_1[_e741.member_1];
-                    let _e800 = bitcast<u64>(_e799);
-                    let _e803 = u32((_e800 / 4294967296lu));
-                    if ((_e803 >> bitcast<u32>(31i)) == 0u) {
-                        phi_1324_ = ((u32(_e800) | _e803) != 0u);
+                let _e746 = phi_1301_;
+                if _e746 {
+                    let _e752 = local_8.member_1[_e701.member_1];
+                    let _e753 = bitcast<u64>(_e752);
+                    let _e756 = u32((_e753 / 4294967296lu));
+                    if ((_e756 >> bitcast<u32>(31i)) == 0u) {
+                        phi_1324_ = ((u32(_e753) | _e756) != 0u);
                     } else {
                         phi_1324_ = false;
                     }
-                    let _e810 = phi_1324_;
-                    if _e810 {
+                    let _e763 = phi_1324_;
+                    if _e763 {
                         phi_1328_ = 0.000000000000000000000000000000000000011754944f;
                     } else {
                         phi_1328_ = 0f;
                     }
-                    let _e812 = phi_1328_;
-                    phi_1337_ = _e812;
+                    let _e765 = phi_1328_;
+                    phi_1337_ = _e765;
                 } else {
-                    if (_e741.member_1 < 3u) {
-                    } else {
-                        return;
-                    }
-                    let _e795 = local.member_1[_e741.member_1];
-                    phi_1337_ = _e795;
+                    let _e749 = local.member_1[_e701.member_1];
+                    phi_1337_ = _e749;
                 }
-                let _e814 = phi_1337_;
-                if (_e741.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                local.member_1[_e741.member_1] = _e814;
+                let _e767 = phi_1337_;
+                local.member_1[_e701.member_1] = _e767;
             }
             continue;
             continuing {
-                phi_1199_ = _e739;
-                break if !(_e745);
+                phi_1199_ = _e699;
+                break if !(_e705);
             }
         }
-        let _e819 = local;
-        boxes.member[_e65] = type_6(array<f32, 3>(_e819.member[0], _e819.member[1], _e819.member[2]), array<f32, 3>(_e819.member_1[0], _e819.member_1[1], _e819.member_1[2]));
+        let _e771 = local;
+        boxes.member[_e54] = type_4(array<f32, 3>(_e771.member[0], _e771.member[1], _e771.member[2]), array<f32, 3>(_e771.member_1[0], _e771.member_1[1], _e771.member_1[2]));
     }
     return;
 }
 
 @compute @workgroup_size(256, 1, 1) 
 fn place_vertices(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    id_1 = id;
-    n_1 = n;
-    lane_1 = lane;
-    function_();
+    function_(id, n, lane);
 }

@@ -1,46 +1,43 @@
-struct type_9 {
+struct type_6 {
     member: i32,
     member_1: i32,
 }
 
-struct type_10 {
+struct type_7 {
     member: u32,
     member_1: i32,
 }
 
-struct type_11 {
+struct type_8 {
     member: u32,
     member_1: u32,
 }
 
-struct type_23 {
+struct type_15 {
     member: array<array<u32, 4>>,
 }
 
-struct type_27 {
+struct type_17 {
     member: array<array<u32, 24>>,
 }
 
-var<private> id_1: vec3<u32>;
-var<private> n_1: vec3<u32>;
-var<private> lane_1: u32;
 @group(0) @binding(0) 
-var<storage> inputs: type_23;
+var<storage> inputs: type_15;
 @group(0) @binding(1) 
-var<storage, read_write> out: type_27;
+var<storage, read_write> out: type_17;
 
-fn function_() {
+fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 24>;
     var local_1: array<array<u32, 2>, 12>;
     var phi_151_: f64;
     var phi_161_: f64;
     var phi_171_: f64;
-    var phi_202_: type_9;
+    var phi_202_: type_6;
     var phi_205_: f64;
     var phi_226_: bool;
-    var phi_232_: type_10;
-    var phi_203_: type_9;
-    var phi_246_: type_10;
+    var phi_232_: type_7;
+    var phi_203_: type_6;
+    var phi_246_: type_7;
     var phi_206_: f64;
     var local_2: f64;
     var phi_195_: f64;
@@ -58,255 +55,236 @@ fn function_() {
     var phi_372_: f32;
     var phi_373_: f32;
     var phi_375_: f32;
-    var phi_432_: type_11;
-    var phi_433_: type_11;
-    var phi_456_: type_11;
+    var phi_432_: type_8;
+    var phi_433_: type_8;
+    var phi_456_: type_8;
+    var id_2: vec3<u32>;
+    var n_2: vec3<u32>;
+    var lane_2: u32;
 
-    let _e50 = id_1;
-    let _e51 = n_1;
-    let _e52 = lane_1;
-    let _e63 = ((((_e50.y * _e51.x) + _e50.x) * 64u) + _e52);
-    if (_e63 < arrayLength((&inputs.member))) {
-        let _e66 = inputs.member[_e63];
-        let _e73 = bitcast<f64>(((u64(_e66[1]) * 4294967296lu) + u64(_e66[0])));
-        let _e80 = bitcast<f64>(((u64(_e66[3]) * 4294967296lu) + u64(_e66[2])));
-        let _e82 = bitcast<u64>((_e73 + _e80));
-        let _e87 = bitcast<u64>((_e73 - _e80));
-        let _e92 = bitcast<u64>((_e73 * _e80));
-        let _e97 = bitcast<u64>((_e73 / _e80));
-        if (_e73 < 0.0lf) {
-            phi_151_ = -(_e73);
+    id_2 = id_1;
+    n_2 = n_1;
+    lane_2 = lane_1;
+    let _e47 = id_2;
+    let _e48 = n_2;
+    let _e49 = lane_2;
+    let _e60 = ((((_e47.y * _e48.x) + _e47.x) * 64u) + _e49);
+    if (_e60 < arrayLength((&inputs.member))) {
+        let _e63 = inputs.member[_e60];
+        let _e70 = bitcast<f64>(((u64(_e63[1]) * 4294967296lu) + u64(_e63[0])));
+        let _e77 = bitcast<f64>(((u64(_e63[3]) * 4294967296lu) + u64(_e63[2])));
+        let _e79 = bitcast<u64>((_e70 + _e77));
+        let _e84 = bitcast<u64>((_e70 - _e77));
+        let _e89 = bitcast<u64>((_e70 * _e77));
+        let _e94 = bitcast<u64>((_e70 / _e77));
+        if (_e70 < 0.0lf) {
+            phi_151_ = -(_e70);
         } else {
-            phi_151_ = _e73;
+            phi_151_ = _e70;
         }
-        let _e104 = phi_151_;
-        let _e105 = bitcast<u64>(_e104);
-        if (_e73 < _e80) {
-            phi_161_ = _e73;
+        let _e101 = phi_151_;
+        let _e102 = bitcast<u64>(_e101);
+        if (_e70 < _e77) {
+            phi_161_ = _e70;
         } else {
-            phi_161_ = _e80;
+            phi_161_ = _e77;
         }
-        let _e111 = phi_161_;
-        let _e112 = bitcast<u64>(_e111);
-        if (_e73 > _e80) {
-            phi_171_ = _e73;
+        let _e108 = phi_161_;
+        let _e109 = bitcast<u64>(_e108);
+        if (_e70 > _e77) {
+            phi_171_ = _e70;
         } else {
-            phi_171_ = _e80;
+            phi_171_ = _e77;
         }
-        let _e118 = phi_171_;
-        let _e119 = bitcast<u64>(_e118);
-        if (_e73 <= 2.2250738585072014e-308lf) {
-            if (_e73 > 0.0lf) {
+        let _e115 = phi_171_;
+        let _e116 = bitcast<u64>(_e115);
+        if (_e70 <= 2.2250738585072014e-308lf) {
+            if (_e70 > 0.0lf) {
                 phi_195_ = (1.464336215552873e-154lf * 2.0lf);
             } else {
                 phi_195_ = 0.0lf;
             }
-            let _e184 = phi_195_;
-            phi_259_ = _e184;
+            let _e175 = phi_195_;
+            phi_259_ = _e175;
         } else {
-            phi_202_ = type_9(0i, 5i);
-            phi_205_ = bitcast<f64>(((bitcast<u64>(_e73) / 2lu) + 2303426169912950784lu));
+            phi_202_ = type_6(0i, 5i);
+            phi_205_ = bitcast<f64>(((bitcast<u64>(_e70) / 2lu) + 2303426169912950784lu));
             loop {
-                let _e133 = phi_202_;
-                let _e135 = phi_205_;
-                local_2 = _e135;
-                if (_e133.member < _e133.member_1) {
-                    let _e143 = (_e133.member + 1i);
-                    if ((false == (_e143 > _e133.member)) != false) {
+                let _e130 = phi_202_;
+                let _e132 = phi_205_;
+                local_2 = _e132;
+                if (_e130.member < _e130.member_1) {
+                    let _e139 = (_e130.member + 1i);
+                    if ((false == (_e139 > _e130.member)) != false) {
                         phi_226_ = true;
                     } else {
                         phi_226_ = false;
                     }
-                    let _e148 = phi_226_;
-                    if _e148 {
-                        phi_232_ = type_10(0u, type_10().member_1);
+                    let _e144 = phi_226_;
+                    if _e144 {
+                        phi_232_ = type_7(0u, type_7().member_1);
                     } else {
-                        phi_232_ = type_10(1u, _e143);
+                        phi_232_ = type_7(1u, _e139);
                     }
-                    let _e154 = phi_232_;
-                    if (bitcast<i32>(_e154.member) != 0i) {
-                    } else {
-                        return;
-                    }
-                    phi_203_ = type_9(_e154.member_1, _e133.member_1);
-                    phi_246_ = type_10(1u, _e133.member);
+                    let _e149 = phi_232_;
+                    phi_203_ = type_6(_e149.member_1, _e130.member_1);
+                    phi_246_ = type_7(1u, _e130.member);
                 } else {
-                    phi_203_ = _e133;
-                    phi_246_ = type_10(0u, type_10().member_1);
+                    phi_203_ = _e130;
+                    phi_246_ = type_7(0u, type_7().member_1);
                 }
-                let _e164 = phi_203_;
-                let _e166 = phi_246_;
-                let _e169 = (bitcast<i32>(_e166.member) != 0i);
-                if _e169 {
-                    phi_206_ = (0.5lf * (_e135 + (_e73 / _e135)));
+                let _e155 = phi_203_;
+                let _e157 = phi_246_;
+                let _e160 = (bitcast<i32>(_e157.member) != 0i);
+                if _e160 {
+                    phi_206_ = (0.5lf * (_e132 + (_e70 / _e132)));
                 } else {
                     phi_206_ = f64();
                 }
-                let _e174 = phi_206_;
+                let _e165 = phi_206_;
                 continue;
                 continuing {
-                    phi_202_ = _e164;
-                    phi_205_ = _e174;
-                    break if !(_e169);
+                    phi_202_ = _e155;
+                    phi_205_ = _e165;
+                    break if !(_e160);
                 }
             }
-            let _e179 = local_2;
-            phi_259_ = (_e179 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+            let _e170 = local_2;
+            phi_259_ = (_e170 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
         }
-        let _e186 = phi_259_;
-        let _e187 = bitcast<u64>(_e186);
-        let _e191 = bitcast<u64>(_e73);
-        if ((_e191 & 9218868437227405312lu) == 9218868437227405312lu) {
-            phi_275_ = (_e73 < 0.0lf);
+        let _e177 = phi_259_;
+        let _e178 = bitcast<u64>(_e177);
+        let _e182 = bitcast<u64>(_e70);
+        if ((_e182 & 9218868437227405312lu) == 9218868437227405312lu) {
+            phi_275_ = (_e70 < 0.0lf);
         } else {
             phi_275_ = true;
         }
-        let _e196 = phi_275_;
-        if _e196 {
-            if (_e73 > 0.0lf) {
-                phi_293_ = bitcast<f64>((_e191 + 1lu));
+        let _e187 = phi_275_;
+        if _e187 {
+            if (_e70 > 0.0lf) {
+                phi_293_ = bitcast<f64>((_e182 + 1lu));
             } else {
-                if (_e73 < 0.0lf) {
-                    phi_292_ = bitcast<f64>((_e191 - 1lu));
+                if (_e70 < 0.0lf) {
+                    phi_292_ = bitcast<f64>((_e182 - 1lu));
                 } else {
                     phi_292_ = 5e-324lf;
                 }
-                let _e202 = phi_292_;
-                phi_293_ = _e202;
+                let _e193 = phi_292_;
+                phi_293_ = _e193;
             }
-            let _e206 = phi_293_;
-            phi_294_ = _e206;
+            let _e197 = phi_293_;
+            phi_294_ = _e197;
         } else {
-            phi_294_ = _e73;
+            phi_294_ = _e70;
         }
-        let _e208 = phi_294_;
-        let _e209 = bitcast<u64>(_e208);
-        let _e213 = -(_e73);
-        let _e214 = bitcast<u64>(_e213);
-        if ((_e214 & 9218868437227405312lu) == 9218868437227405312lu) {
-            phi_311_ = (_e213 < 0.0lf);
+        let _e199 = phi_294_;
+        let _e200 = bitcast<u64>(_e199);
+        let _e204 = -(_e70);
+        let _e205 = bitcast<u64>(_e204);
+        if ((_e205 & 9218868437227405312lu) == 9218868437227405312lu) {
+            phi_311_ = (_e204 < 0.0lf);
         } else {
             phi_311_ = true;
         }
-        let _e219 = phi_311_;
-        if _e219 {
-            if (_e213 > 0.0lf) {
-                phi_329_ = bitcast<f64>((_e214 + 1lu));
+        let _e210 = phi_311_;
+        if _e210 {
+            if (_e204 > 0.0lf) {
+                phi_329_ = bitcast<f64>((_e205 + 1lu));
             } else {
-                if (_e213 < 0.0lf) {
-                    phi_328_ = bitcast<f64>((_e214 - 1lu));
+                if (_e204 < 0.0lf) {
+                    phi_328_ = bitcast<f64>((_e205 - 1lu));
                 } else {
                     phi_328_ = 5e-324lf;
                 }
-                let _e225 = phi_328_;
-                phi_329_ = _e225;
+                let _e216 = phi_328_;
+                phi_329_ = _e216;
             }
-            let _e229 = phi_329_;
-            phi_330_ = _e229;
+            let _e220 = phi_329_;
+            phi_330_ = _e220;
         } else {
-            phi_330_ = _e213;
+            phi_330_ = _e204;
         }
-        let _e231 = phi_330_;
-        let _e233 = bitcast<u64>(-(_e231));
-        let _e237 = f32(_e73);
-        if (f64(_e237) > _e73) {
-            let _e240 = -(_e237);
-            let _e241 = bitcast<u32>(_e240);
-            if ((_e241 & 2139095040u) == 2139095040u) {
-                phi_354_ = (_e240 < 0f);
+        let _e222 = phi_330_;
+        let _e224 = bitcast<u64>(-(_e222));
+        let _e228 = f32(_e70);
+        if (f64(_e228) > _e70) {
+            let _e231 = -(_e228);
+            let _e232 = bitcast<u32>(_e231);
+            if ((_e232 & 2139095040u) == 2139095040u) {
+                phi_354_ = (_e231 < 0f);
             } else {
                 phi_354_ = true;
             }
-            let _e246 = phi_354_;
-            if _e246 {
-                if (_e240 > 0f) {
-                    phi_372_ = bitcast<f32>((_e241 + 1u));
+            let _e237 = phi_354_;
+            if _e237 {
+                if (_e231 > 0f) {
+                    phi_372_ = bitcast<f32>((_e232 + 1u));
                 } else {
-                    if (_e240 < 0f) {
-                        phi_371_ = bitcast<f32>((_e241 - 1u));
+                    if (_e231 < 0f) {
+                        phi_371_ = bitcast<f32>((_e232 - 1u));
                     } else {
                         phi_371_ = 0.000000000000000000000000000000000000000000001f;
                     }
-                    let _e252 = phi_371_;
-                    phi_372_ = _e252;
+                    let _e243 = phi_371_;
+                    phi_372_ = _e243;
                 }
-                let _e256 = phi_372_;
-                phi_373_ = _e256;
+                let _e247 = phi_372_;
+                phi_373_ = _e247;
             } else {
-                phi_373_ = _e240;
+                phi_373_ = _e231;
             }
-            let _e258 = phi_373_;
-            phi_375_ = -(_e258);
+            let _e249 = phi_373_;
+            phi_375_ = -(_e249);
         } else {
-            phi_375_ = _e237;
+            phi_375_ = _e228;
         }
-        let _e261 = phi_375_;
-        local_1[0u] = array<u32, 2>(u32(_e82), u32((_e82 / 4294967296lu)));
-        local_1[1u] = array<u32, 2>(u32(_e87), u32((_e87 / 4294967296lu)));
-        local_1[2u] = array<u32, 2>(u32(_e92), u32((_e92 / 4294967296lu)));
-        local_1[3u] = array<u32, 2>(u32(_e97), u32((_e97 / 4294967296lu)));
-        local_1[4u] = array<u32, 2>(u32(_e105), u32((_e105 / 4294967296lu)));
-        local_1[5u] = array<u32, 2>(u32(_e112), u32((_e112 / 4294967296lu)));
-        local_1[6u] = array<u32, 2>(u32(_e119), u32((_e119 / 4294967296lu)));
-        local_1[7u] = array<u32, 2>(select(0u, 1u, (_e73 < _e80)), select(0u, 1u, (_e73 <= _e80)));
-        local_1[8u] = array<u32, 2>(u32(_e187), u32((_e187 / 4294967296lu)));
-        local_1[9u] = array<u32, 2>(u32(_e209), u32((_e209 / 4294967296lu)));
-        local_1[10u] = array<u32, 2>(u32(_e233), u32((_e233 / 4294967296lu)));
-        local_1[11u] = array<u32, 2>(bitcast<u32>(_e261), select(0u, 1u, ((bitcast<u64>(_e73) & 9218868437227405312lu) != 9218868437227405312lu)));
+        let _e252 = phi_375_;
+        local_1[0u] = array<u32, 2>(u32(_e79), u32((_e79 / 4294967296lu)));
+        local_1[1u] = array<u32, 2>(u32(_e84), u32((_e84 / 4294967296lu)));
+        local_1[2u] = array<u32, 2>(u32(_e89), u32((_e89 / 4294967296lu)));
+        local_1[3u] = array<u32, 2>(u32(_e94), u32((_e94 / 4294967296lu)));
+        local_1[4u] = array<u32, 2>(u32(_e102), u32((_e102 / 4294967296lu)));
+        local_1[5u] = array<u32, 2>(u32(_e109), u32((_e109 / 4294967296lu)));
+        local_1[6u] = array<u32, 2>(u32(_e116), u32((_e116 / 4294967296lu)));
+        local_1[7u] = array<u32, 2>(select(0u, 1u, (_e70 < _e77)), select(0u, 1u, (_e70 <= _e77)));
+        local_1[8u] = array<u32, 2>(u32(_e178), u32((_e178 / 4294967296lu)));
+        local_1[9u] = array<u32, 2>(u32(_e200), u32((_e200 / 4294967296lu)));
+        local_1[10u] = array<u32, 2>(u32(_e224), u32((_e224 / 4294967296lu)));
+        local_1[11u] = array<u32, 2>(bitcast<u32>(_e252), select(0u, 1u, ((bitcast<u64>(_e70) & 9218868437227405312lu) != 9218868437227405312lu)));
         local = array<u32, 24>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-        phi_432_ = type_11(0u, 12u);
+        phi_432_ = type_8(0u, 12u);
         loop {
-            let _e292 = phi_432_;
-            if (_e292.member < _e292.member_1) {
-                phi_433_ = type_11((_e292.member + 1u), _e292.member_1);
-                phi_456_ = type_11(1u, _e292.member);
+            let _e283 = phi_432_;
+            if (_e283.member < _e283.member_1) {
+                phi_433_ = type_8((_e283.member + 1u), _e283.member_1);
+                phi_456_ = type_8(1u, _e283.member);
             } else {
-                phi_433_ = _e292;
-                phi_456_ = type_11(0u, type_11().member_1);
+                phi_433_ = _e283;
+                phi_456_ = type_8(0u, type_8().member_1);
             }
-            let _e306 = phi_433_;
-            let _e308 = phi_456_;
-            let _e312 = (bitcast<i32>(_e308.member) != 0i);
-            if _e312 {
-                if (_e308.member_1 < 12u) {
-                } else {
-                    return;
-                }
-                let _e316 = local_1[_e308.member_1][0u];
-                let _e317 = (2u * _e308.member_1);
-                if (_e317 < 24u) {
-                } else {
-                    return;
-                }
-                local[_e317] = _e316;
-                if (_e308.member_1 < 12u) {
-                } else {
-                    return;
-                }
-                let _e323 = local_1[_e308.member_1][1u];
-                let _e325 = ((2u * _e308.member_1) + 1u);
-                if (_e325 < 24u) {
-                } else {
-                    return;
-                }
-                local[_e325] = _e323;
+            let _e295 = phi_433_;
+            let _e297 = phi_456_;
+            let _e301 = (bitcast<i32>(_e297.member) != 0i);
+            if _e301 {
+                let _e304 = local_1[_e297.member_1][0u];
+                local[(2u * _e297.member_1)] = _e304;
+                let _e309 = local_1[_e297.member_1][1u];
+                local[((2u * _e297.member_1) + 1u)] = _e309;
             }
             continue;
             continuing {
-                phi_432_ = _e306;
-                break if !(_e312);
+                phi_432_ = _e295;
+                break if !(_e301);
             }
         }
-        let _e329 = local;
-        out.member[_e63] = array<u32, 24>(_e329[0], _e329[1], _e329[2], _e329[3], _e329[4], _e329[5], _e329[6], _e329[7], _e329[8], _e329[9], _e329[10], _e329[11], _e329[12], _e329[13], _e329[14], _e329[15], _e329[16], _e329[17], _e329[18], _e329[19], _e329[20], _e329[21], _e329[22], _e329[23]);
+        let _e314 = local;
+        out.member[_e60] = array<u32, 24>(_e314[0], _e314[1], _e314[2], _e314[3], _e314[4], _e314[5], _e314[6], _e314[7], _e314[8], _e314[9], _e314[10], _e314[11], _e314[12], _e314[13], _e314[14], _e314[15], _e314[16], _e314[17], _e314[18], _e314[19], _e314[20], _e314[21], _e314[22], _e314[23]);
     }
     return;
 }
 
 @compute @workgroup_size(64, 1, 1) 
 fn probe_wide(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    id_1 = id;
-    n_1 = n;
-    lane_1 = lane;
-    function_();
+    function_(id, n, lane);
 }

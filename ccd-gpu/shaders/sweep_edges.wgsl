@@ -1,9 +1,9 @@
-struct type_6 {
+struct type_4 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_13 {
+struct type_10 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -27,127 +27,103 @@ struct type_13 {
     member_20: array<array<u32, 4>, 8>,
 }
 
+struct type_11 {
+    member: type_10,
+}
+
+struct type_13 {
+    member: array<type_4>,
+}
+
 struct type_15 {
-    member: type_13,
-}
-
-struct type_19 {
-    member: array<type_6>,
-}
-
-struct type_23 {
     member: array<array<u32, 2>>,
 }
 
-struct type_31 {
+struct type_17 {
     member: u32,
     member_1: u32,
 }
 
-var<private> id_1: vec3<u32>;
-var<private> n_1: vec3<u32>;
-var<private> lane_1: u32;
 @group(0) @binding(0) 
-var<storage> params: type_15;
+var<storage> params: type_11;
 @group(0) @binding(1) 
-var<storage> edges: type_23;
+var<storage> edges: type_15;
 @group(0) @binding(2) 
-var<storage, read_write> boxes: type_19;
+var<storage, read_write> boxes: type_13;
 
-fn function_() {
-    var local: type_6;
-    var local_1: type_6;
-    var phi_136_: type_31;
-    var phi_137_: type_31;
-    var phi_160_: type_31;
+fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
+    var local: type_4;
+    var local_1: type_4;
+    var phi_136_: type_17;
+    var phi_137_: type_17;
+    var phi_160_: type_17;
     var phi_186_: f32;
     var phi_213_: f32;
+    var id_2: vec3<u32>;
+    var n_2: vec3<u32>;
+    var lane_2: u32;
 
-    let _e18 = id_1;
-    let _e19 = n_1;
-    let _e20 = lane_1;
-    let _e30 = ((((_e18.y * _e19.x) + _e18.x) * 256u) + _e20);
-    let _e33 = params.member.member[1u];
-    if (_e30 < _e33) {
-        let _e36 = edges.member[_e30];
-        let _e40 = boxes.member[_e36[0]];
-        let _e42 = boxes.member[_e36[1]];
-        local_1 = type_6(array<f32, 3>(_e42.member[0], _e42.member[1], _e42.member[2]), array<f32, 3>(_e42.member_1[0], _e42.member_1[1], _e42.member_1[2]));
-        local = type_6(array<f32, 3>(_e40.member[0], _e40.member[1], _e40.member[2]), array<f32, 3>(_e40.member_1[0], _e40.member_1[1], _e40.member_1[2]));
-        phi_136_ = type_31(0u, 3u);
+    id_2 = id_1;
+    n_2 = n_1;
+    lane_2 = lane_1;
+    let _e14 = id_2;
+    let _e15 = n_2;
+    let _e16 = lane_2;
+    let _e26 = ((((_e14.y * _e15.x) + _e14.x) * 256u) + _e16);
+    let _e29 = params.member.member[1u];
+    if (_e26 < _e29) {
+        let _e32 = edges.member[_e26];
+        let _e36 = boxes.member[_e32[0]];
+        let _e38 = boxes.member[_e32[1]];
+        local_1 = type_4(array<f32, 3>(_e38.member[0], _e38.member[1], _e38.member[2]), array<f32, 3>(_e38.member_1[0], _e38.member_1[1], _e38.member_1[2]));
+        local = type_4(array<f32, 3>(_e36.member[0], _e36.member[1], _e36.member[2]), array<f32, 3>(_e36.member_1[0], _e36.member_1[1], _e36.member_1[2]));
+        phi_136_ = type_17(0u, 3u);
         loop {
-            let _e66 = phi_136_;
-            if (_e66.member < _e66.member_1) {
-                phi_137_ = type_31((_e66.member + 1u), _e66.member_1);
-                phi_160_ = type_31(1u, _e66.member);
+            let _e62 = phi_136_;
+            if (_e62.member < _e62.member_1) {
+                phi_137_ = type_17((_e62.member + 1u), _e62.member_1);
+                phi_160_ = type_17(1u, _e62.member);
             } else {
-                phi_137_ = _e66;
-                phi_160_ = type_31(0u, type_31().member_1);
+                phi_137_ = _e62;
+                phi_160_ = type_17(0u, type_17().member_1);
             }
-            let _e80 = phi_137_;
-            let _e82 = phi_160_;
-            let _e86 = (bitcast<i32>(_e82.member) != 0i);
-            if _e86 {
-                if (_e82.member_1 < 3u) {
+            let _e74 = phi_137_;
+            let _e76 = phi_160_;
+            let _e80 = (bitcast<i32>(_e76.member) != 0i);
+            if _e80 {
+                let _e83 = local.member[_e76.member_1];
+                let _e86 = local_1.member[_e76.member_1];
+                if (_e83 < _e86) {
+                    phi_186_ = _e83;
                 } else {
-                    return;
+                    phi_186_ = _e86;
                 }
-                let _e90 = local.member[_e82.member_1];
-                if (_e82.member_1 < 3u) {
+                let _e89 = phi_186_;
+                local.member[_e76.member_1] = _e89;
+                let _e94 = local.member_1[_e76.member_1];
+                let _e97 = local_1.member_1[_e76.member_1];
+                if (_e94 > _e97) {
+                    phi_213_ = _e94;
                 } else {
-                    return;
+                    phi_213_ = _e97;
                 }
-                let _e94 = local_1.member[_e82.member_1];
-                if (_e90 < _e94) {
-                    phi_186_ = _e90;
-                } else {
-                    phi_186_ = _e94;
-                }
-                let _e97 = phi_186_;
-                if (_e82.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                local.member[_e82.member_1] = _e97;
-                if (_e82.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                let _e104 = local.member_1[_e82.member_1];
-                if (_e82.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                let _e108 = local_1.member_1[_e82.member_1];
-                if (_e104 > _e108) {
-                    phi_213_ = _e104;
-                } else {
-                    phi_213_ = _e108;
-                }
-                let _e111 = phi_213_;
-                if (_e82.member_1 < 3u) {
-                } else {
-                    return;
-                }
-                local.member_1[_e82.member_1] = _e111;
+                let _e100 = phi_213_;
+                local.member_1[_e76.member_1] = _e100;
             }
             continue;
             continuing {
-                phi_136_ = _e80;
-                break if !(_e86);
+                phi_136_ = _e74;
+                break if !(_e80);
             }
         }
-        let _e116 = local;
-        let _e130 = params.member.member_2[1u];
-        boxes.member[(_e130 + _e30)] = type_6(array<f32, 3>(_e116.member[0], _e116.member[1], _e116.member[2]), array<f32, 3>(_e116.member_1[0], _e116.member_1[1], _e116.member_1[2]));
+        let _e104 = local;
+        let _e118 = params.member.member_2[1u];
+        boxes.member[(_e118 + _e26)] = type_4(array<f32, 3>(_e104.member[0], _e104.member[1], _e104.member[2]), array<f32, 3>(_e104.member_1[0], _e104.member_1[1], _e104.member_1[2]));
     }
     return;
 }
 
 @compute @workgroup_size(256, 1, 1) 
 fn sweep_edges(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    id_1 = id;
-    n_1 = n;
-    lane_1 = lane;
-    function_();
+    function_(id, n, lane);
 }

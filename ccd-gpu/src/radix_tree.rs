@@ -33,7 +33,9 @@ impl RadixTree {
     /// Builds the tree over the boxes of a block tree that is sorted and fitted.
     pub fn build(&self, recorder: &mut Recorder, params: &Params, blocks: &Tree) {
         let groups = self.n.div_ceil(256);
+        recorder.stage("branches");
         recorder.dispatch(Id::Branches, params, &[blocks.sorted()[0], &self.branches], groups);
+        recorder.stage("boxes of branches");
         let p = Params { level: blocks.levels.top(), ..*params };
         recorder.dispatch(Id::BranchBoxes, &p, &[&self.branches, &blocks.nodes, &blocks.leaves, &self.nodes], groups);
     }

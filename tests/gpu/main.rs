@@ -64,14 +64,7 @@ fn main() {
         for (name, test) in kernels::TESTS.iter().chain(scalars::TESTS).chain(failures::TESTS) {
             add(&mut trials, format!("{path}_{name}"), Box::new(test), device.clone());
         }
-        for (name, test, large) in scenes::tests() {
-            // A CPU that plays a GPU needs minutes for them; each path and each precision sees them once there.
-            let software = device.as_ref().is_ok_and(|d| d.info().adapter.device_type == ccd::gpu::wgpu::DeviceType::Cpu);
-            if large && software && ["passthrough_f32", "wgsl_f64"].contains(&path) {
-                let why = "a large scene on a software adapter: run as passthrough_f64 and wgsl_f32";
-                trials.push(Trial::ignorable_test(format!("{path}_{name}"), move || Ok(Completion::ignored_with(why))));
-                continue;
-            }
+        for (name, test) in scenes::tests() {
             add(&mut trials, format!("{path}_{name}"), test, device.clone());
         }
     }

@@ -14,18 +14,18 @@ type Test = Box<dyn FnOnce(&Device) + Send>;
 /// Four vertices at both ends.
 type Ends = ([[f64; 3]; 4], [[f64; 3]; 4]);
 
-/// Names, tests, and whether the scene is large.
-pub fn tests() -> Vec<(String, Test, bool)> {
-    let mut out: Vec<(String, Test, bool)> = Vec::new();
+/// Names and tests.
+pub fn tests() -> Vec<(String, Test)> {
+    let mut out: Vec<(String, Test)> = Vec::new();
     for scene in &SCENES {
-        out.push((format!("scene_{}", scene.name), Box::new(move |device| check_scene(device, scene)), scene.size[1] > 100_000));
+        out.push((format!("scene_{}", scene.name), Box::new(move |device| check_scene(device, scene))));
     }
-    out.push(("queries".into(), Box::new(check_queries), false));
-    out.push(("bodies".into(), Box::new(check_bodies), false));
-    out.push(("min_distance".into(), Box::new(check_min_distance), false));
-    out.push(("degenerate".into(), Box::new(check_degenerate), false));
-    out.push(("sequence".into(), Box::new(check_sequence), false));
-    out.push(("many_contacts".into(), Box::new(check_many_contacts), false));
+    out.push(("queries".into(), Box::new(check_queries)));
+    out.push(("bodies".into(), Box::new(check_bodies)));
+    out.push(("min_distance".into(), Box::new(check_min_distance)));
+    out.push(("degenerate".into(), Box::new(check_degenerate)));
+    out.push(("sequence".into(), Box::new(check_sequence)));
+    out.push(("many_contacts".into(), Box::new(check_many_contacts)));
     out
 }
 

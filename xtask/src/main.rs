@@ -7,6 +7,8 @@ mod gpu;
 mod report;
 mod shaders;
 mod tidy;
+#[cfg(feature = "shaders")]
+mod wgsl;
 
 use clap::Parser;
 use std::path::Path;

@@ -66,7 +66,6 @@ pub use build::run;
 #[cfg(feature = "shaders")]
 mod build {
     use super::{MANIFEST, PRODUCTS, hash_of_inputs};
-    use naga::valid::{Capabilities, ValidationFlags, Validator};
     use serde_json::{Value, json};
     use std::collections::BTreeMap;
     use std::path::Path;
@@ -74,6 +73,11 @@ mod build {
 
     /// Builds all products. `check`: compares them with the committed ones instead of writing them.
     pub fn run(root: &Path, check: bool) -> Result<(), String> {
+        build(root, check)?;
+        check_with_tint(root)
+    }
+
+    fn build(root: &Path, check: bool) -> Result<(), String> {
         let toolchain = toolchain(root)?;
         if !installed(&toolchain) {
             let how = "rustup toolchain install with the components of ccd-shaders/rust-toolchain.toml";
@@ -88,6 +92,30 @@ mod build {
         build_modules(root, &toolchain, &modules)?;
         let products = translate(root, &modules, &toolchain)?;
         if check { compare(root, &products) } else { write(root, &products) }
+    }
+
+    /// What Chromium's compiler says of the WGSL. Kernels with `f64` are not for browsers, and not in their language.
+    fn check_with_tint(root: &Path) -> Result<(), String> {
+        let dawn = root.join("target/tint/node_modules/webgpu");
+        if !dawn.is_dir() {
+            println!("skipped: Tint did not read the WGSL, it is not here (npm install --prefix target/tint webgpu)");
+            return Ok(());
+        }
+        let manifest = std::fs::read_to_string(root.join(MANIFEST)).map_err(|e| e.to_string())?;
+        let manifest: Value = serde_json::from_str(&manifest).map_err(|e| e.to_string())?;
+        let kernels: Vec<&Value> = manifest["kernels"].as_array().into_iter().flatten().collect();
+        let portable = kernels.iter().filter(|k| k["wide"] == false);
+        let files: Vec<_> =
+            portable.filter_map(|k| k["name"].as_str()).map(|name| root.join(PRODUCTS).join(format!("{name}.wgsl"))).collect();
+        let status = Command::new("node").arg(root.join("xtask/src/tint.mjs")).arg(dawn).args(&files).status();
+        match status {
+            Ok(status) if status.success() => {
+                println!("Tint accepts {} of {} kernels, all that do without f64", files.len(), kernels.len());
+                Ok(())
+            }
+            Ok(_) => Err("Tint refuses a kernel".into()),
+            Err(e) => Err(format!("cannot run node, which runs Tint: {e}")),
+        }
     }
 
     fn toolchain(root: &Path) -> Result<String, String> {
@@ -135,15 +163,10 @@ mod build {
             let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
             let spirv = std::fs::read(&path).map_err(|e| e.to_string())?;
             let module = naga::front::spv::parse_u8_slice(&spirv, &Default::default()).map_err(|e| format!("{name}: naga: {e}"))?;
-            let capabilities = Capabilities::FLOAT64 | Capabilities::SHADER_INT64;
-            let info = Validator::new(ValidationFlags::all(), capabilities)
-                .validate(&module)
-                .map_err(|e| format!("{name}: naga: {}", e.emit_to_string("")))?;
-            let wgsl = naga::back::wgsl::write_string(&module, &info, naga::back::wgsl::WriterFlags::empty())
-                .map_err(|e| format!("{name}: WGSL: {e}"))?;
             let row = describe(&name, &module, &spirv);
             check_barriers(&name, &row)?;
             kernels.push(row);
+            let wgsl = crate::wgsl::translate(module).map_err(|e| format!("{name}: {e}"))?;
             products.insert(format!("{name}.spv"), spirv);
             products.insert(format!("{name}.wgsl"), wgsl.into_bytes());
         }

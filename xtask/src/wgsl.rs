@@ -1,0 +1,104 @@
+//! From SPIR-V to WGSL, through naga, in a form that browsers accept: their analysis (Tint's) must see that every barrier is reached by all threads of a workgroup.
+//!
+//! Two things of what naga makes of rust-gpu's modules hide that, and are changed on the way. Built-in values such as the number of a workgroup come through
+//! private variables, of which nobody knows that they are the same for all threads: they become arguments. And failed checks of indices into arrays of fixed
+//! length return: these checks go, because WGSL keeps indices in range by itself (and no index is out of range, which the same bodies show on the CPU).
+
+use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
+use naga::{AddressSpace, Block, Expression, Function, FunctionArgument, GlobalVariable, Handle, LocalVariable, Module, Statement};
+
+/// Validates a module, changes it, validates it again and writes it.
+pub fn translate(mut module: Module) -> Result<String, String> {
+    validate(&module)?;
+    for (_, function) in module.functions.iter_mut() {
+        let body = std::mem::take(&mut function.body);
+        function.body = without_failed_checks(body);
+    }
+    pass_builtins(&mut module)?;
+    naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
+    let info = validate(&module)?;
+    naga::back::wgsl::write_string(&module, &info, naga::back::wgsl::WriterFlags::empty()).map_err(|e| format!("WGSL: {e}"))
+}
+
+fn validate(module: &Module) -> Result<ModuleInfo, String> {
+    let capabilities = Capabilities::FLOAT64 | Capabilities::SHADER_INT64;
+    Validator::new(ValidationFlags::all(), capabilities).validate(module).map_err(|e| format!("naga: {}", e.emit_to_string("")))
+}
+
+/// Without `if in_range {} else { return; }`.
+fn without_failed_checks(block: Block) -> Block {
+    let mut out = Block::with_capacity(block.len());
+    for (statement, span) in block.span_into_iter() {
+        let changed = match statement {
+            Statement::If { accept, reject, .. } if accept.is_empty() && matches!(&reject[..], [Statement::Return { value: None }]) => {
+                continue;
+            }
+            Statement::If { condition, accept, reject } => {
+                Statement::If { condition, accept: without_failed_checks(accept), reject: without_failed_checks(reject) }
+            }
+            Statement::Loop { body, continuing, break_if } => {
+                Statement::Loop { body: without_failed_checks(body), continuing: without_failed_checks(continuing), break_if }
+            }
+            Statement::Block(block) => Statement::Block(without_failed_checks(block)),
+            Statement::Switch { selector, mut cases } => {
+                for case in &mut cases {
+                    case.body = without_failed_checks(std::mem::take(&mut case.body));
+                }
+                Statement::Switch { selector, cases }
+            }
+            other => other,
+        };
+        out.push(changed, span);
+    }
+    out
+}
+
+/// The entry point stores built-in values in private variables and calls a function that reads them; now it calls it with them.
+fn pass_builtins(module: &mut Module) -> Result<(), String> {
+    let entry = &mut module.entry_points[0].function;
+    let mut values: Vec<(Handle<GlobalVariable>, Handle<Expression>)> = Vec::new();
+    let mut body = Block::new();
+    for (mut statement, span) in std::mem::take(&mut entry.body).span_into_iter() {
+        match &mut statement {
+            Statement::Store { pointer, value } => match entry.expressions[*pointer] {
+                Expression::GlobalVariable(global) if module.global_variables[global].space == AddressSpace::Private => {
+                    values.push((global, *value));
+                    continue;
+                }
+                _ => return Err("an entry point that stores elsewhere than in private variables".into()),
+            },
+            Statement::Call { function, arguments, .. } if arguments.is_empty() => {
+                arguments.extend(values.iter().map(|v| v.1));
+                take_builtins(&mut module.functions[*function], &values, &module.global_variables);
+            }
+            Statement::Emit(_) | Statement::Return { value: None } => {}
+            _ => return Err("an entry point that does more than call a function".into()),
+        }
+        body.push(statement, span);
+    }
+    entry.body = body;
+    Ok(())
+}
+
+/// Makes local variables, which arguments fill, of private ones.
+fn take_builtins(function: &mut Function, values: &[(Handle<GlobalVariable>, Handle<Expression>)], globals: &naga::Arena<GlobalVariable>) {
+    let span = naga::Span::UNDEFINED;
+    let mut body = Block::new();
+    for &(global, _) in values {
+        let GlobalVariable { name, ty, .. } = globals[global].clone();
+        let local = function.local_variables.append(LocalVariable { name: name.clone(), ty, init: None }, span);
+        function.arguments.push(FunctionArgument { name, ty, binding: None });
+        let value = function.expressions.append(Expression::FunctionArgument(function.arguments.len() as u32 - 1), span);
+        for (_, expression) in function.expressions.iter_mut() {
+            if matches!(expression, Expression::GlobalVariable(g) if *g == global) {
+                *expression = Expression::LocalVariable(local);
+            }
+        }
+        let pointer = function.expressions.append(Expression::LocalVariable(local), span);
+        body.push(Statement::Store { pointer, value }, span);
+    }
+    for (statement, span) in std::mem::take(&mut function.body).span_into_iter() {
+        body.push(statement, span);
+    }
+    function.body = body;
+}
