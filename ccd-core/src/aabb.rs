@@ -39,12 +39,11 @@ impl<T: Real> Aabb<T> {
     /// Smallest box that holds both.
     #[inline(always)]
     pub fn union(&self, other: &Self) -> Self {
-        let mut out = *self;
-        for k in 0..3 {
-            out.min[k] = out.min[k].min(other.min[k]);
-            out.max[k] = out.max[k].max(other.max[k]);
+        let (a, b) = (self, other);
+        Self {
+            min: [a.min[0].min(b.min[0]), a.min[1].min(b.min[1]), a.min[2].min(b.min[2])],
+            max: [a.max[0].max(b.max[0]), a.max[1].max(b.max[1]), a.max[2].max(b.max[2])],
         }
-        out
     }
 
     /// Whether the closed boxes share a point: touching counts. False if a bound is NaN.

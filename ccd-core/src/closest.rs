@@ -42,11 +42,6 @@ pub fn closest<R: Real>(a: [R; 3], b: [R; 3], c: [R; 3], patch: Patch) -> [R; 3]
         }
         Patch::Parallelogram => [to_segment(a, b), to_segment(a, c), to_segment(a_b, c), to_segment(sub(a, c), b)],
     };
-    let mut best = sides[0];
-    for k in 1..4 {
-        if dot(sides[k], sides[k]) < dot(best, best) {
-            best = sides[k];
-        }
-    }
-    best
+    let nearer = |p: [R; 3], q: [R; 3]| if dot(q, q) < dot(p, p) { q } else { p };
+    nearer(nearer(nearer(sides[0], sides[1]), sides[2]), sides[3])
 }

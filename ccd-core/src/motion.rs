@@ -61,15 +61,15 @@ impl<N: Num> Motion<N> {
     /// The first and the second half of the step. The vectors in the middle carry two roundings instead of one, which the bounds of
     /// filters allow for.
     #[inline(always)]
-    pub fn halves(&self) -> [Self; 2] {
+    pub fn halves(&self) -> (Self, Self) {
         let half = N::splat(0.5);
         let a = scale(add(self.a[0], self.a[1]), half);
         let b = scale(add(self.b[0], self.b[1]), half);
         let c = scale(add(self.c[0], self.c[1]), half);
-        [
+        (
             Self { a: [self.a[0], a], b: [self.b[0], b], c: [self.c[0], c], error: self.error },
             Self { a: [a, self.a[1]], b: [b, self.b[1]], c: [c, self.c[1]], error: self.error },
-        ]
+        )
     }
 
     /// Bounds of the absolute components of `a`, `b`, `c` over the whole step, input error included.

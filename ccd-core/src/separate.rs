@@ -46,18 +46,21 @@ struct Reach<N> {
     needed: N,
 }
 
+/// How far each of four points is along `w`.
+#[inline(always)]
+fn along<N: Num>(w: [N; 3], points: &[[N; 3]; 4]) -> [N; 4] {
+    [dot(w, points[0]), dot(w, points[1]), dot(w, points[2]), dot(w, points[3])]
+}
+
 /// Separation along `w` beyond what is needed; `sum_abs` is at least the length of `w`.
 ///
 /// If a product overflows, so does the sum of `w` times the size, and the result is not positive.
 #[inline(always)]
 fn apart<N: Num>(w: [N; 3], corners0: &[[N; 3]; 4], corners1: &[[N; 3]; 4], reach: &Reach<N>) -> N {
-    let first = dot(w, corners0[0]);
-    let (mut low, mut high) = (first, first);
-    for j in 0..4 {
-        let (g0, g1) = (dot(w, corners0[j]), dot(w, corners1[j]));
-        low = low.min(g0).min(g1);
-        high = high.max(g0).max(g1);
-    }
+    // No loop: indices that are not constants would keep the corners out of a GPU's registers.
+    let (a, b) = (along(w, corners0), along(w, corners1));
+    let low = (a[0].min(a[1])).min(a[2].min(a[3])).min((b[0].min(b[1])).min(b[2].min(b[3])));
+    let high = (a[0].max(a[1])).max(a[2].max(a[3])).max((b[0].max(b[1])).max(b[2].max(b[3])));
     let length = sum_abs(w);
     let rounding = (length * reach.size) * (N::UNIT * N::splat(17.0));
     low.max(-high) - rounding - length * reach.needed - (N::MIN_NORMAL * N::splat(64.0))

@@ -147,7 +147,7 @@ impl<T: Real> Filter<'_, T> {
             let end = (start + WIDTH).min(self.pairs.len());
             let motion = load::<S, T, VERTEX_FACE>(simd, self.scene, self.kind, &self.pairs[start..end]);
             let rejected = if HALVES {
-                let [first, second] = motion.halves();
+                let (first, second) = motion.halves();
                 apart(simd, &first, patch, distance) & apart(simd, &second, patch, distance)
             } else {
                 apart(simd, &motion, patch, distance)

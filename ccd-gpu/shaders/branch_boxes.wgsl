@@ -1,9 +1,4 @@
-struct type_4 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
-}
-
-struct type_10 {
+struct type_8 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -27,12 +22,17 @@ struct type_10 {
     member_20: array<array<u32, 4>, 8>,
 }
 
+struct type_9 {
+    member: type_8,
+}
+
 struct type_11 {
-    member: type_10,
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
 }
 
 struct type_13 {
-    member: array<type_4>,
+    member: array<type_11>,
 }
 
 struct type_14 {
@@ -72,7 +72,7 @@ struct type_25 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_11;
+var<storage> params: type_9;
 @group(0) @binding(1) 
 var<storage> branches: type_22;
 @group(0) @binding(2) 
@@ -83,49 +83,47 @@ var<storage> leaves: type_16;
 var<storage, read_write> out: type_25;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_4;
-    var local_1: type_4;
-    var local_2: type_4;
-    var local_3: type_4;
-    var phi_128_: type_19;
-    var phi_131_: type_4;
-    var phi_133_: u32;
-    var phi_135_: u32;
-    var phi_129_: type_19;
-    var phi_158_: type_19;
-    var phi_177_: u32;
-    var phi_187_: bool;
-    var phi_191_: u32;
-    var phi_192_: u32;
-    var phi_195_: type_19;
-    var phi_198_: type_4;
-    var phi_196_: type_19;
-    var phi_221_: type_19;
-    var phi_278_: type_19;
-    var phi_279_: type_19;
-    var phi_302_: type_19;
-    var phi_328_: f32;
-    var phi_355_: f32;
-    var phi_199_: type_4;
-    var phi_377_: type_19;
-    var phi_380_: type_4;
-    var phi_378_: type_19;
-    var phi_403_: type_19;
-    var phi_460_: type_19;
-    var phi_461_: type_19;
-    var phi_484_: type_19;
-    var phi_510_: f32;
-    var phi_537_: f32;
-    var phi_381_: type_4;
-    var phi_561_: u32;
-    var phi_566_: u32;
-    var phi_132_: type_4;
-    var phi_134_: u32;
-    var phi_136_: u32;
-    var local_4: type_4;
-    var local_5: type_4;
-    var local_6: type_4;
-    var local_7: type_4;
+    var phi_119_: type_19;
+    var phi_122_: type_11;
+    var phi_124_: u32;
+    var phi_126_: u32;
+    var phi_120_: type_19;
+    var phi_149_: type_19;
+    var phi_168_: u32;
+    var phi_178_: bool;
+    var phi_182_: u32;
+    var phi_183_: u32;
+    var phi_186_: type_19;
+    var phi_189_: type_11;
+    var phi_187_: type_19;
+    var phi_212_: type_19;
+    var phi_251_: f32;
+    var phi_258_: f32;
+    var phi_265_: f32;
+    var phi_273_: f32;
+    var phi_280_: f32;
+    var phi_287_: f32;
+    var phi_190_: type_11;
+    var phi_292_: type_19;
+    var phi_295_: type_11;
+    var phi_293_: type_19;
+    var phi_318_: type_19;
+    var phi_357_: f32;
+    var phi_364_: f32;
+    var phi_371_: f32;
+    var phi_379_: f32;
+    var phi_386_: f32;
+    var phi_393_: f32;
+    var phi_296_: type_11;
+    var phi_400_: u32;
+    var phi_405_: u32;
+    var phi_123_: type_11;
+    var phi_125_: u32;
+    var phi_127_: u32;
+    var local: type_11;
+    var local_1: type_11;
+    var local_2: type_11;
+    var local_3: type_11;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -133,249 +131,237 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e25 = id_2;
-    let _e26 = n_2;
-    let _e27 = lane_2;
-    let _e39 = ((((_e25.y * _e26.x) + _e25.x) * 256u) + _e27);
-    let _e42 = params.member.member[1u];
-    if ((_e39 + 1u) < _e42) {
-        let _e46 = branches.member[_e39];
-        phi_128_ = type_19(0u, 8u);
-        phi_131_ = type_4(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_133_ = (_e46.member_3 + 1u);
-        phi_135_ = _e46.member_2;
+    let _e20 = id_2;
+    let _e21 = n_2;
+    let _e22 = lane_2;
+    let _e34 = ((((_e20.y * _e21.x) + _e20.x) * 256u) + _e22);
+    let _e37 = params.member.member[1u];
+    if ((_e34 + 1u) < _e37) {
+        let _e41 = branches.member[_e34];
+        phi_119_ = type_19(0u, 8u);
+        phi_122_ = type_11(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_124_ = (_e41.member_3 + 1u);
+        phi_126_ = _e41.member_2;
         loop {
-            let _e51 = phi_128_;
-            let _e53 = phi_131_;
-            let _e55 = phi_133_;
-            let _e57 = phi_135_;
-            local_4 = _e53;
-            local_5 = _e53;
-            if (_e51.member < _e51.member_1) {
-                phi_129_ = type_19((_e51.member + 1u), _e51.member_1);
-                phi_158_ = type_19(1u, _e51.member);
+            let _e46 = phi_119_;
+            let _e48 = phi_122_;
+            let _e50 = phi_124_;
+            let _e52 = phi_126_;
+            local = _e48;
+            local_1 = _e48;
+            if (_e46.member < _e46.member_1) {
+                phi_120_ = type_19((_e46.member + 1u), _e46.member_1);
+                phi_149_ = type_19(1u, _e46.member);
             } else {
-                phi_129_ = _e51;
-                phi_158_ = type_19(0u, type_19().member_1);
+                phi_120_ = _e46;
+                phi_149_ = type_19(0u, type_19().member_1);
             }
-            let _e69 = phi_129_;
-            let _e71 = phi_158_;
-            let _e75 = (bitcast<i32>(_e71.member) != 0i);
-            if _e75 {
-                let _e76 = (_e57 % 32u);
-                if (_e76 == 0u) {
-                    phi_177_ = _e57;
+            let _e64 = phi_120_;
+            let _e66 = phi_149_;
+            let _e70 = (bitcast<i32>(_e66.member) != 0i);
+            if _e70 {
+                let _e71 = (_e52 % 32u);
+                if (_e71 == 0u) {
+                    phi_168_ = _e52;
                 } else {
-                    phi_177_ = (_e57 + (32u - _e76));
+                    phi_168_ = (_e52 + (32u - _e71));
                 }
-                let _e81 = phi_177_;
-                let _e83 = ((_e55 / 32u) * 32u);
-                if (_e81 < _e83) {
-                    let _e86 = params.member.member_9;
-                    phi_187_ = (_e71.member_1 < _e86);
+                let _e76 = phi_168_;
+                let _e78 = ((_e50 / 32u) * 32u);
+                if (_e76 < _e78) {
+                    let _e81 = params.member.member_9;
+                    phi_178_ = (_e66.member_1 < _e81);
                 } else {
-                    phi_187_ = false;
+                    phi_178_ = false;
                 }
-                let _e89 = phi_187_;
-                if _e89 {
-                    phi_191_ = _e83;
-                    phi_192_ = _e81;
+                let _e84 = phi_178_;
+                if _e84 {
+                    phi_182_ = _e78;
+                    phi_183_ = _e76;
                 } else {
-                    phi_191_ = _e55;
-                    phi_192_ = _e55;
+                    phi_182_ = _e50;
+                    phi_183_ = _e50;
                 }
-                let _e91 = phi_191_;
-                let _e93 = phi_192_;
-                phi_195_ = type_19(_e57, _e93);
-                phi_198_ = _e53;
+                let _e86 = phi_182_;
+                let _e88 = phi_183_;
+                phi_186_ = type_19(_e52, _e88);
+                phi_189_ = _e48;
                 loop {
-                    let _e96 = phi_195_;
-                    let _e98 = phi_198_;
-                    local_6 = _e98;
-                    if (_e96.member < _e96.member_1) {
-                        phi_196_ = type_19((_e96.member + 1u), _e96.member_1);
-                        phi_221_ = type_19(1u, _e96.member);
+                    let _e91 = phi_186_;
+                    let _e93 = phi_189_;
+                    local_2 = _e93;
+                    if (_e91.member < _e91.member_1) {
+                        phi_187_ = type_19((_e91.member + 1u), _e91.member_1);
+                        phi_212_ = type_19(1u, _e91.member);
                     } else {
-                        phi_196_ = _e96;
-                        phi_221_ = type_19(0u, type_19().member_1);
+                        phi_187_ = _e91;
+                        phi_212_ = type_19(0u, type_19().member_1);
                     }
-                    let _e110 = phi_196_;
-                    let _e112 = phi_221_;
-                    let _e116 = (bitcast<i32>(_e112.member) != 0i);
-                    if _e116 {
-                        let _e120 = params.member.member_20[_e71.member_1][1u];
-                        let _e123 = block_nodes.member[(_e120 + _e112.member_1)];
-                        local_2 = type_4(array<f32, 3>(_e123.member[0], _e123.member[1], _e123.member[2]), array<f32, 3>(_e123.member_1[0], _e123.member_1[1], _e123.member_1[2]));
-                        local_1 = type_4(array<f32, 3>(_e98.member[0], _e98.member[1], _e98.member[2]), array<f32, 3>(_e98.member_1[0], _e98.member_1[1], _e98.member_1[2]));
-                        phi_278_ = type_19(0u, 3u);
-                        loop {
-                            let _e147 = phi_278_;
-                            if (_e147.member < _e147.member_1) {
-                                phi_279_ = type_19((_e147.member + 1u), _e147.member_1);
-                                phi_302_ = type_19(1u, _e147.member);
-                            } else {
-                                phi_279_ = _e147;
-                                phi_302_ = type_19(0u, type_19().member_1);
-                            }
-                            let _e159 = phi_279_;
-                            let _e161 = phi_302_;
-                            let _e165 = (bitcast<i32>(_e161.member) != 0i);
-                            if _e165 {
-                                let _e168 = local_1.member[_e161.member_1];
-                                let _e171 = local_2.member[_e161.member_1];
-                                if (_e168 < _e171) {
-                                    phi_328_ = _e168;
-                                } else {
-                                    phi_328_ = _e171;
-                                }
-                                let _e174 = phi_328_;
-                                local_1.member[_e161.member_1] = _e174;
-                                let _e179 = local_1.member_1[_e161.member_1];
-                                let _e182 = local_2.member_1[_e161.member_1];
-                                if (_e179 > _e182) {
-                                    phi_355_ = _e179;
-                                } else {
-                                    phi_355_ = _e182;
-                                }
-                                let _e185 = phi_355_;
-                                local_1.member_1[_e161.member_1] = _e185;
-                            }
-                            continue;
-                            continuing {
-                                phi_278_ = _e159;
-                                break if !(_e165);
-                            }
+                    let _e105 = phi_187_;
+                    let _e107 = phi_212_;
+                    let _e111 = (bitcast<i32>(_e107.member) != 0i);
+                    if _e111 {
+                        let _e115 = params.member.member_20[_e66.member_1][1u];
+                        let _e118 = block_nodes.member[(_e115 + _e107.member_1)];
+                        if (_e93.member[0] < _e118.member[0]) {
+                            phi_251_ = _e93.member[0];
+                        } else {
+                            phi_251_ = _e118.member[0];
                         }
-                        let _e189 = local_1;
-                        phi_199_ = type_4(array<f32, 3>(_e189.member[0], _e189.member[1], _e189.member[2]), array<f32, 3>(_e189.member_1[0], _e189.member_1[1], _e189.member_1[2]));
+                        let _e125 = phi_251_;
+                        if (_e93.member[1] < _e118.member[1]) {
+                            phi_258_ = _e93.member[1];
+                        } else {
+                            phi_258_ = _e118.member[1];
+                        }
+                        let _e132 = phi_258_;
+                        if (_e93.member[2] < _e118.member[2]) {
+                            phi_265_ = _e93.member[2];
+                        } else {
+                            phi_265_ = _e118.member[2];
+                        }
+                        let _e139 = phi_265_;
+                        if (_e93.member_1[0] > _e118.member_1[0]) {
+                            phi_273_ = _e93.member_1[0];
+                        } else {
+                            phi_273_ = _e118.member_1[0];
+                        }
+                        let _e147 = phi_273_;
+                        if (_e93.member_1[1] > _e118.member_1[1]) {
+                            phi_280_ = _e93.member_1[1];
+                        } else {
+                            phi_280_ = _e118.member_1[1];
+                        }
+                        let _e154 = phi_280_;
+                        if (_e93.member_1[2] > _e118.member_1[2]) {
+                            phi_287_ = _e93.member_1[2];
+                        } else {
+                            phi_287_ = _e118.member_1[2];
+                        }
+                        let _e161 = phi_287_;
+                        phi_190_ = type_11(array<f32, 3>(_e125, _e132, _e139), array<f32, 3>(_e147, _e154, _e161));
                     } else {
-                        phi_199_ = type_4();
+                        phi_190_ = type_11();
                     }
-                    let _e202 = phi_199_;
+                    let _e165 = phi_190_;
                     continue;
                     continuing {
-                        phi_195_ = _e110;
-                        phi_198_ = _e202;
-                        break if !(_e116);
+                        phi_186_ = _e105;
+                        phi_189_ = _e165;
+                        break if !(_e111);
                     }
                 }
-                phi_377_ = type_19(_e91, _e55);
-                let _e377 = local_6;
-                phi_380_ = _e377;
+                phi_292_ = type_19(_e86, _e50);
+                let _e309 = local_2;
+                phi_295_ = _e309;
                 loop {
-                    let _e206 = phi_377_;
-                    let _e208 = phi_380_;
-                    local_7 = _e208;
-                    if (_e206.member < _e206.member_1) {
-                        phi_378_ = type_19((_e206.member + 1u), _e206.member_1);
-                        phi_403_ = type_19(1u, _e206.member);
+                    let _e169 = phi_292_;
+                    let _e171 = phi_295_;
+                    local_3 = _e171;
+                    if (_e169.member < _e169.member_1) {
+                        phi_293_ = type_19((_e169.member + 1u), _e169.member_1);
+                        phi_318_ = type_19(1u, _e169.member);
                     } else {
-                        phi_378_ = _e206;
-                        phi_403_ = type_19(0u, type_19().member_1);
+                        phi_293_ = _e169;
+                        phi_318_ = type_19(0u, type_19().member_1);
                     }
-                    let _e220 = phi_378_;
-                    let _e222 = phi_403_;
-                    let _e226 = (bitcast<i32>(_e222.member) != 0i);
-                    if _e226 {
-                        let _e230 = params.member.member_20[_e71.member_1][1u];
-                        let _e233 = block_nodes.member[(_e230 + _e222.member_1)];
-                        local_3 = type_4(array<f32, 3>(_e233.member[0], _e233.member[1], _e233.member[2]), array<f32, 3>(_e233.member_1[0], _e233.member_1[1], _e233.member_1[2]));
-                        local = type_4(array<f32, 3>(_e208.member[0], _e208.member[1], _e208.member[2]), array<f32, 3>(_e208.member_1[0], _e208.member_1[1], _e208.member_1[2]));
-                        phi_460_ = type_19(0u, 3u);
-                        loop {
-                            let _e257 = phi_460_;
-                            if (_e257.member < _e257.member_1) {
-                                phi_461_ = type_19((_e257.member + 1u), _e257.member_1);
-                                phi_484_ = type_19(1u, _e257.member);
-                            } else {
-                                phi_461_ = _e257;
-                                phi_484_ = type_19(0u, type_19().member_1);
-                            }
-                            let _e269 = phi_461_;
-                            let _e271 = phi_484_;
-                            let _e275 = (bitcast<i32>(_e271.member) != 0i);
-                            if _e275 {
-                                let _e278 = local.member[_e271.member_1];
-                                let _e281 = local_3.member[_e271.member_1];
-                                if (_e278 < _e281) {
-                                    phi_510_ = _e278;
-                                } else {
-                                    phi_510_ = _e281;
-                                }
-                                let _e284 = phi_510_;
-                                local.member[_e271.member_1] = _e284;
-                                let _e289 = local.member_1[_e271.member_1];
-                                let _e292 = local_3.member_1[_e271.member_1];
-                                if (_e289 > _e292) {
-                                    phi_537_ = _e289;
-                                } else {
-                                    phi_537_ = _e292;
-                                }
-                                let _e295 = phi_537_;
-                                local.member_1[_e271.member_1] = _e295;
-                            }
-                            continue;
-                            continuing {
-                                phi_460_ = _e269;
-                                break if !(_e275);
-                            }
+                    let _e183 = phi_293_;
+                    let _e185 = phi_318_;
+                    let _e189 = (bitcast<i32>(_e185.member) != 0i);
+                    if _e189 {
+                        let _e193 = params.member.member_20[_e66.member_1][1u];
+                        let _e196 = block_nodes.member[(_e193 + _e185.member_1)];
+                        if (_e171.member[0] < _e196.member[0]) {
+                            phi_357_ = _e171.member[0];
+                        } else {
+                            phi_357_ = _e196.member[0];
                         }
-                        let _e299 = local;
-                        phi_381_ = type_4(array<f32, 3>(_e299.member[0], _e299.member[1], _e299.member[2]), array<f32, 3>(_e299.member_1[0], _e299.member_1[1], _e299.member_1[2]));
+                        let _e203 = phi_357_;
+                        if (_e171.member[1] < _e196.member[1]) {
+                            phi_364_ = _e171.member[1];
+                        } else {
+                            phi_364_ = _e196.member[1];
+                        }
+                        let _e210 = phi_364_;
+                        if (_e171.member[2] < _e196.member[2]) {
+                            phi_371_ = _e171.member[2];
+                        } else {
+                            phi_371_ = _e196.member[2];
+                        }
+                        let _e217 = phi_371_;
+                        if (_e171.member_1[0] > _e196.member_1[0]) {
+                            phi_379_ = _e171.member_1[0];
+                        } else {
+                            phi_379_ = _e196.member_1[0];
+                        }
+                        let _e225 = phi_379_;
+                        if (_e171.member_1[1] > _e196.member_1[1]) {
+                            phi_386_ = _e171.member_1[1];
+                        } else {
+                            phi_386_ = _e196.member_1[1];
+                        }
+                        let _e232 = phi_386_;
+                        if (_e171.member_1[2] > _e196.member_1[2]) {
+                            phi_393_ = _e171.member_1[2];
+                        } else {
+                            phi_393_ = _e196.member_1[2];
+                        }
+                        let _e239 = phi_393_;
+                        phi_296_ = type_11(array<f32, 3>(_e203, _e210, _e217), array<f32, 3>(_e225, _e232, _e239));
                     } else {
-                        phi_381_ = type_4();
+                        phi_296_ = type_11();
                     }
-                    let _e312 = phi_381_;
+                    let _e243 = phi_296_;
                     continue;
                     continuing {
-                        phi_377_ = _e220;
-                        phi_380_ = _e312;
-                        break if !(_e226);
+                        phi_292_ = _e183;
+                        phi_295_ = _e243;
+                        break if !(_e189);
                     }
                 }
-                if _e89 {
-                    phi_561_ = (_e81 / 32u);
+                if _e84 {
+                    phi_400_ = (_e76 / 32u);
                 } else {
-                    phi_561_ = 0u;
+                    phi_400_ = 0u;
                 }
-                let _e316 = phi_561_;
-                if _e89 {
-                    phi_566_ = (_e83 / 32u);
+                let _e247 = phi_400_;
+                if _e84 {
+                    phi_405_ = (_e78 / 32u);
                 } else {
-                    phi_566_ = 0u;
+                    phi_405_ = 0u;
                 }
-                let _e319 = phi_566_;
-                let _e390 = local_7;
-                phi_132_ = _e390;
-                phi_134_ = _e319;
-                phi_136_ = _e316;
+                let _e250 = phi_405_;
+                let _e323 = local_3;
+                phi_123_ = _e323;
+                phi_125_ = _e250;
+                phi_127_ = _e247;
             } else {
-                phi_132_ = type_4();
-                phi_134_ = u32();
-                phi_136_ = u32();
+                phi_123_ = type_11();
+                phi_125_ = u32();
+                phi_127_ = u32();
             }
-            let _e321 = phi_132_;
-            let _e323 = phi_134_;
-            let _e325 = phi_136_;
+            let _e252 = phi_123_;
+            let _e254 = phi_125_;
+            let _e256 = phi_127_;
             continue;
             continuing {
-                phi_128_ = _e69;
-                phi_131_ = _e321;
-                phi_133_ = _e323;
-                phi_135_ = _e325;
-                break if !(_e75);
+                phi_119_ = _e64;
+                phi_122_ = _e252;
+                phi_124_ = _e254;
+                phi_126_ = _e256;
+                break if !(_e70);
             }
         }
-        let _e328 = local_4;
-        let _e332 = local_5;
-        out.member[_e39] = type_23(_e328.member, _e46.member, _e332.member_1, _e46.member_1);
+        let _e259 = local;
+        let _e263 = local_1;
+        out.member[_e34] = type_23(_e259.member, _e41.member, _e263.member_1, _e41.member_1);
     }
-    if (_e39 < _e42) {
-        let _e341 = params.member.member_20[0u][1u];
-        let _e342 = (_e341 + _e39);
-        let _e344 = block_nodes.member[_e342];
-        let _e349 = leaves.member[_e342];
-        out.member[((_e42 - 1u) + _e39)] = type_23(_e344.member, _e349.member_1, _e344.member_1, 4294967295u);
+    if (_e34 < _e37) {
+        let _e272 = params.member.member_20[0u][1u];
+        let _e273 = (_e272 + _e34);
+        let _e275 = block_nodes.member[_e273];
+        let _e280 = leaves.member[_e273];
+        out.member[((_e37 - 1u) + _e34)] = type_23(_e275.member, _e280.member_1, _e275.member_1, 4294967295u);
     }
     return;
 }

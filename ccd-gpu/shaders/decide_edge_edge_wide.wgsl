@@ -1,4 +1,4 @@
-struct type_9 {
+struct type_8 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -22,8 +22,8 @@ struct type_9 {
     member_20: array<array<u32, 4>, 8>,
 }
 
-struct type_10 {
-    member: type_9,
+struct type_9 {
+    member: type_8,
 }
 
 struct type_12 {
@@ -62,7 +62,7 @@ struct type_27 {
     member: array<type_25>,
 }
 
-struct type_30 {
+struct type_29 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -70,28 +70,33 @@ struct type_30 {
     member_4: array<u32, 2>,
 }
 
-struct type_31 {
+struct type_30 {
     member: u32,
     member_1: array<u32, 2>,
     member_2: bool,
 }
 
-struct type_33 {
+struct type_32 {
     member: array<f64, 3>,
     member_1: f64,
     member_2: f64,
 }
 
-struct type_34 {
+struct type_33 {
     member: f64,
     member_1: f64,
 }
 
-struct type_39 {
+struct type_38 {
     member: array<array<f64, 3>, 2>,
     member_1: array<array<f64, 3>, 2>,
     member_2: array<array<f64, 3>, 2>,
     member_3: f64,
+}
+
+struct type_39 {
+    member: array<array<f64, 3>, 4>,
+    member_1: array<array<f64, 3>, 4>,
 }
 
 struct type_40 {
@@ -110,7 +115,7 @@ struct type_44 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_10;
+var<storage> params: type_9;
 @group(0) @binding(1) 
 var<storage> paths: type_27;
 @group(0) @binding(6) 
@@ -130,839 +135,1014 @@ fn function_(param: f64) -> array<u32, 2> {
     return array<u32, 2>(u32(_e2), u32((_e2 / 4294967296lu)));
 }
 
-fn function_1(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
+fn function_1(param_1: array<f64, 3>, param_2: array<f64, 3>) -> array<f64, 3> {
+    var phi_6441_: array<f64, 3>;
+
+    if ((((param_2[0] * param_2[0]) + (param_2[1] * param_2[1])) + (param_2[2] * param_2[2])) < (((param_1[0] * param_1[0]) + (param_1[1] * param_1[1])) + (param_1[2] * param_1[2]))) {
+        phi_6441_ = param_2;
+    } else {
+        phi_6441_ = param_1;
+    }
+    let _e26 = phi_6441_;
+    return _e26;
+}
+
+fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: u32) -> array<f64, 3> {
+    var phi_6005_: bool;
+    var phi_6006_: bool;
+    var phi_6007_: bool;
+    var phi_6008_: bool;
+    var phi_6012_: bool;
+    var phi_5985_: bool;
+    var phi_5986_: bool;
+    var phi_5987_: bool;
+    var phi_5988_: bool;
+    var phi_5989_: bool;
+    var phi_5990_: bool;
+    var phi_5994_: bool;
+    var phi_6013_: bool;
+    var phi_6043_: array<f64, 3>;
+    var phi_6044_: bool;
+    var phi_6045_: array<f64, 3>;
+    var phi_6046_: bool;
+    var phi_6292_: f64;
+    var phi_6294_: f64;
+    var phi_6336_: f64;
+    var phi_6338_: f64;
+    var phi_6386_: f64;
+    var phi_6388_: f64;
+    var phi_6097_: f64;
+    var phi_6099_: f64;
+    var phi_6147_: f64;
+    var phi_6149_: f64;
+    var phi_6194_: f64;
+    var phi_6196_: f64;
+    var phi_6247_: f64;
+    var phi_6249_: f64;
+    var phi_6403_: array<array<f64, 3>, 4>;
+    var phi_6411_: array<f64, 3>;
+
+    let _e21 = (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2]));
+    let _e32 = (((param_4[0] * param_5[0]) + (param_4[1] * param_5[1])) + (param_4[2] * param_5[2]));
+    let _e43 = (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2]));
+    let _e54 = (((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2]));
+    let _e65 = (((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2]));
+    let _e68 = ((_e21 * _e43) - (_e32 * _e32));
+    let _e69 = f64(0f);
+    let _e70 = f64(1f);
+    let _e74 = (((_e54 * _e43) - (_e65 * _e32)) / _e68);
+    let _e78 = (((_e65 * _e21) - (_e54 * _e32)) / _e68);
+    if (param_6 != 0u) {
+        if (_e74 >= _e69) {
+            if (_e78 >= _e69) {
+                if (_e74 <= _e70) {
+                    phi_5985_ = (_e78 <= _e70);
+                    phi_5986_ = false;
+                } else {
+                    phi_5985_ = bool();
+                    phi_5986_ = true;
+                }
+                let _e99 = phi_5985_;
+                let _e101 = phi_5986_;
+                phi_5987_ = _e99;
+                phi_5988_ = _e101;
+            } else {
+                phi_5987_ = bool();
+                phi_5988_ = true;
+            }
+            let _e103 = phi_5987_;
+            let _e105 = phi_5988_;
+            phi_5989_ = _e103;
+            phi_5990_ = _e105;
+        } else {
+            phi_5989_ = bool();
+            phi_5990_ = true;
+        }
+        let _e107 = phi_5989_;
+        let _e109 = phi_5990_;
+        if _e109 {
+            phi_5994_ = false;
+        } else {
+            phi_5994_ = _e107;
+        }
+        let _e111 = phi_5994_;
+        phi_6013_ = _e111;
+    } else {
+        if (_e74 >= _e69) {
+            if (_e78 >= _e69) {
+                phi_6005_ = ((_e74 + _e78) <= _e70);
+                phi_6006_ = false;
+            } else {
+                phi_6005_ = bool();
+                phi_6006_ = true;
+            }
+            let _e85 = phi_6005_;
+            let _e87 = phi_6006_;
+            phi_6007_ = _e85;
+            phi_6008_ = _e87;
+        } else {
+            phi_6007_ = bool();
+            phi_6008_ = true;
+        }
+        let _e89 = phi_6007_;
+        let _e91 = phi_6008_;
+        if _e91 {
+            phi_6012_ = false;
+        } else {
+            phi_6012_ = _e89;
+        }
+        let _e93 = phi_6012_;
+        phi_6013_ = _e93;
+    }
+    let _e113 = phi_6013_;
+    if (_e68 > _e69) {
+        if _e113 {
+            phi_6043_ = array<f64, 3>((param_3[0] - ((param_4[0] * _e74) + (param_5[0] * _e78))), (param_3[1] - ((param_4[1] * _e74) + (param_5[1] * _e78))), (param_3[2] - ((param_4[2] * _e74) + (param_5[2] * _e78))));
+            phi_6044_ = false;
+        } else {
+            phi_6043_ = array<f64, 3>();
+            phi_6044_ = true;
+        }
+        let _e138 = phi_6043_;
+        let _e140 = phi_6044_;
+        phi_6045_ = _e138;
+        phi_6046_ = _e140;
+    } else {
+        phi_6045_ = array<f64, 3>();
+        phi_6046_ = true;
+    }
+    let _e142 = phi_6045_;
+    let _e144 = phi_6046_;
+    if _e144 {
+        let _e147 = (param_3[0] - param_4[0]);
+        let _e150 = (param_3[1] - param_4[1]);
+        let _e153 = (param_3[2] - param_4[2]);
+        if (param_6 != 0u) {
+            let _e307 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
+            if (_e307 > f64(0f)) {
+                if (_e307 < f64(1f)) {
+                    phi_6097_ = _e307;
+                } else {
+                    phi_6097_ = f64(1f);
+                }
+                let _e315 = phi_6097_;
+                phi_6099_ = _e315;
+            } else {
+                phi_6099_ = f64(0f);
+            }
+            let _e317 = phi_6099_;
+            let _e353 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
+            if (_e353 > f64(0f)) {
+                if (_e353 < f64(1f)) {
+                    phi_6147_ = _e353;
+                } else {
+                    phi_6147_ = f64(1f);
+                }
+                let _e361 = phi_6147_;
+                phi_6149_ = _e361;
+            } else {
+                phi_6149_ = f64(0f);
+            }
+            let _e363 = phi_6149_;
+            let _e396 = ((((_e147 * param_5[0]) + (_e150 * param_5[1])) + (_e153 * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
+            if (_e396 > f64(0f)) {
+                if (_e396 < f64(1f)) {
+                    phi_6194_ = _e396;
+                } else {
+                    phi_6194_ = f64(1f);
+                }
+                let _e404 = phi_6194_;
+                phi_6196_ = _e404;
+            } else {
+                phi_6196_ = f64(0f);
+            }
+            let _e406 = phi_6196_;
+            let _e419 = (param_3[0] - param_5[0]);
+            let _e422 = (param_3[1] - param_5[1]);
+            let _e425 = (param_3[2] - param_5[2]);
+            let _e445 = ((((_e419 * param_4[0]) + (_e422 * param_4[1])) + (_e425 * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
+            if (_e445 > f64(0f)) {
+                if (_e445 < f64(1f)) {
+                    phi_6247_ = _e445;
+                } else {
+                    phi_6247_ = f64(1f);
+                }
+                let _e453 = phi_6247_;
+                phi_6249_ = _e453;
+            } else {
+                phi_6249_ = f64(0f);
+            }
+            let _e455 = phi_6249_;
+            phi_6403_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e317)), (param_3[1] - (param_4[1] * _e317)), (param_3[2] - (param_4[2] * _e317))), array<f64, 3>((param_3[0] - (param_5[0] * _e363)), (param_3[1] - (param_5[1] * _e363)), (param_3[2] - (param_5[2] * _e363))), array<f64, 3>((_e147 - (param_5[0] * _e406)), (_e150 - (param_5[1] * _e406)), (_e153 - (param_5[2] * _e406))), array<f64, 3>((_e419 - (param_4[0] * _e455)), (_e422 - (param_4[1] * _e455)), (_e425 - (param_4[2] * _e455))));
+        } else {
+            let _e157 = (param_5[0] - param_4[0]);
+            let _e160 = (param_5[1] - param_4[1]);
+            let _e163 = (param_5[2] - param_4[2]);
+            let _e174 = ((((_e147 * _e157) + (_e150 * _e160)) + (_e153 * _e163)) / (((_e157 * _e157) + (_e160 * _e160)) + (_e163 * _e163)));
+            if (_e174 > f64(0f)) {
+                if (_e174 < f64(1f)) {
+                    phi_6292_ = _e174;
+                } else {
+                    phi_6292_ = f64(1f);
+                }
+                let _e182 = phi_6292_;
+                phi_6294_ = _e182;
+            } else {
+                phi_6294_ = f64(0f);
+            }
+            let _e184 = phi_6294_;
+            let _e191 = array<f64, 3>((_e147 - (_e157 * _e184)), (_e150 - (_e160 * _e184)), (_e153 - (_e163 * _e184)));
+            let _e214 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
+            if (_e214 > f64(0f)) {
+                if (_e214 < f64(1f)) {
+                    phi_6336_ = _e214;
+                } else {
+                    phi_6336_ = f64(1f);
+                }
+                let _e222 = phi_6336_;
+                phi_6338_ = _e222;
+            } else {
+                phi_6338_ = f64(0f);
+            }
+            let _e224 = phi_6338_;
+            let _e260 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
+            if (_e260 > f64(0f)) {
+                if (_e260 < f64(1f)) {
+                    phi_6386_ = _e260;
+                } else {
+                    phi_6386_ = f64(1f);
+                }
+                let _e268 = phi_6386_;
+                phi_6388_ = _e268;
+            } else {
+                phi_6388_ = f64(0f);
+            }
+            let _e270 = phi_6388_;
+            phi_6403_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e224)), (param_3[1] - (param_4[1] * _e224)), (param_3[2] - (param_4[2] * _e224))), array<f64, 3>((param_3[0] - (param_5[0] * _e270)), (param_3[1] - (param_5[1] * _e270)), (param_3[2] - (param_5[2] * _e270))), _e191, _e191);
+        }
+        let _e468 = phi_6403_;
+        let _e471 = function_1(_e468[0], _e468[1]);
+        let _e473 = function_1(_e471, _e468[2]);
+        let _e475 = function_1(_e473, _e468[3]);
+        phi_6411_ = _e475;
+    } else {
+        phi_6411_ = _e142;
+    }
+    let _e477 = phi_6411_;
+    return _e477;
+}
+
+fn function_3(param_7: array<f32, 3>) -> array<f64, 3> {
+    return array<f64, 3>(f64(param_7[0]), f64(param_7[1]), f64(param_7[2]));
+}
+
+fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<array<f64, 3>, 4>;
     var local_1: array<array<f64, 3>, 4>;
-    var local_2: array<array<f64, 3>, 4>;
-    var local_3: type_33;
-    var local_4: type_33;
-    var local_5: type_33;
-    var local_6: array<type_34, 4>;
-    var local_7: array<f64, 4>;
-    var local_8: array<f64, 2>;
-    var local_9: array<f64, 4>;
+    var local_2: type_32;
+    var local_3: type_32;
+    var local_4: type_32;
+    var local_5: array<type_33, 4>;
+    var local_6: array<f64, 4>;
+    var local_7: array<f64, 2>;
+    var local_8: array<f64, 4>;
+    var local_9: array<array<f64, 3>, 4>;
     var local_10: array<array<f64, 3>, 4>;
-    var local_11: array<array<f64, 3>, 4>;
-    var local_12: array<array<f64, 3>, 4>;
-    var local_13: array<array<f64, 3>, 4>;
-    var local_14: array<f32, 3>;
-    var local_15: array<u32, 4>;
-    var local_16: array<array<f64, 3>, 4>;
-    var local_17: array<array<f64, 3>, 4>;
-    var local_18: array<array<f32, 3>, 4>;
-    var local_19: array<array<f32, 3>, 4>;
-    var local_20: type_39;
-    var phi_232_: u32;
-    var phi_248_: u32;
-    var phi_269_: u32;
-    var phi_270_: u32;
-    var phi_273_: type_19;
-    var phi_274_: type_19;
-    var phi_297_: type_19;
-    var phi_640_: type_19;
-    var phi_641_: type_19;
-    var phi_664_: type_19;
-    var phi_520_: type_19;
-    var phi_521_: type_19;
-    var phi_544_: type_19;
-    var phi_554_: type_19;
-    var phi_555_: type_19;
-    var phi_578_: type_19;
-    var phi_1132_: f64;
-    var phi_1139_: f64;
-    var phi_1144_: f64;
-    var phi_1151_: f64;
-    var phi_1156_: f64;
-    var phi_1169_: f64;
-    var phi_1176_: f64;
-    var phi_1181_: f64;
-    var phi_1188_: f64;
-    var phi_1193_: f64;
-    var phi_1198_: f64;
+    var local_11: array<f32, 3>;
+    var local_12: type_38;
+    var phi_225_: u32;
+    var phi_241_: u32;
+    var phi_262_: u32;
+    var phi_263_: u32;
+    var phi_266_: type_19;
+    var phi_267_: type_19;
+    var phi_290_: type_19;
+    var phi_549_: type_39;
+    var phi_918_: f64;
+    var phi_925_: f64;
+    var phi_930_: f64;
+    var phi_937_: f64;
+    var phi_942_: f64;
+    var phi_955_: f64;
+    var phi_962_: f64;
+    var phi_967_: f64;
+    var phi_974_: f64;
+    var phi_979_: f64;
+    var phi_984_: f64;
+    var phi_1001_: f64;
+    var phi_1008_: f64;
+    var phi_1013_: f64;
+    var phi_1020_: f64;
+    var phi_1025_: f64;
+    var phi_1039_: f64;
+    var phi_1046_: f64;
+    var phi_1051_: f64;
+    var phi_1058_: f64;
+    var phi_1063_: f64;
+    var phi_1068_: f64;
+    var phi_1085_: f64;
+    var phi_1092_: f64;
+    var phi_1097_: f64;
+    var phi_1104_: f64;
+    var phi_1109_: f64;
+    var phi_1123_: f64;
+    var phi_1130_: f64;
+    var phi_1135_: f64;
+    var phi_1142_: f64;
+    var phi_1147_: f64;
+    var phi_1152_: f64;
+    var phi_1189_: f64;
+    var phi_1195_: f64;
+    var phi_1202_: f64;
+    var phi_1209_: f64;
     var phi_1215_: f64;
     var phi_1222_: f64;
-    var phi_1227_: f64;
+    var phi_1228_: f64;
     var phi_1234_: f64;
-    var phi_1239_: f64;
-    var phi_1253_: f64;
-    var phi_1260_: f64;
-    var phi_1265_: f64;
-    var phi_1272_: f64;
-    var phi_1277_: f64;
+    var phi_1240_: f64;
+    var phi_1247_: f64;
+    var phi_1254_: f64;
     var phi_1282_: f64;
-    var phi_1299_: f64;
-    var phi_1306_: f64;
-    var phi_1311_: f64;
+    var phi_1287_: f64;
+    var phi_1292_: f64;
+    var phi_1297_: f64;
+    var phi_1302_: f64;
+    var phi_1307_: f64;
     var phi_1318_: f64;
-    var phi_1323_: f64;
-    var phi_1337_: f64;
-    var phi_1344_: f64;
-    var phi_1349_: f64;
-    var phi_1356_: f64;
-    var phi_1361_: f64;
-    var phi_1366_: f64;
-    var phi_1403_: f64;
-    var phi_1409_: f64;
-    var phi_1416_: f64;
-    var phi_1423_: f64;
-    var phi_1429_: f64;
-    var phi_1436_: f64;
-    var phi_1442_: f64;
-    var phi_1448_: f64;
-    var phi_1454_: f64;
-    var phi_1461_: f64;
-    var phi_1468_: f64;
-    var phi_1496_: f64;
-    var phi_1501_: f64;
-    var phi_1506_: f64;
-    var phi_1511_: f64;
-    var phi_1516_: f64;
-    var phi_1521_: f64;
-    var phi_1532_: f64;
-    var phi_4089_: f64;
+    var phi_2901_: f64;
+    var phi_2907_: f64;
+    var phi_2912_: f64;
+    var phi_2918_: f64;
+    var phi_2924_: f64;
+    var phi_2929_: f64;
+    var phi_2934_: f64;
+    var phi_2944_: bool;
+    var phi_2951_: f64;
+    var phi_2959_: f64;
+    var phi_3002_: type_17;
+    var phi_3005_: f64;
+    var phi_3026_: bool;
+    var phi_3032_: type_18;
+    var phi_3003_: type_17;
+    var phi_3046_: type_18;
+    var phi_3006_: f64;
+    var local_13: f64;
+    var phi_2995_: f64;
+    var phi_3059_: f64;
+    var phi_3065_: f64;
+    var phi_3090_: type_19;
+    var phi_3093_: u32;
+    var phi_3091_: type_19;
+    var phi_3116_: type_19;
+    var phi_3160_: u32;
+    var phi_3161_: u32;
+    var phi_3094_: u32;
+    var phi_3162_: u32;
+    var phi_3182_: type_19;
+    var phi_3183_: type_19;
+    var phi_3206_: type_19;
+    var phi_3260_: f64;
+    var phi_3267_: f64;
+    var phi_3279_: bool;
+    var phi_3280_: bool;
+    var phi_3281_: bool;
+    var phi_3282_: bool;
+    var phi_3286_: bool;
+    var phi_3298_: type_41;
+    var phi_3299_: type_41;
+    var phi_3300_: bool;
+    var phi_3301_: type_41;
+    var phi_3302_: bool;
+    var phi_3315_: f64;
+    var phi_3328_: type_19;
+    var phi_3331_: f64;
+    var phi_3333_: f64;
+    var phi_3335_: f64;
+    var phi_3329_: type_19;
+    var phi_3358_: type_19;
+    var phi_3385_: f64;
+    var phi_3386_: f64;
+    var phi_3414_: f64;
+    var phi_3430_: f64;
+    var phi_3437_: bool;
+    var phi_3438_: bool;
+    var phi_3439_: bool;
+    var phi_3445_: f64;
+    var phi_3446_: f64;
+    var phi_3447_: bool;
+    var phi_3332_: f64;
+    var phi_3334_: f64;
+    var phi_3336_: f64;
+    var phi_3448_: f64;
+    var phi_3449_: bool;
+    var phi_3450_: bool;
+    var local_14: bool;
+    var phi_3454_: f64;
+    var phi_3455_: f64;
+    var phi_3463_: type_19;
+    var phi_3466_: f64;
+    var phi_3464_: type_19;
+    var phi_3489_: type_19;
+    var phi_3532_: f64;
+    var phi_3542_: f64;
+    var phi_3552_: bool;
+    var phi_3554_: bool;
+    var phi_3559_: f64;
+    var phi_3560_: bool;
+    var phi_3561_: f64;
+    var phi_3562_: bool;
+    var phi_3563_: bool;
+    var phi_3564_: bool;
+    var phi_3565_: f64;
+    var phi_3467_: f64;
+    var phi_3566_: bool;
+    var phi_3567_: bool;
+    var phi_3568_: bool;
+    var phi_3569_: bool;
+    var local_15: bool;
+    var phi_3573_: bool;
+    var phi_3574_: bool;
+    var phi_3578_: bool;
+    var phi_3582_: f64;
+    var phi_3583_: f64;
+    var phi_3585_: type_41;
+    var phi_3616_: f64;
+    var phi_3623_: f64;
+    var phi_3628_: f64;
+    var phi_3635_: f64;
+    var phi_3640_: f64;
+    var phi_3653_: f64;
+    var phi_3660_: f64;
+    var phi_3665_: f64;
+    var phi_3672_: f64;
+    var phi_3677_: f64;
+    var phi_3682_: f64;
+    var phi_3741_: f64;
+    var phi_3747_: f64;
+    var phi_3752_: f64;
+    var phi_3758_: f64;
+    var phi_3763_: f64;
+    var phi_3777_: f64;
+    var phi_3783_: f64;
+    var phi_3788_: f64;
+    var phi_3794_: f64;
+    var phi_3799_: f64;
+    var phi_3825_: f64;
+    var phi_3832_: f64;
+    var phi_3837_: f64;
+    var phi_3844_: f64;
+    var phi_3849_: f64;
+    var phi_3862_: f64;
+    var phi_3869_: f64;
+    var phi_3874_: f64;
+    var phi_3881_: f64;
+    var phi_3886_: f64;
+    var phi_3891_: f64;
+    var phi_3950_: f64;
+    var phi_3956_: f64;
+    var phi_3961_: f64;
+    var phi_3967_: f64;
+    var phi_3972_: f64;
+    var phi_3986_: f64;
+    var phi_3992_: f64;
+    var phi_3997_: f64;
+    var phi_4003_: f64;
+    var phi_4008_: f64;
+    var phi_4034_: f64;
+    var phi_4041_: f64;
+    var phi_4046_: f64;
+    var phi_4053_: f64;
+    var phi_4058_: f64;
+    var phi_4071_: f64;
+    var phi_4078_: f64;
+    var phi_4083_: f64;
+    var phi_4090_: f64;
     var phi_4095_: f64;
     var phi_4100_: f64;
-    var phi_4106_: f64;
-    var phi_4112_: f64;
-    var phi_4117_: f64;
-    var phi_4122_: f64;
-    var phi_4132_: bool;
-    var phi_4139_: f64;
-    var phi_4147_: f64;
-    var phi_4190_: type_17;
-    var phi_4193_: f64;
-    var phi_4214_: bool;
-    var phi_4220_: type_18;
-    var phi_4191_: type_17;
-    var phi_4234_: type_18;
-    var phi_4194_: f64;
+    var phi_4159_: f64;
+    var phi_4165_: f64;
+    var phi_4170_: f64;
+    var phi_4176_: f64;
+    var phi_4181_: f64;
+    var phi_4195_: f64;
+    var phi_4201_: f64;
+    var phi_4206_: f64;
+    var phi_4212_: f64;
+    var phi_4217_: f64;
+    var phi_4266_: f64;
+    var phi_4272_: f64;
+    var phi_4300_: f64;
+    var phi_4306_: f64;
+    var phi_4311_: u32;
+    var phi_4312_: u32;
+    var phi_4282_: f64;
+    var phi_4288_: f64;
+    var phi_4293_: u32;
+    var phi_4294_: u32;
+    var phi_4313_: u32;
+    var phi_4314_: u32;
+    var phi_4385_: f64;
+    var phi_4397_: f64;
+    var phi_4536_: f64;
+    var phi_4542_: f64;
+    var phi_4549_: f64;
+    var phi_4593_: type_19;
+    var phi_4596_: bool;
+    var phi_4594_: type_19;
+    var phi_4619_: type_19;
+    var phi_4646_: bool;
+    var phi_4647_: bool;
+    var phi_4597_: bool;
+    var phi_4648_: bool;
+    var phi_4649_: bool;
+    var local_16: bool;
+    var phi_4653_: bool;
+    var local_17: bool;
+    var phi_4660_: u32;
+    var phi_4661_: u32;
+    var phi_4662_: bool;
+    var phi_4663_: u32;
+    var phi_4664_: u32;
+    var phi_4665_: bool;
+    var phi_4669_: u32;
+    var phi_4690_: bool;
+    var phi_4691_: bool;
+    var phi_4692_: bool;
+    var phi_4889_: f64;
+    var phi_4896_: f64;
+    var phi_4901_: f64;
+    var phi_4908_: f64;
+    var phi_4913_: f64;
+    var phi_4926_: f64;
+    var phi_4933_: f64;
+    var phi_4938_: f64;
+    var phi_4945_: f64;
+    var phi_4950_: f64;
+    var phi_4955_: f64;
+    var phi_4972_: f64;
+    var phi_4979_: f64;
+    var phi_4984_: f64;
+    var phi_4991_: f64;
+    var phi_4996_: f64;
+    var phi_5010_: f64;
+    var phi_5017_: f64;
+    var phi_5022_: f64;
+    var phi_5029_: f64;
+    var phi_5034_: f64;
+    var phi_5039_: f64;
+    var phi_5056_: f64;
+    var phi_5063_: f64;
+    var phi_5068_: f64;
+    var phi_5075_: f64;
+    var phi_5080_: f64;
+    var phi_5094_: f64;
+    var phi_5101_: f64;
+    var phi_5106_: f64;
+    var phi_5113_: f64;
+    var phi_5118_: f64;
+    var phi_5123_: f64;
+    var phi_5143_: type_19;
+    var phi_5146_: f64;
+    var phi_5144_: type_19;
+    var phi_5169_: type_19;
+    var phi_5280_: f64;
+    var phi_5287_: f64;
+    var phi_5295_: f64;
+    var phi_5340_: type_17;
+    var phi_5343_: f64;
+    var phi_5364_: bool;
+    var phi_5370_: type_18;
+    var phi_5341_: type_17;
+    var phi_5384_: type_18;
+    var phi_5344_: f64;
+    var local_18: f64;
+    var phi_5333_: f64;
+    var phi_5397_: f64;
+    var phi_5410_: type_19;
+    var phi_5413_: f64;
+    var phi_5411_: type_19;
+    var phi_5436_: type_19;
+    var phi_5487_: f64;
+    var phi_5493_: f64;
+    var phi_5507_: bool;
+    var phi_5508_: bool;
+    var phi_5542_: f64;
+    var phi_5543_: f64;
+    var phi_5544_: f64;
+    var phi_5545_: bool;
+    var phi_5549_: bool;
+    var phi_5550_: f64;
+    var phi_5551_: bool;
+    var phi_5552_: bool;
+    var phi_5553_: bool;
+    var phi_5554_: f64;
+    var phi_5555_: bool;
+    var phi_5556_: bool;
+    var phi_5557_: bool;
+    var phi_5414_: f64;
+    var phi_5558_: bool;
+    var phi_5559_: bool;
+    var phi_5560_: bool;
+    var phi_5561_: bool;
+    var local_19: bool;
+    var local_20: f64;
     var local_21: f64;
-    var phi_4183_: f64;
-    var phi_4247_: f64;
-    var phi_4253_: f64;
-    var phi_4278_: type_19;
-    var phi_4281_: u32;
-    var phi_4279_: type_19;
-    var phi_4304_: type_19;
-    var phi_4348_: u32;
-    var phi_4349_: u32;
-    var phi_4282_: u32;
-    var phi_4350_: u32;
-    var phi_4370_: type_19;
-    var phi_4371_: type_19;
-    var phi_4394_: type_19;
-    var phi_4448_: f64;
-    var phi_4455_: f64;
-    var phi_4467_: bool;
-    var phi_4468_: bool;
-    var phi_4469_: bool;
-    var phi_4470_: bool;
-    var phi_4474_: bool;
-    var phi_4486_: type_41;
-    var phi_4487_: type_41;
-    var phi_4488_: bool;
-    var phi_4489_: type_41;
-    var phi_4490_: bool;
-    var phi_4503_: f64;
-    var phi_4516_: type_19;
-    var phi_4519_: f64;
-    var phi_4521_: f64;
-    var phi_4523_: f64;
-    var phi_4517_: type_19;
-    var phi_4546_: type_19;
-    var phi_4573_: f64;
-    var phi_4574_: f64;
-    var phi_4602_: f64;
-    var phi_4618_: f64;
-    var phi_4625_: bool;
-    var phi_4626_: bool;
-    var phi_4627_: bool;
-    var phi_4633_: f64;
-    var phi_4634_: f64;
-    var phi_4635_: bool;
-    var phi_4520_: f64;
-    var phi_4522_: f64;
-    var phi_4524_: f64;
-    var phi_4636_: f64;
-    var phi_4637_: bool;
-    var phi_4638_: bool;
-    var local_22: bool;
-    var phi_4642_: f64;
-    var phi_4643_: f64;
-    var phi_4651_: type_19;
-    var phi_4654_: f64;
-    var phi_4652_: type_19;
-    var phi_4677_: type_19;
-    var phi_4720_: f64;
-    var phi_4730_: f64;
-    var phi_4740_: bool;
-    var phi_4742_: bool;
-    var phi_4747_: f64;
-    var phi_4748_: bool;
-    var phi_4749_: f64;
-    var phi_4750_: bool;
-    var phi_4751_: bool;
-    var phi_4752_: bool;
-    var phi_4753_: f64;
-    var phi_4655_: f64;
-    var phi_4754_: bool;
-    var phi_4755_: bool;
-    var phi_4756_: bool;
-    var phi_4757_: bool;
+    var local_22: f64;
+    var phi_5579_: bool;
+    var phi_5580_: bool;
+    var phi_5581_: bool;
+    var phi_5582_: bool;
+    var phi_5583_: bool;
+    var phi_5584_: bool;
+    var phi_5585_: bool;
+    var phi_5586_: bool;
+    var phi_5587_: bool;
+    var phi_5588_: bool;
+    var phi_5589_: bool;
+    var phi_5590_: bool;
+    var phi_5591_: bool;
+    var phi_5592_: f64;
+    var phi_5593_: f64;
+    var phi_5594_: bool;
+    var phi_5595_: bool;
+    var phi_5596_: bool;
+    var phi_5597_: bool;
+    var phi_5598_: bool;
+    var phi_5599_: bool;
+    var phi_5600_: bool;
+    var phi_5601_: f64;
+    var phi_5602_: f64;
+    var phi_5603_: bool;
+    var phi_5604_: bool;
+    var phi_5605_: bool;
+    var phi_5606_: bool;
+    var phi_5607_: bool;
+    var phi_5608_: bool;
+    var phi_5609_: bool;
+    var phi_5610_: bool;
+    var phi_5611_: f64;
+    var phi_5147_: f64;
+    var phi_5612_: bool;
+    var phi_5613_: bool;
+    var phi_5614_: bool;
+    var phi_5615_: bool;
+    var phi_5616_: bool;
+    var phi_5617_: bool;
+    var phi_5618_: bool;
+    var phi_5619_: bool;
+    var phi_5620_: bool;
     var local_23: bool;
-    var phi_4761_: bool;
-    var phi_4762_: bool;
-    var phi_4766_: bool;
-    var phi_4770_: f64;
-    var phi_4771_: f64;
-    var phi_4773_: type_41;
-    var phi_4804_: f64;
-    var phi_4811_: f64;
-    var phi_4816_: f64;
-    var phi_4823_: f64;
-    var phi_4828_: f64;
-    var phi_4841_: f64;
-    var phi_4848_: f64;
-    var phi_4853_: f64;
-    var phi_4860_: f64;
-    var phi_4865_: f64;
-    var phi_4870_: f64;
-    var phi_4929_: f64;
-    var phi_4935_: f64;
-    var phi_4940_: f64;
-    var phi_4946_: f64;
-    var phi_4951_: f64;
-    var phi_4965_: f64;
-    var phi_4971_: f64;
-    var phi_4976_: f64;
-    var phi_4982_: f64;
-    var phi_4987_: f64;
-    var phi_5013_: f64;
-    var phi_5020_: f64;
-    var phi_5025_: f64;
-    var phi_5032_: f64;
-    var phi_5037_: f64;
-    var phi_5050_: f64;
-    var phi_5057_: f64;
-    var phi_5062_: f64;
-    var phi_5069_: f64;
-    var phi_5074_: f64;
-    var phi_5079_: f64;
-    var phi_5138_: f64;
-    var phi_5144_: f64;
-    var phi_5149_: f64;
-    var phi_5155_: f64;
-    var phi_5160_: f64;
-    var phi_5174_: f64;
-    var phi_5180_: f64;
-    var phi_5185_: f64;
-    var phi_5191_: f64;
-    var phi_5196_: f64;
-    var phi_5222_: f64;
-    var phi_5229_: f64;
-    var phi_5234_: f64;
-    var phi_5241_: f64;
-    var phi_5246_: f64;
-    var phi_5259_: f64;
-    var phi_5266_: f64;
-    var phi_5271_: f64;
-    var phi_5278_: f64;
-    var phi_5283_: f64;
-    var phi_5288_: f64;
-    var phi_5347_: f64;
-    var phi_5353_: f64;
-    var phi_5358_: f64;
-    var phi_5364_: f64;
-    var phi_5369_: f64;
-    var phi_5383_: f64;
-    var phi_5389_: f64;
-    var phi_5394_: f64;
-    var phi_5400_: f64;
-    var phi_5405_: f64;
-    var phi_5454_: f64;
-    var phi_5460_: f64;
-    var phi_5488_: f64;
-    var phi_5494_: f64;
-    var phi_5499_: u32;
-    var phi_5500_: u32;
-    var phi_5470_: f64;
-    var phi_5476_: f64;
-    var phi_5481_: u32;
-    var phi_5482_: u32;
-    var phi_5501_: u32;
-    var phi_5502_: u32;
-    var phi_5573_: f64;
-    var phi_5585_: f64;
-    var phi_5724_: f64;
-    var phi_5730_: f64;
-    var phi_5737_: f64;
-    var phi_5781_: type_19;
-    var phi_5784_: bool;
-    var phi_5782_: type_19;
-    var phi_5807_: type_19;
-    var phi_5834_: bool;
-    var phi_5835_: bool;
-    var phi_5785_: bool;
-    var phi_5836_: bool;
-    var phi_5837_: bool;
-    var local_24: bool;
-    var phi_5841_: bool;
-    var local_25: bool;
-    var phi_5848_: u32;
-    var phi_5849_: u32;
-    var phi_5850_: bool;
-    var phi_5851_: u32;
-    var phi_5852_: u32;
-    var phi_5853_: bool;
-    var phi_5857_: u32;
-    var phi_5878_: bool;
-    var phi_5879_: bool;
-    var phi_5880_: bool;
-    var phi_6077_: f64;
-    var phi_6084_: f64;
-    var phi_6089_: f64;
-    var phi_6096_: f64;
-    var phi_6101_: f64;
-    var phi_6114_: f64;
-    var phi_6121_: f64;
-    var phi_6126_: f64;
-    var phi_6133_: f64;
-    var phi_6138_: f64;
-    var phi_6143_: f64;
-    var phi_6160_: f64;
-    var phi_6167_: f64;
-    var phi_6172_: f64;
-    var phi_6179_: f64;
-    var phi_6184_: f64;
-    var phi_6198_: f64;
-    var phi_6205_: f64;
-    var phi_6210_: f64;
-    var phi_6217_: f64;
-    var phi_6222_: f64;
-    var phi_6227_: f64;
-    var phi_6244_: f64;
-    var phi_6251_: f64;
-    var phi_6256_: f64;
-    var phi_6263_: f64;
-    var phi_6268_: f64;
-    var phi_6282_: f64;
-    var phi_6289_: f64;
-    var phi_6294_: f64;
-    var phi_6301_: f64;
-    var phi_6306_: f64;
-    var phi_6311_: f64;
-    var phi_6331_: type_19;
-    var phi_6334_: f64;
-    var phi_6332_: type_19;
-    var phi_6357_: type_19;
-    var phi_6513_: bool;
-    var phi_6514_: bool;
-    var phi_6515_: bool;
-    var phi_6516_: bool;
-    var phi_6517_: bool;
-    var phi_6518_: bool;
-    var phi_6522_: bool;
-    var phi_6562_: array<f64, 3>;
-    var phi_6563_: bool;
-    var phi_6564_: array<f64, 3>;
-    var phi_6565_: bool;
-    var phi_6598_: f64;
-    var phi_6600_: f64;
-    var phi_6630_: f64;
-    var phi_6632_: f64;
-    var phi_6662_: f64;
-    var phi_6664_: f64;
-    var phi_6697_: f64;
-    var phi_6699_: f64;
-    var phi_6854_: type_19;
-    var phi_6857_: array<f64, 3>;
-    var phi_6855_: type_19;
-    var phi_6880_: type_19;
-    var phi_6947_: array<f64, 3>;
-    var phi_6858_: array<f64, 3>;
-    var phi_6948_: array<f64, 3>;
-    var phi_6955_: f64;
-    var phi_6962_: f64;
-    var phi_6970_: f64;
-    var phi_7015_: type_17;
-    var phi_7018_: f64;
-    var phi_7039_: bool;
-    var phi_7045_: type_18;
-    var phi_7016_: type_17;
-    var phi_7059_: type_18;
-    var phi_7019_: f64;
+    var phi_5625_: type_40;
+    var phi_5626_: bool;
+    var phi_5627_: bool;
+    var phi_5628_: bool;
+    var phi_5629_: bool;
+    var phi_5630_: bool;
+    var phi_5631_: bool;
+    var phi_5632_: bool;
+    var phi_5636_: f64;
+    var phi_5637_: bool;
+    var phi_5638_: bool;
+    var phi_5639_: bool;
+    var phi_5640_: bool;
+    var phi_5641_: bool;
+    var phi_5642_: bool;
+    var phi_5643_: bool;
+    var phi_5648_: type_40;
+    var phi_5649_: bool;
+    var phi_5650_: bool;
+    var phi_5651_: bool;
+    var phi_5652_: bool;
+    var phi_5653_: bool;
+    var phi_5654_: bool;
+    var local_24: f64;
+    var phi_5659_: type_40;
+    var phi_5660_: bool;
+    var phi_5661_: bool;
+    var phi_5662_: bool;
+    var phi_5663_: bool;
+    var phi_5664_: bool;
+    var local_25: f64;
+    var phi_5669_: type_40;
+    var phi_5670_: bool;
+    var phi_5671_: bool;
+    var phi_5672_: bool;
+    var phi_5673_: bool;
     var local_26: f64;
-    var phi_7008_: f64;
-    var phi_7072_: f64;
-    var phi_7085_: type_19;
-    var phi_7088_: f64;
-    var phi_7086_: type_19;
-    var phi_7111_: type_19;
-    var phi_7162_: f64;
-    var phi_7168_: f64;
-    var phi_7182_: bool;
-    var phi_7183_: bool;
-    var phi_7217_: f64;
-    var phi_7218_: f64;
-    var phi_7219_: f64;
-    var phi_7220_: bool;
-    var phi_7224_: bool;
-    var phi_7225_: f64;
-    var phi_7226_: bool;
-    var phi_7227_: bool;
-    var phi_7228_: bool;
-    var phi_7229_: f64;
-    var phi_7230_: bool;
-    var phi_7231_: bool;
-    var phi_7232_: bool;
-    var phi_7089_: f64;
-    var phi_7233_: bool;
-    var phi_7234_: bool;
-    var phi_7235_: bool;
-    var phi_7236_: bool;
-    var local_27: bool;
-    var local_28: f64;
+    var phi_5678_: type_40;
+    var phi_5679_: bool;
+    var phi_5680_: bool;
+    var phi_5681_: bool;
+    var phi_5682_: bool;
+    var phi_5686_: type_40;
+    var phi_5687_: bool;
+    var phi_5688_: bool;
+    var phi_5689_: bool;
+    var phi_5693_: bool;
+    var phi_5694_: bool;
+    var phi_5698_: bool;
+    var phi_5699_: bool;
+    var phi_5703_: bool;
+    var phi_5704_: bool;
+    var local_27: f64;
+    var phi_5709_: type_40;
+    var phi_5710_: bool;
+    var phi_5714_: type_40;
+    var phi_5721_: bool;
+    var phi_5722_: f64;
+    var phi_5723_: bool;
+    var phi_5724_: bool;
+    var phi_5725_: bool;
+    var phi_5726_: f64;
+    var phi_5727_: bool;
+    var phi_5728_: bool;
+    var phi_5729_: bool;
+    var phi_5730_: f64;
+    var phi_5731_: bool;
+    var phi_5732_: bool;
+    var phi_5733_: bool;
+    var phi_5734_: bool;
+    var phi_5738_: bool;
+    var phi_5739_: bool;
+    var phi_5740_: bool;
+    var phi_5741_: f64;
+    var phi_5742_: type_41;
+    var phi_5743_: bool;
+    var phi_5744_: bool;
+    var phi_5745_: bool;
+    var phi_5746_: bool;
+    var local_28: bool;
+    var phi_5751_: type_40;
+    var phi_5752_: bool;
+    var phi_5753_: bool;
     var local_29: f64;
-    var local_30: f64;
-    var phi_7254_: bool;
-    var phi_7255_: bool;
-    var phi_7256_: bool;
-    var phi_7257_: bool;
-    var phi_7258_: bool;
-    var phi_7259_: bool;
-    var phi_7260_: bool;
-    var phi_7261_: bool;
-    var phi_7262_: bool;
-    var phi_7263_: bool;
-    var phi_7264_: bool;
-    var phi_7265_: bool;
-    var phi_7266_: bool;
-    var phi_7267_: f64;
-    var phi_7268_: f64;
-    var phi_7269_: bool;
-    var phi_7270_: bool;
-    var phi_7271_: bool;
-    var phi_7272_: bool;
-    var phi_7273_: bool;
-    var phi_7274_: bool;
-    var phi_7275_: bool;
-    var phi_7276_: f64;
-    var phi_7277_: f64;
-    var phi_7278_: bool;
-    var phi_7279_: bool;
-    var phi_7280_: bool;
-    var phi_7281_: bool;
-    var phi_7282_: bool;
-    var phi_7283_: bool;
-    var phi_7284_: bool;
-    var phi_7285_: bool;
-    var phi_7286_: f64;
-    var phi_6335_: f64;
-    var phi_7287_: bool;
-    var phi_7288_: bool;
-    var phi_7289_: bool;
-    var phi_7290_: bool;
-    var phi_7291_: bool;
-    var phi_7292_: bool;
-    var phi_7293_: bool;
-    var phi_7294_: bool;
-    var phi_7295_: bool;
-    var local_31: bool;
-    var phi_7300_: type_40;
-    var phi_7301_: bool;
-    var phi_7302_: bool;
-    var phi_7303_: bool;
-    var phi_7304_: bool;
-    var phi_7305_: bool;
-    var phi_7306_: bool;
-    var phi_7307_: bool;
-    var phi_7311_: f64;
-    var phi_7312_: bool;
-    var phi_7313_: bool;
-    var phi_7314_: bool;
-    var phi_7315_: bool;
-    var phi_7316_: bool;
-    var phi_7317_: bool;
-    var phi_7318_: bool;
-    var phi_7323_: type_40;
-    var phi_7324_: bool;
-    var phi_7325_: bool;
-    var phi_7326_: bool;
-    var phi_7327_: bool;
-    var phi_7328_: bool;
-    var phi_7329_: bool;
-    var local_32: f64;
-    var phi_7334_: type_40;
-    var phi_7335_: bool;
-    var phi_7336_: bool;
-    var phi_7337_: bool;
-    var phi_7338_: bool;
-    var phi_7339_: bool;
+    var phi_5758_: type_40;
+    var phi_5759_: bool;
+    var local_30: type_41;
+    var phi_5765_: type_40;
+    var phi_5766_: bool;
+    var phi_5770_: type_40;
+    var phi_1521_: f64;
+    var phi_1528_: f64;
+    var phi_1533_: f64;
+    var phi_1540_: f64;
+    var phi_1545_: f64;
+    var phi_1558_: f64;
+    var phi_1565_: f64;
+    var phi_1570_: f64;
+    var phi_1577_: f64;
+    var phi_1582_: f64;
+    var phi_1587_: f64;
+    var phi_1604_: f64;
+    var phi_1611_: f64;
+    var phi_1616_: f64;
+    var phi_1623_: f64;
+    var phi_1628_: f64;
+    var phi_1642_: f64;
+    var phi_1649_: f64;
+    var phi_1654_: f64;
+    var phi_1661_: f64;
+    var phi_1666_: f64;
+    var phi_1671_: f64;
+    var phi_1688_: f64;
+    var phi_1695_: f64;
+    var phi_1700_: f64;
+    var phi_1707_: f64;
+    var phi_1712_: f64;
+    var phi_1726_: f64;
+    var phi_1733_: f64;
+    var phi_1738_: f64;
+    var phi_1745_: f64;
+    var phi_1750_: f64;
+    var phi_1755_: f64;
+    var phi_1775_: type_19;
+    var phi_1778_: f64;
+    var phi_1776_: type_19;
+    var phi_1801_: type_19;
+    var phi_1912_: f64;
+    var phi_1919_: f64;
+    var phi_1927_: f64;
+    var phi_1972_: type_17;
+    var phi_1975_: f64;
+    var phi_1996_: bool;
+    var phi_2002_: type_18;
+    var phi_1973_: type_17;
+    var phi_2016_: type_18;
+    var phi_1976_: f64;
+    var local_31: f64;
+    var phi_1965_: f64;
+    var phi_2029_: f64;
+    var phi_2042_: type_19;
+    var phi_2045_: f64;
+    var phi_2043_: type_19;
+    var phi_2068_: type_19;
+    var phi_2119_: f64;
+    var phi_2125_: f64;
+    var phi_2139_: bool;
+    var phi_2140_: bool;
+    var phi_2174_: f64;
+    var phi_2175_: f64;
+    var phi_2176_: f64;
+    var phi_2177_: bool;
+    var phi_2181_: bool;
+    var phi_2182_: f64;
+    var phi_2183_: bool;
+    var phi_2184_: bool;
+    var phi_2185_: bool;
+    var phi_2186_: f64;
+    var phi_2187_: bool;
+    var phi_2188_: bool;
+    var phi_2189_: bool;
+    var phi_2046_: f64;
+    var phi_2190_: bool;
+    var phi_2191_: bool;
+    var phi_2192_: bool;
+    var phi_2193_: bool;
+    var local_32: bool;
     var local_33: f64;
-    var phi_7344_: type_40;
-    var phi_7345_: bool;
-    var phi_7346_: bool;
-    var phi_7347_: bool;
-    var phi_7348_: bool;
     var local_34: f64;
-    var phi_7353_: type_40;
-    var phi_7354_: bool;
-    var phi_7355_: bool;
-    var phi_7356_: bool;
-    var phi_7357_: bool;
-    var phi_7361_: type_40;
-    var phi_7362_: bool;
-    var phi_7363_: bool;
-    var phi_7364_: bool;
-    var phi_7368_: bool;
-    var phi_7369_: bool;
-    var phi_7373_: bool;
-    var phi_7374_: bool;
-    var phi_7378_: bool;
-    var phi_7379_: bool;
     var local_35: f64;
-    var phi_7384_: type_40;
-    var phi_7385_: bool;
-    var phi_7389_: type_40;
-    var phi_7396_: bool;
-    var phi_7397_: f64;
-    var phi_7398_: bool;
-    var phi_7399_: bool;
-    var phi_7400_: bool;
-    var phi_7401_: f64;
-    var phi_7402_: bool;
-    var phi_7403_: bool;
-    var phi_7404_: bool;
-    var phi_7405_: f64;
-    var phi_7406_: bool;
-    var phi_7407_: bool;
-    var phi_7408_: bool;
-    var phi_7409_: bool;
-    var phi_7413_: bool;
-    var phi_7414_: bool;
-    var phi_7415_: bool;
-    var phi_7416_: f64;
-    var phi_7417_: type_41;
-    var phi_7418_: bool;
-    var phi_7419_: bool;
-    var phi_7420_: bool;
-    var phi_7421_: bool;
-    var local_36: bool;
-    var phi_7426_: type_40;
-    var phi_7427_: bool;
-    var phi_7428_: bool;
-    var local_37: f64;
-    var phi_7433_: type_40;
-    var phi_7434_: bool;
-    var local_38: type_41;
-    var phi_7440_: type_40;
-    var phi_7441_: bool;
-    var phi_7445_: type_40;
-    var phi_1735_: f64;
-    var phi_1742_: f64;
-    var phi_1747_: f64;
-    var phi_1754_: f64;
-    var phi_1759_: f64;
-    var phi_1772_: f64;
-    var phi_1779_: f64;
-    var phi_1784_: f64;
-    var phi_1791_: f64;
-    var phi_1796_: f64;
-    var phi_1801_: f64;
-    var phi_1818_: f64;
-    var phi_1825_: f64;
-    var phi_1830_: f64;
-    var phi_1837_: f64;
-    var phi_1842_: f64;
-    var phi_1856_: f64;
-    var phi_1863_: f64;
-    var phi_1868_: f64;
-    var phi_1875_: f64;
-    var phi_1880_: f64;
-    var phi_1885_: f64;
-    var phi_1902_: f64;
-    var phi_1909_: f64;
-    var phi_1914_: f64;
-    var phi_1921_: f64;
-    var phi_1926_: f64;
-    var phi_1940_: f64;
-    var phi_1947_: f64;
-    var phi_1952_: f64;
-    var phi_1959_: f64;
-    var phi_1964_: f64;
-    var phi_1969_: f64;
-    var phi_1989_: type_19;
-    var phi_1992_: f64;
-    var phi_1990_: type_19;
-    var phi_2015_: type_19;
-    var phi_2171_: bool;
-    var phi_2172_: bool;
-    var phi_2173_: bool;
-    var phi_2174_: bool;
-    var phi_2175_: bool;
-    var phi_2176_: bool;
-    var phi_2180_: bool;
-    var phi_2220_: array<f64, 3>;
+    var phi_2211_: bool;
+    var phi_2212_: bool;
+    var phi_2213_: bool;
+    var phi_2214_: bool;
+    var phi_2215_: bool;
+    var phi_2216_: bool;
+    var phi_2217_: bool;
+    var phi_2218_: bool;
+    var phi_2219_: bool;
+    var phi_2220_: bool;
     var phi_2221_: bool;
-    var phi_2222_: array<f64, 3>;
+    var phi_2222_: bool;
     var phi_2223_: bool;
-    var phi_2256_: f64;
-    var phi_2258_: f64;
-    var phi_2288_: f64;
-    var phi_2290_: f64;
-    var phi_2320_: f64;
-    var phi_2322_: f64;
-    var phi_2355_: f64;
-    var phi_2357_: f64;
-    var phi_2512_: type_19;
-    var phi_2515_: array<f64, 3>;
-    var phi_2513_: type_19;
-    var phi_2538_: type_19;
-    var phi_2605_: array<f64, 3>;
-    var phi_2516_: array<f64, 3>;
-    var phi_2606_: array<f64, 3>;
-    var phi_2613_: f64;
-    var phi_2620_: f64;
-    var phi_2628_: f64;
-    var phi_2673_: type_17;
-    var phi_2676_: f64;
-    var phi_2697_: bool;
-    var phi_2703_: type_18;
-    var phi_2674_: type_17;
-    var phi_2717_: type_18;
-    var phi_2677_: f64;
+    var phi_2224_: f64;
+    var phi_2225_: f64;
+    var phi_2226_: bool;
+    var phi_2227_: bool;
+    var phi_2228_: bool;
+    var phi_2229_: bool;
+    var phi_2230_: bool;
+    var phi_2231_: bool;
+    var phi_2232_: bool;
+    var phi_2233_: f64;
+    var phi_2234_: f64;
+    var phi_2235_: bool;
+    var phi_2236_: bool;
+    var phi_2237_: bool;
+    var phi_2238_: bool;
+    var phi_2239_: bool;
+    var phi_2240_: bool;
+    var phi_2241_: bool;
+    var phi_2242_: bool;
+    var phi_2243_: f64;
+    var phi_1779_: f64;
+    var phi_2244_: bool;
+    var phi_2245_: bool;
+    var phi_2246_: bool;
+    var phi_2247_: bool;
+    var phi_2248_: bool;
+    var phi_2249_: bool;
+    var phi_2250_: bool;
+    var phi_2251_: bool;
+    var phi_2252_: bool;
+    var local_36: bool;
+    var phi_2257_: type_40;
+    var phi_2258_: bool;
+    var phi_2259_: bool;
+    var phi_2260_: bool;
+    var phi_2261_: bool;
+    var phi_2262_: bool;
+    var phi_2263_: bool;
+    var phi_2264_: bool;
+    var phi_2268_: f64;
+    var phi_2269_: bool;
+    var phi_2270_: bool;
+    var phi_2271_: bool;
+    var phi_2272_: bool;
+    var phi_2273_: bool;
+    var phi_2274_: bool;
+    var phi_2275_: bool;
+    var phi_2280_: type_40;
+    var phi_2281_: bool;
+    var phi_2282_: bool;
+    var phi_2283_: bool;
+    var phi_2284_: bool;
+    var phi_2285_: bool;
+    var phi_2286_: bool;
+    var local_37: f64;
+    var phi_2291_: type_40;
+    var phi_2292_: bool;
+    var phi_2293_: bool;
+    var phi_2294_: bool;
+    var phi_2295_: bool;
+    var phi_2296_: bool;
+    var local_38: f64;
+    var phi_2301_: type_40;
+    var phi_2302_: bool;
+    var phi_2303_: bool;
+    var phi_2304_: bool;
+    var phi_2305_: bool;
     var local_39: f64;
-    var phi_2666_: f64;
-    var phi_2730_: f64;
-    var phi_2743_: type_19;
-    var phi_2746_: f64;
-    var phi_2744_: type_19;
-    var phi_2769_: type_19;
-    var phi_2820_: f64;
-    var phi_2826_: f64;
-    var phi_2840_: bool;
-    var phi_2841_: bool;
-    var phi_2875_: f64;
-    var phi_2876_: f64;
-    var phi_2877_: f64;
-    var phi_2878_: bool;
-    var phi_2882_: bool;
-    var phi_2883_: f64;
-    var phi_2884_: bool;
-    var phi_2885_: bool;
-    var phi_2886_: bool;
-    var phi_2887_: f64;
-    var phi_2888_: bool;
-    var phi_2889_: bool;
-    var phi_2890_: bool;
-    var phi_2747_: f64;
-    var phi_2891_: bool;
-    var phi_2892_: bool;
-    var phi_2893_: bool;
-    var phi_2894_: bool;
-    var local_40: bool;
+    var phi_2310_: type_40;
+    var phi_2311_: bool;
+    var phi_2312_: bool;
+    var phi_2313_: bool;
+    var phi_2314_: bool;
+    var phi_2318_: type_40;
+    var phi_2319_: bool;
+    var phi_2320_: bool;
+    var phi_2321_: bool;
+    var phi_2325_: bool;
+    var phi_2326_: bool;
+    var phi_2330_: bool;
+    var phi_2331_: bool;
+    var phi_2335_: bool;
+    var phi_2336_: bool;
+    var local_40: f64;
+    var phi_2341_: type_40;
+    var phi_2342_: bool;
+    var phi_2346_: type_40;
+    var phi_2360_: type_19;
+    var phi_2361_: type_19;
+    var phi_2384_: type_19;
+    var phi_2405_: f64;
+    var phi_2535_: type_17;
+    var phi_2538_: f64;
+    var phi_2559_: bool;
+    var phi_2565_: type_18;
+    var phi_2536_: type_17;
+    var phi_2579_: type_18;
+    var phi_2539_: f64;
     var local_41: f64;
-    var local_42: f64;
-    var local_43: f64;
-    var phi_2912_: bool;
-    var phi_2913_: bool;
-    var phi_2914_: bool;
-    var phi_2915_: bool;
-    var phi_2916_: bool;
-    var phi_2917_: bool;
-    var phi_2918_: bool;
-    var phi_2919_: bool;
-    var phi_2920_: bool;
-    var phi_2921_: bool;
-    var phi_2922_: bool;
-    var phi_2923_: bool;
-    var phi_2924_: bool;
-    var phi_2925_: f64;
-    var phi_2926_: f64;
-    var phi_2927_: bool;
-    var phi_2928_: bool;
-    var phi_2929_: bool;
-    var phi_2930_: bool;
-    var phi_2931_: bool;
-    var phi_2932_: bool;
-    var phi_2933_: bool;
-    var phi_2934_: f64;
-    var phi_2935_: f64;
-    var phi_2936_: bool;
-    var phi_2937_: bool;
-    var phi_2938_: bool;
-    var phi_2939_: bool;
-    var phi_2940_: bool;
-    var phi_2941_: bool;
-    var phi_2942_: bool;
-    var phi_2943_: bool;
-    var phi_2944_: f64;
-    var phi_1993_: f64;
-    var phi_2945_: bool;
-    var phi_2946_: bool;
-    var phi_2947_: bool;
-    var phi_2948_: bool;
-    var phi_2949_: bool;
-    var phi_2950_: bool;
-    var phi_2951_: bool;
-    var phi_2952_: bool;
-    var phi_2953_: bool;
-    var local_44: bool;
-    var phi_2958_: type_40;
-    var phi_2959_: bool;
-    var phi_2960_: bool;
-    var phi_2961_: bool;
-    var phi_2962_: bool;
-    var phi_2963_: bool;
-    var phi_2964_: bool;
-    var phi_2965_: bool;
-    var phi_2969_: f64;
-    var phi_2970_: bool;
-    var phi_2971_: bool;
-    var phi_2972_: bool;
-    var phi_2973_: bool;
-    var phi_2974_: bool;
-    var phi_2975_: bool;
-    var phi_2976_: bool;
-    var phi_2981_: type_40;
-    var phi_2982_: bool;
-    var phi_2983_: bool;
-    var phi_2984_: bool;
-    var phi_2985_: bool;
-    var phi_2986_: bool;
-    var phi_2987_: bool;
+    var phi_2528_: f64;
+    var phi_2592_: f64;
+    var phi_2610_: f64;
+    var phi_2617_: f64;
+    var phi_2622_: f64;
+    var phi_2629_: f64;
+    var phi_2634_: f64;
+    var phi_2647_: f64;
+    var phi_2654_: f64;
+    var phi_2659_: f64;
+    var phi_2666_: f64;
+    var phi_2671_: f64;
+    var phi_2676_: f64;
+    var phi_2693_: f64;
+    var phi_2700_: f64;
+    var phi_2705_: f64;
+    var phi_2712_: f64;
+    var phi_2717_: f64;
+    var phi_2731_: f64;
+    var phi_2738_: f64;
+    var phi_2743_: f64;
+    var phi_2750_: f64;
+    var phi_2755_: f64;
+    var phi_2760_: f64;
+    var phi_2777_: f64;
+    var phi_2784_: f64;
+    var phi_2789_: f64;
+    var phi_2796_: f64;
+    var phi_2801_: f64;
+    var phi_2815_: f64;
+    var phi_2822_: f64;
+    var phi_2827_: f64;
+    var phi_2834_: f64;
+    var phi_2839_: f64;
+    var phi_2844_: f64;
+    var phi_2868_: bool;
+    var phi_2869_: bool;
+    var phi_2870_: bool;
+    var local_42: bool;
+    var phi_2875_: type_40;
+    var phi_2876_: bool;
+    var phi_2881_: type_40;
+    var phi_2882_: bool;
+    var phi_2884_: type_40;
+    var phi_2885_: type_40;
+    var phi_2886_: bool;
+    var phi_2890_: type_40;
+    var phi_5774_: type_40;
+    var phi_5775_: type_40;
+    var phi_5788_: type_30;
+    var phi_5811_: u32;
+    var phi_5815_: type_29;
+    var phi_5816_: bool;
+    var phi_5834_: u32;
+    var local_43: u32;
+    var local_44: f64;
     var local_45: f64;
-    var phi_2992_: type_40;
-    var phi_2993_: bool;
-    var phi_2994_: bool;
-    var phi_2995_: bool;
-    var phi_2996_: bool;
-    var phi_2997_: bool;
-    var local_46: f64;
-    var phi_3002_: type_40;
-    var phi_3003_: bool;
-    var phi_3004_: bool;
-    var phi_3005_: bool;
-    var phi_3006_: bool;
-    var local_47: f64;
-    var phi_3011_: type_40;
-    var phi_3012_: bool;
-    var phi_3013_: bool;
-    var phi_3014_: bool;
-    var phi_3015_: bool;
-    var phi_3019_: type_40;
-    var phi_3020_: bool;
-    var phi_3021_: bool;
-    var phi_3022_: bool;
-    var phi_3026_: bool;
-    var phi_3027_: bool;
-    var phi_3031_: bool;
-    var phi_3032_: bool;
-    var phi_3036_: bool;
-    var phi_3037_: bool;
+    var local_46: bool;
+    var local_47: bool;
     var local_48: f64;
-    var phi_3042_: type_40;
-    var phi_3043_: bool;
-    var phi_3047_: type_40;
-    var phi_3061_: type_19;
-    var phi_3062_: type_19;
-    var phi_3085_: type_19;
-    var phi_3106_: f64;
-    var phi_3256_: bool;
-    var phi_3257_: bool;
-    var phi_3258_: bool;
-    var phi_3259_: bool;
-    var phi_3260_: bool;
-    var phi_3261_: bool;
-    var phi_3265_: bool;
-    var phi_3305_: array<f64, 3>;
-    var phi_3306_: bool;
-    var phi_3307_: array<f64, 3>;
-    var phi_3308_: bool;
-    var phi_3341_: f64;
-    var phi_3343_: f64;
-    var phi_3373_: f64;
-    var phi_3375_: f64;
-    var phi_3405_: f64;
-    var phi_3407_: f64;
-    var phi_3440_: f64;
-    var phi_3442_: f64;
-    var phi_3597_: type_19;
-    var phi_3600_: array<f64, 3>;
-    var phi_3598_: type_19;
-    var phi_3623_: type_19;
-    var phi_3690_: array<f64, 3>;
-    var phi_3601_: array<f64, 3>;
-    var phi_3691_: array<f64, 3>;
-    var phi_3723_: type_17;
-    var phi_3726_: f64;
-    var phi_3747_: bool;
-    var phi_3753_: type_18;
-    var phi_3724_: type_17;
-    var phi_3767_: type_18;
-    var phi_3727_: f64;
-    var local_49: f64;
-    var phi_3716_: f64;
-    var phi_3780_: f64;
-    var phi_3798_: f64;
-    var phi_3805_: f64;
-    var phi_3810_: f64;
-    var phi_3817_: f64;
-    var phi_3822_: f64;
-    var phi_3835_: f64;
-    var phi_3842_: f64;
-    var phi_3847_: f64;
-    var phi_3854_: f64;
-    var phi_3859_: f64;
-    var phi_3864_: f64;
-    var phi_3881_: f64;
-    var phi_3888_: f64;
-    var phi_3893_: f64;
-    var phi_3900_: f64;
-    var phi_3905_: f64;
-    var phi_3919_: f64;
-    var phi_3926_: f64;
-    var phi_3931_: f64;
-    var phi_3938_: f64;
-    var phi_3943_: f64;
-    var phi_3948_: f64;
-    var phi_3965_: f64;
-    var phi_3972_: f64;
-    var phi_3977_: f64;
-    var phi_3984_: f64;
-    var phi_3989_: f64;
-    var phi_4003_: f64;
-    var phi_4010_: f64;
-    var phi_4015_: f64;
-    var phi_4022_: f64;
-    var phi_4027_: f64;
-    var phi_4032_: f64;
-    var phi_4056_: bool;
-    var phi_4057_: bool;
-    var phi_4058_: bool;
+    var local_49: bool;
     var local_50: bool;
-    var phi_4063_: type_40;
-    var phi_4064_: bool;
-    var phi_4069_: type_40;
-    var phi_4070_: bool;
-    var phi_4072_: type_40;
-    var phi_4073_: type_40;
-    var phi_4074_: bool;
-    var phi_4078_: type_40;
-    var phi_7449_: type_40;
-    var phi_7450_: type_40;
-    var phi_7463_: type_31;
-    var phi_7486_: u32;
-    var phi_7490_: type_30;
-    var phi_7491_: bool;
-    var phi_7509_: u32;
-    var local_51: u32;
+    var local_51: f64;
     var local_52: f64;
-    var local_53: f64;
+    var local_53: bool;
     var local_54: bool;
     var local_55: bool;
-    var local_56: f64;
-    var local_57: array<f64, 3>;
+    var local_56: bool;
+    var local_57: bool;
     var local_58: bool;
     var local_59: bool;
     var local_60: f64;
@@ -972,29 +1152,18 @@ fn function_1(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_64: bool;
     var local_65: bool;
     var local_66: bool;
-    var local_67: bool;
-    var local_68: bool;
-    var local_69: f64;
-    var local_70: f64;
+    var local_67: f64;
+    var local_68: f64;
+    var local_69: bool;
+    var local_70: bool;
     var local_71: bool;
     var local_72: bool;
     var local_73: bool;
-    var local_74: array<f64, 3>;
+    var local_74: bool;
     var local_75: bool;
-    var local_76: bool;
+    var local_76: f64;
     var local_77: f64;
-    var local_78: f64;
-    var local_79: bool;
-    var local_80: bool;
-    var local_81: bool;
-    var local_82: bool;
-    var local_83: bool;
-    var local_84: bool;
-    var local_85: bool;
-    var local_86: f64;
-    var local_87: f64;
-    var local_88: bool;
-    var local_89: array<f64, 3>;
+    var local_78: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -1002,4575 +1171,3981 @@ fn function_1(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e110 = id_2;
-    let _e111 = n_2;
-    let _e112 = lane_2;
-    let _e124 = ((_e110.y * _e111.x) + _e110.x);
-    let _e127 = (_e111.x * _e111.y);
-    let _e129 = params.member.member_15;
-    let _e131 = input.member[0u];
-    if (_e129 < _e131) {
-        phi_232_ = _e129;
+    let _e99 = id_2;
+    let _e100 = n_2;
+    let _e101 = lane_2;
+    let _e113 = ((_e99.y * _e100.x) + _e99.x);
+    let _e116 = (_e100.x * _e100.y);
+    let _e118 = params.member.member_15;
+    let _e120 = input.member[0u];
+    if (_e118 < _e120) {
+        phi_225_ = _e118;
     } else {
-        phi_232_ = _e131;
+        phi_225_ = _e120;
     }
-    let _e134 = phi_232_;
-    let _e135 = (_e134 / 64u);
-    if ((_e134 % 64u) > 0u) {
-        phi_248_ = (_e135 + 1u);
+    let _e123 = phi_225_;
+    let _e124 = (_e123 / 64u);
+    if ((_e123 % 64u) > 0u) {
+        phi_241_ = (_e124 + 1u);
     } else {
-        phi_248_ = _e135;
+        phi_241_ = _e124;
     }
-    let _e140 = phi_248_;
-    if (_e140 > _e124) {
-        let _e142 = (_e140 - _e124);
-        if (_e127 == 0u) {
+    let _e129 = phi_241_;
+    if (_e129 > _e113) {
+        let _e131 = (_e129 - _e113);
+        if (_e116 == 0u) {
             return;
         }
-        let _e144 = (_e142 / _e127);
-        if (_e127 == 0u) {
+        let _e133 = (_e131 / _e116);
+        if (_e116 == 0u) {
             return;
         }
-        if ((_e142 % _e127) > 0u) {
-            phi_269_ = (_e144 + 1u);
+        if ((_e131 % _e116) > 0u) {
+            phi_262_ = (_e133 + 1u);
         } else {
-            phi_269_ = _e144;
+            phi_262_ = _e133;
         }
-        let _e150 = phi_269_;
-        phi_270_ = _e150;
+        let _e139 = phi_262_;
+        phi_263_ = _e139;
     } else {
-        phi_270_ = 0u;
+        phi_263_ = 0u;
     }
-    let _e152 = phi_270_;
-    phi_273_ = type_19(0u, _e152);
+    let _e141 = phi_263_;
+    phi_266_ = type_19(0u, _e141);
     loop {
-        let _e155 = phi_273_;
-        if (_e155.member < _e155.member_1) {
-            phi_274_ = type_19((_e155.member + 1u), _e155.member_1);
-            phi_297_ = type_19(1u, _e155.member);
+        let _e144 = phi_266_;
+        if (_e144.member < _e144.member_1) {
+            phi_267_ = type_19((_e144.member + 1u), _e144.member_1);
+            phi_290_ = type_19(1u, _e144.member);
         } else {
-            phi_274_ = _e155;
-            phi_297_ = type_19(0u, type_19().member_1);
+            phi_267_ = _e144;
+            phi_290_ = type_19(0u, type_19().member_1);
         }
-        let _e167 = phi_274_;
-        let _e169 = phi_297_;
-        let _e173 = (bitcast<i32>(_e169.member) != 0i);
-        if _e173 {
-            let _e177 = (((_e124 + (_e169.member_1 * _e127)) * 64u) + _e112);
-            let _e179 = params.member.member_8;
-            if (_e177 < _e134) {
-                let _e182 = (2u * _e177);
-                let _e185 = input.member[(4u + _e182)];
-                let _e188 = input.member[(_e182 + 5u)];
-                let _e190 = elements.member[_e185];
-                let _e192 = elements.member[_e188];
-                local_15 = array<u32, 4>(_e190[0], _e190[1], _e192[0], _e192[1]);
-                local_16[0u] = array<f64, 3>(0.0lf, 0.0lf, 0.0lf);
-                local_16[1u] = array<f64, 3>(0.0lf, 0.0lf, 0.0lf);
-                local_16[2u] = array<f64, 3>(0.0lf, 0.0lf, 0.0lf);
-                local_16[3u] = array<f64, 3>(0.0lf, 0.0lf, 0.0lf);
-                local_17[0u] = array<f64, 3>(0.0lf, 0.0lf, 0.0lf);
-                local_17[1u] = array<f64, 3>(0.0lf, 0.0lf, 0.0lf);
-                local_17[2u] = array<f64, 3>(0.0lf, 0.0lf, 0.0lf);
-                local_17[3u] = array<f64, 3>(0.0lf, 0.0lf, 0.0lf);
-                let _e207 = params.member.member_1;
-                if ((_e207 & 8u) != 0u) {
-                    let _e252 = paths.member[_e190[0]];
-                    let _e254 = paths.member[_e190[1]];
-                    let _e260 = paths.member[_e192[0]];
-                    let _e262 = paths.member[_e192[1]];
-                    local_18 = array<array<f32, 3>, 4>(array<f32, 3>(_e252.member[0], _e252.member[1], _e252.member[2]), array<f32, 3>(_e254.member[0], _e254.member[1], _e254.member[2]), array<f32, 3>(_e260.member[0], _e260.member[1], _e260.member[2]), array<f32, 3>(_e262.member[0], _e262.member[1], _e262.member[2]));
-                    local_19 = array<array<f32, 3>, 4>(array<f32, 3>(_e252.member_1[0], _e252.member_1[1], _e252.member_1[2]), array<f32, 3>(_e254.member_1[0], _e254.member_1[1], _e254.member_1[2]), array<f32, 3>(_e260.member_1[0], _e260.member_1[1], _e260.member_1[2]), array<f32, 3>(_e262.member_1[0], _e262.member_1[1], _e262.member_1[2]));
-                    phi_520_ = type_19(0u, 4u);
-                    loop {
-                        let _e302 = phi_520_;
-                        if (_e302.member < _e302.member_1) {
-                            phi_521_ = type_19((_e302.member + 1u), _e302.member_1);
-                            phi_544_ = type_19(1u, _e302.member);
+        let _e156 = phi_267_;
+        let _e158 = phi_290_;
+        let _e162 = (bitcast<i32>(_e158.member) != 0i);
+        if _e162 {
+            let _e166 = (((_e113 + (_e158.member_1 * _e116)) * 64u) + _e101);
+            let _e168 = params.member.member_8;
+            if (_e166 < _e123) {
+                let _e171 = (2u * _e166);
+                let _e174 = input.member[(4u + _e171)];
+                let _e177 = input.member[(_e171 + 5u)];
+                let _e179 = elements.member[_e174];
+                let _e181 = elements.member[_e177];
+                let _e187 = params.member.member_1;
+                if ((_e187 & 8u) != 0u) {
+                    let _e226 = paths.member[_e179[0]];
+                    let _e228 = paths.member[_e179[1]];
+                    let _e234 = paths.member[_e181[0]];
+                    let _e236 = paths.member[_e181[1]];
+                    let _e273 = function_3(array<f32, 3>(_e226.member[0], _e226.member[1], _e226.member[2]));
+                    let _e274 = function_3(array<f32, 3>(_e228.member[0], _e228.member[1], _e228.member[2]));
+                    let _e275 = function_3(array<f32, 3>(_e234.member[0], _e234.member[1], _e234.member[2]));
+                    let _e276 = function_3(array<f32, 3>(_e236.member[0], _e236.member[1], _e236.member[2]));
+                    let _e278 = function_3(array<f32, 3>(_e226.member_1[0], _e226.member_1[1], _e226.member_1[2]));
+                    let _e279 = function_3(array<f32, 3>(_e228.member_1[0], _e228.member_1[1], _e228.member_1[2]));
+                    let _e280 = function_3(array<f32, 3>(_e234.member_1[0], _e234.member_1[1], _e234.member_1[2]));
+                    let _e281 = function_3(array<f32, 3>(_e236.member_1[0], _e236.member_1[1], _e236.member_1[2]));
+                    phi_549_ = type_39(array<array<f64, 3>, 4>(_e273, _e274, _e275, _e276), array<array<f64, 3>, 4>(_e278, _e279, _e280, _e281));
+                } else {
+                    let _e191 = wide.member[_e179[0]];
+                    let _e194 = params.member.member[0u];
+                    let _e197 = wide.member[(_e194 + _e179[0])];
+                    let _e199 = wide.member[_e179[1]];
+                    let _e202 = params.member.member[0u];
+                    let _e205 = wide.member[(_e202 + _e179[1])];
+                    let _e207 = wide.member[_e181[0]];
+                    let _e210 = params.member.member[0u];
+                    let _e213 = wide.member[(_e210 + _e181[0])];
+                    let _e215 = wide.member[_e181[1]];
+                    let _e218 = params.member.member[0u];
+                    let _e221 = wide.member[(_e218 + _e181[1])];
+                    phi_549_ = type_39(array<array<f64, 3>, 4>(_e191, _e199, _e207, _e215), array<array<f64, 3>, 4>(_e197, _e205, _e213, _e221));
+                }
+                let _e285 = phi_549_;
+                local_12 = type_38(array<array<f64, 3>, 2>(array<f64, 3>((_e285.member[2][0] - _e285.member[0][0]), (_e285.member[2][1] - _e285.member[0][1]), (_e285.member[2][2] - _e285.member[0][2])), array<f64, 3>((_e285.member_1[2][0] - _e285.member_1[0][0]), (_e285.member_1[2][1] - _e285.member_1[0][1]), (_e285.member_1[2][2] - _e285.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e285.member[1][0] - _e285.member[0][0]), (_e285.member[1][1] - _e285.member[0][1]), (_e285.member[1][2] - _e285.member[0][2])), array<f64, 3>((_e285.member_1[1][0] - _e285.member_1[0][0]), (_e285.member_1[1][1] - _e285.member_1[0][1]), (_e285.member_1[1][2] - _e285.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e285.member[2][0] - _e285.member[3][0]), (_e285.member[2][1] - _e285.member[3][1]), (_e285.member[2][2] - _e285.member[3][2])), array<f64, 3>((_e285.member_1[2][0] - _e285.member_1[3][0]), (_e285.member_1[2][1] - _e285.member_1[3][1]), (_e285.member_1[2][2] - _e285.member_1[3][2]))), (0.0lf + 0.0lf));
+                let _e366 = params.member.member_7;
+                let _e373 = bitcast<f64>(((u64(_e366[1]) * 4294967296lu) + u64(_e366[0])));
+                let _e374 = f64(0f);
+                let _e377 = local_12.member_1[0u];
+                let _e383 = local_12.member_2[0u];
+                let _e389 = ((_e377[1] * _e383[2]) - (_e377[2] * _e383[1]));
+                let _e392 = ((_e377[2] * _e383[0]) - (_e377[0] * _e383[2]));
+                let _e395 = ((_e377[0] * _e383[1]) - (_e377[1] * _e383[0]));
+                let _e398 = local_12.member_1[1u];
+                let _e404 = local_12.member_2[1u];
+                let _e410 = ((_e398[1] * _e404[2]) - (_e398[2] * _e404[1]));
+                let _e413 = ((_e398[2] * _e404[0]) - (_e398[0] * _e404[2]));
+                let _e416 = ((_e398[0] * _e404[1]) - (_e398[1] * _e404[0]));
+                let _e419 = local_12.member_1[0u];
+                let _e425 = local_12.member_2[1u];
+                let _e440 = local_12.member_1[1u];
+                let _e446 = local_12.member_2[0u];
+                let _e459 = (((_e419[1] * _e425[2]) - (_e419[2] * _e425[1])) + ((_e440[1] * _e446[2]) - (_e440[2] * _e446[1])));
+                let _e460 = (((_e419[2] * _e425[0]) - (_e419[0] * _e425[2])) + ((_e440[2] * _e446[0]) - (_e440[0] * _e446[2])));
+                let _e461 = (((_e419[0] * _e425[1]) - (_e419[1] * _e425[0])) + ((_e440[0] * _e446[1]) - (_e440[1] * _e446[0])));
+                let _e464 = local_12.member[0u];
+                let _e472 = (((_e464[0] * _e389) + (_e464[1] * _e392)) + (_e464[2] * _e395));
+                let _e475 = local_12.member[1u];
+                let _e486 = local_12.member[0u];
+                let _e495 = ((((_e475[0] * _e389) + (_e475[1] * _e392)) + (_e475[2] * _e395)) + (((_e486[0] * _e459) + (_e486[1] * _e460)) + (_e486[2] * _e461)));
+                let _e498 = local_12.member[0u];
+                let _e509 = local_12.member[1u];
+                let _e518 = ((((_e498[0] * _e410) + (_e498[1] * _e413)) + (_e498[2] * _e416)) + (((_e509[0] * _e459) + (_e509[1] * _e460)) + (_e509[2] * _e461)));
+                let _e521 = local_12.member[1u];
+                let _e529 = (((_e521[0] * _e410) + (_e521[1] * _e413)) + (_e521[2] * _e416));
+                let _e532 = local_12.member[0u];
+                if (_e532[0] < 0.0lf) {
+                    phi_918_ = -(_e532[0]);
+                } else {
+                    phi_918_ = _e532[0];
+                }
+                let _e539 = phi_918_;
+                if (_e532[1] < 0.0lf) {
+                    phi_925_ = -(_e532[1]);
+                } else {
+                    phi_925_ = _e532[1];
+                }
+                let _e543 = phi_925_;
+                if (_e539 > _e543) {
+                    phi_930_ = _e539;
+                } else {
+                    phi_930_ = _e543;
+                }
+                let _e546 = phi_930_;
+                if (_e532[2] < 0.0lf) {
+                    phi_937_ = -(_e532[2]);
+                } else {
+                    phi_937_ = _e532[2];
+                }
+                let _e550 = phi_937_;
+                if (_e546 > _e550) {
+                    phi_942_ = _e546;
+                } else {
+                    phi_942_ = _e550;
+                }
+                let _e553 = phi_942_;
+                let _e556 = local_12.member[1u];
+                if (_e556[0] < 0.0lf) {
+                    phi_955_ = -(_e556[0]);
+                } else {
+                    phi_955_ = _e556[0];
+                }
+                let _e563 = phi_955_;
+                if (_e556[1] < 0.0lf) {
+                    phi_962_ = -(_e556[1]);
+                } else {
+                    phi_962_ = _e556[1];
+                }
+                let _e567 = phi_962_;
+                if (_e563 > _e567) {
+                    phi_967_ = _e563;
+                } else {
+                    phi_967_ = _e567;
+                }
+                let _e570 = phi_967_;
+                if (_e556[2] < 0.0lf) {
+                    phi_974_ = -(_e556[2]);
+                } else {
+                    phi_974_ = _e556[2];
+                }
+                let _e574 = phi_974_;
+                if (_e570 > _e574) {
+                    phi_979_ = _e570;
+                } else {
+                    phi_979_ = _e574;
+                }
+                let _e577 = phi_979_;
+                if (_e553 > _e577) {
+                    phi_984_ = _e553;
+                } else {
+                    phi_984_ = _e577;
+                }
+                let _e580 = phi_984_;
+                let _e582 = local_12.member_3;
+                let _e583 = (_e580 + _e582);
+                let _e586 = local_12.member_1[0u];
+                if (_e586[0] < 0.0lf) {
+                    phi_1001_ = -(_e586[0]);
+                } else {
+                    phi_1001_ = _e586[0];
+                }
+                let _e593 = phi_1001_;
+                if (_e586[1] < 0.0lf) {
+                    phi_1008_ = -(_e586[1]);
+                } else {
+                    phi_1008_ = _e586[1];
+                }
+                let _e597 = phi_1008_;
+                if (_e593 > _e597) {
+                    phi_1013_ = _e593;
+                } else {
+                    phi_1013_ = _e597;
+                }
+                let _e600 = phi_1013_;
+                if (_e586[2] < 0.0lf) {
+                    phi_1020_ = -(_e586[2]);
+                } else {
+                    phi_1020_ = _e586[2];
+                }
+                let _e604 = phi_1020_;
+                if (_e600 > _e604) {
+                    phi_1025_ = _e600;
+                } else {
+                    phi_1025_ = _e604;
+                }
+                let _e607 = phi_1025_;
+                let _e610 = local_12.member_1[1u];
+                if (_e610[0] < 0.0lf) {
+                    phi_1039_ = -(_e610[0]);
+                } else {
+                    phi_1039_ = _e610[0];
+                }
+                let _e617 = phi_1039_;
+                if (_e610[1] < 0.0lf) {
+                    phi_1046_ = -(_e610[1]);
+                } else {
+                    phi_1046_ = _e610[1];
+                }
+                let _e621 = phi_1046_;
+                if (_e617 > _e621) {
+                    phi_1051_ = _e617;
+                } else {
+                    phi_1051_ = _e621;
+                }
+                let _e624 = phi_1051_;
+                if (_e610[2] < 0.0lf) {
+                    phi_1058_ = -(_e610[2]);
+                } else {
+                    phi_1058_ = _e610[2];
+                }
+                let _e628 = phi_1058_;
+                if (_e624 > _e628) {
+                    phi_1063_ = _e624;
+                } else {
+                    phi_1063_ = _e628;
+                }
+                let _e631 = phi_1063_;
+                if (_e607 > _e631) {
+                    phi_1068_ = _e607;
+                } else {
+                    phi_1068_ = _e631;
+                }
+                let _e634 = phi_1068_;
+                let _e636 = local_12.member_3;
+                let _e637 = (_e634 + _e636);
+                let _e640 = local_12.member_2[0u];
+                if (_e640[0] < 0.0lf) {
+                    phi_1085_ = -(_e640[0]);
+                } else {
+                    phi_1085_ = _e640[0];
+                }
+                let _e647 = phi_1085_;
+                if (_e640[1] < 0.0lf) {
+                    phi_1092_ = -(_e640[1]);
+                } else {
+                    phi_1092_ = _e640[1];
+                }
+                let _e651 = phi_1092_;
+                if (_e647 > _e651) {
+                    phi_1097_ = _e647;
+                } else {
+                    phi_1097_ = _e651;
+                }
+                let _e654 = phi_1097_;
+                if (_e640[2] < 0.0lf) {
+                    phi_1104_ = -(_e640[2]);
+                } else {
+                    phi_1104_ = _e640[2];
+                }
+                let _e658 = phi_1104_;
+                if (_e654 > _e658) {
+                    phi_1109_ = _e654;
+                } else {
+                    phi_1109_ = _e658;
+                }
+                let _e661 = phi_1109_;
+                let _e664 = local_12.member_2[1u];
+                if (_e664[0] < 0.0lf) {
+                    phi_1123_ = -(_e664[0]);
+                } else {
+                    phi_1123_ = _e664[0];
+                }
+                let _e671 = phi_1123_;
+                if (_e664[1] < 0.0lf) {
+                    phi_1130_ = -(_e664[1]);
+                } else {
+                    phi_1130_ = _e664[1];
+                }
+                let _e675 = phi_1130_;
+                if (_e671 > _e675) {
+                    phi_1135_ = _e671;
+                } else {
+                    phi_1135_ = _e675;
+                }
+                let _e678 = phi_1135_;
+                if (_e664[2] < 0.0lf) {
+                    phi_1142_ = -(_e664[2]);
+                } else {
+                    phi_1142_ = _e664[2];
+                }
+                let _e682 = phi_1142_;
+                if (_e678 > _e682) {
+                    phi_1147_ = _e678;
+                } else {
+                    phi_1147_ = _e682;
+                }
+                let _e685 = phi_1147_;
+                if (_e661 > _e685) {
+                    phi_1152_ = _e661;
+                } else {
+                    phi_1152_ = _e685;
+                }
+                let _e688 = phi_1152_;
+                let _e690 = local_12.member_3;
+                let _e691 = (_e688 + _e690);
+                let _e692 = f64(1f);
+                let _e693 = f64(8f);
+                let _e695 = ((_e637 * _e693) * _e691);
+                let _e703 = local_12.member_3;
+                if (_e389 < 0.0lf) {
+                    phi_1189_ = -(_e389);
+                } else {
+                    phi_1189_ = _e389;
+                }
+                let _e723 = phi_1189_;
+                if (_e392 < 0.0lf) {
+                    phi_1195_ = -(_e392);
+                } else {
+                    phi_1195_ = _e392;
+                }
+                let _e727 = phi_1195_;
+                if (_e395 < 0.0lf) {
+                    phi_1202_ = -(_e395);
+                } else {
+                    phi_1202_ = _e395;
+                }
+                let _e732 = phi_1202_;
+                let _e733 = ((_e723 + _e727) + _e732);
+                if (_e410 < 0.0lf) {
+                    phi_1209_ = -(_e410);
+                } else {
+                    phi_1209_ = _e410;
+                }
+                let _e737 = phi_1209_;
+                if (_e413 < 0.0lf) {
+                    phi_1215_ = -(_e413);
+                } else {
+                    phi_1215_ = _e413;
+                }
+                let _e741 = phi_1215_;
+                if (_e416 < 0.0lf) {
+                    phi_1222_ = -(_e416);
+                } else {
+                    phi_1222_ = _e416;
+                }
+                let _e746 = phi_1222_;
+                let _e747 = ((_e737 + _e741) + _e746);
+                if (_e733 > _e747) {
+                    phi_1228_ = _e733;
+                } else {
+                    phi_1228_ = _e747;
+                }
+                let _e750 = phi_1228_;
+                if (_e459 < 0.0lf) {
+                    phi_1234_ = -(_e459);
+                } else {
+                    phi_1234_ = _e459;
+                }
+                let _e754 = phi_1234_;
+                if (_e460 < 0.0lf) {
+                    phi_1240_ = -(_e460);
+                } else {
+                    phi_1240_ = _e460;
+                }
+                let _e758 = phi_1240_;
+                if (_e461 < 0.0lf) {
+                    phi_1247_ = -(_e461);
+                } else {
+                    phi_1247_ = _e461;
+                }
+                let _e763 = phi_1247_;
+                let _e765 = (((_e754 + _e758) + _e763) * f64(0.5f));
+                if (_e750 > _e765) {
+                    phi_1254_ = _e750;
+                } else {
+                    phi_1254_ = _e765;
+                }
+                let _e768 = phi_1254_;
+                let _e774 = local_12.member_3;
+                let _e788 = (((((_e583 * _e693) * _e695) * (1.1102230246251565e-16lf * f64((490f / 64f)))) + ((_e703 * f64(19f)) * ((_e583 * (_e637 + _e691)) + (_e637 * _e691)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e692 + _e583) * ((_e692 + _e637) * (_e692 + _e691)))));
+                let _e789 = f64(3f);
+                let _e790 = (_e472 * _e789);
+                let _e791 = (_e529 * _e789);
+                if (_e790 < _e791) {
+                    phi_1282_ = _e790;
+                } else {
+                    phi_1282_ = _e791;
+                }
+                let _e794 = phi_1282_;
+                if (_e495 < _e518) {
+                    phi_1287_ = _e495;
+                } else {
+                    phi_1287_ = _e518;
+                }
+                let _e797 = phi_1287_;
+                if (_e794 < _e797) {
+                    phi_1292_ = _e794;
+                } else {
+                    phi_1292_ = _e797;
+                }
+                let _e800 = phi_1292_;
+                if (_e790 > _e791) {
+                    phi_1297_ = _e790;
+                } else {
+                    phi_1297_ = _e791;
+                }
+                let _e803 = phi_1297_;
+                if (_e495 > _e518) {
+                    phi_1302_ = _e495;
+                } else {
+                    phi_1302_ = _e518;
+                }
+                let _e806 = phi_1302_;
+                if (_e803 > _e806) {
+                    phi_1307_ = _e803;
+                } else {
+                    phi_1307_ = _e806;
+                }
+                let _e809 = phi_1307_;
+                let _e815 = -(_e809);
+                if (_e800 > _e815) {
+                    phi_1318_ = _e800;
+                } else {
+                    phi_1318_ = _e815;
+                }
+                let _e818 = phi_1318_;
+                if ((_e818 - (_e788 + ((_e373 * (((_e768 + (_e695 * (1.1102230246251565e-16lf * f64(4f)))) + ((_e774 * f64(6f)) * (_e637 + _e691))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e692 + _e637) * (_e692 + _e691))))) * f64((3f * 1.0001f))))) > _e374) {
+                    phi_5775_ = type_40(0u, type_40().member_1);
+                } else {
+                    if (_e373 > _e374) {
+                        let _e2916 = f64(1f);
+                        let _e2920 = local_12.member[0u];
+                        let _e2926 = local_12.member_1[0u];
+                        let _e2932 = local_12.member_2[0u];
+                        let _e2936 = (_e2920[0] - _e2926[0]);
+                        let _e2937 = (_e2920[1] - _e2926[1]);
+                        let _e2938 = (_e2920[2] - _e2926[2]);
+                        local_9 = array<array<f64, 3>, 4>(_e2920, array<f64, 3>(_e2936, _e2937, _e2938), array<f64, 3>((_e2920[0] - _e2932[0]), (_e2920[1] - _e2932[1]), (_e2920[2] - _e2932[2])), array<f64, 3>((_e2936 - _e2932[0]), (_e2937 - _e2932[1]), (_e2938 - _e2932[2])));
+                        let _e2951 = local_12.member[1u];
+                        let _e2957 = local_12.member_1[1u];
+                        let _e2963 = local_12.member_2[1u];
+                        let _e2967 = (_e2951[0] - _e2957[0]);
+                        let _e2968 = (_e2951[1] - _e2957[1]);
+                        let _e2969 = (_e2951[2] - _e2957[2]);
+                        local_10 = array<array<f64, 3>, 4>(_e2951, array<f64, 3>(_e2967, _e2968, _e2969), array<f64, 3>((_e2951[0] - _e2963[0]), (_e2951[1] - _e2963[1]), (_e2951[2] - _e2963[2])), array<f64, 3>((_e2967 - _e2963[0]), (_e2968 - _e2963[1]), (_e2969 - _e2963[2])));
+                        let _e2982 = local_12.member[0u];
+                        if (_e2982[0] < 0.0lf) {
+                            phi_1521_ = -(_e2982[0]);
                         } else {
-                            phi_521_ = _e302;
-                            phi_544_ = type_19(0u, type_19().member_1);
+                            phi_1521_ = _e2982[0];
                         }
-                        let _e314 = phi_521_;
-                        let _e316 = phi_544_;
-                        let _e320 = (bitcast<i32>(_e316.member) != 0i);
-                        if _e320 {
-                            phi_554_ = type_19(0u, 3u);
-                            loop {
-                                let _e322 = phi_554_;
-                                if (_e322.member < _e322.member_1) {
-                                    phi_555_ = type_19((_e322.member + 1u), _e322.member_1);
-                                    phi_578_ = type_19(1u, _e322.member);
-                                } else {
-                                    phi_555_ = _e322;
-                                    phi_578_ = type_19(0u, type_19().member_1);
-                                }
-                                let _e334 = phi_555_;
-                                let _e336 = phi_578_;
-                                let _e340 = (bitcast<i32>(_e336.member) != 0i);
-                                if _e340 {
-                                    let _e343 = local_18[_e316.member_1][_e336.member_1];
-                                    local_16[_e316.member_1][_e336.member_1] = f64(_e343);
-                                    let _e349 = local_19[_e316.member_1][_e336.member_1];
-                                    local_17[_e316.member_1][_e336.member_1] = f64(_e349);
-                                }
-                                continue;
-                                continuing {
-                                    phi_554_ = _e334;
-                                    break if !(_e340);
-                                }
-                            }
-                        }
-                        continue;
-                        continuing {
-                            phi_520_ = _e314;
-                            break if !(_e320);
-                        }
-                    }
-                } else {
-                    phi_640_ = type_19(0u, 4u);
-                    loop {
-                        let _e211 = phi_640_;
-                        if (_e211.member < _e211.member_1) {
-                            phi_641_ = type_19((_e211.member + 1u), _e211.member_1);
-                            phi_664_ = type_19(1u, _e211.member);
+                        let _e2989 = phi_1521_;
+                        if (_e2982[1] < 0.0lf) {
+                            phi_1528_ = -(_e2982[1]);
                         } else {
-                            phi_641_ = _e211;
-                            phi_664_ = type_19(0u, type_19().member_1);
+                            phi_1528_ = _e2982[1];
                         }
-                        let _e223 = phi_641_;
-                        let _e225 = phi_664_;
-                        let _e229 = (bitcast<i32>(_e225.member) != 0i);
-                        if _e229 {
-                            let _e231 = local_15[_e225.member_1];
-                            let _e233 = wide.member[_e231];
-                            let _e236 = params.member.member[0u];
-                            let _e239 = wide.member[(_e236 + _e231)];
-                            local_16[_e225.member_1] = array<f64, 3>(_e233[0], _e233[1], _e233[2]);
-                            local_17[_e225.member_1] = array<f64, 3>(_e239[0], _e239[1], _e239[2]);
-                        }
-                        continue;
-                        continuing {
-                            phi_640_ = _e223;
-                            break if !(_e229);
-                        }
-                    }
-                }
-                let _e355 = local_16;
-                let _e372 = local_17;
-                local_20 = type_39(array<array<f64, 3>, 2>(array<f64, 3>((_e355[2][0] - _e355[0][0]), (_e355[2][1] - _e355[0][1]), (_e355[2][2] - _e355[0][2])), array<f64, 3>((_e372[2][0] - _e372[0][0]), (_e372[2][1] - _e372[0][1]), (_e372[2][2] - _e372[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e355[1][0] - _e355[0][0]), (_e355[1][1] - _e355[0][1]), (_e355[1][2] - _e355[0][2])), array<f64, 3>((_e372[1][0] - _e372[0][0]), (_e372[1][1] - _e372[0][1]), (_e372[1][2] - _e372[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e355[2][0] - _e355[3][0]), (_e355[2][1] - _e355[3][1]), (_e355[2][2] - _e355[3][2])), array<f64, 3>((_e372[2][0] - _e372[3][0]), (_e372[2][1] - _e372[3][1]), (_e372[2][2] - _e372[3][2]))), (0.0lf + 0.0lf));
-                let _e419 = params.member.member_7;
-                let _e426 = bitcast<f64>(((u64(_e419[1]) * 4294967296lu) + u64(_e419[0])));
-                let _e427 = f64(0f);
-                let _e430 = local_20.member_1[0u];
-                let _e436 = local_20.member_2[0u];
-                let _e442 = ((_e430[1] * _e436[2]) - (_e430[2] * _e436[1]));
-                let _e445 = ((_e430[2] * _e436[0]) - (_e430[0] * _e436[2]));
-                let _e448 = ((_e430[0] * _e436[1]) - (_e430[1] * _e436[0]));
-                let _e451 = local_20.member_1[1u];
-                let _e457 = local_20.member_2[1u];
-                let _e463 = ((_e451[1] * _e457[2]) - (_e451[2] * _e457[1]));
-                let _e466 = ((_e451[2] * _e457[0]) - (_e451[0] * _e457[2]));
-                let _e469 = ((_e451[0] * _e457[1]) - (_e451[1] * _e457[0]));
-                let _e472 = local_20.member_1[0u];
-                let _e478 = local_20.member_2[1u];
-                let _e493 = local_20.member_1[1u];
-                let _e499 = local_20.member_2[0u];
-                let _e512 = (((_e472[1] * _e478[2]) - (_e472[2] * _e478[1])) + ((_e493[1] * _e499[2]) - (_e493[2] * _e499[1])));
-                let _e513 = (((_e472[2] * _e478[0]) - (_e472[0] * _e478[2])) + ((_e493[2] * _e499[0]) - (_e493[0] * _e499[2])));
-                let _e514 = (((_e472[0] * _e478[1]) - (_e472[1] * _e478[0])) + ((_e493[0] * _e499[1]) - (_e493[1] * _e499[0])));
-                let _e517 = local_20.member[0u];
-                let _e525 = (((_e517[0] * _e442) + (_e517[1] * _e445)) + (_e517[2] * _e448));
-                let _e528 = local_20.member[1u];
-                let _e539 = local_20.member[0u];
-                let _e548 = ((((_e528[0] * _e442) + (_e528[1] * _e445)) + (_e528[2] * _e448)) + (((_e539[0] * _e512) + (_e539[1] * _e513)) + (_e539[2] * _e514)));
-                let _e551 = local_20.member[0u];
-                let _e562 = local_20.member[1u];
-                let _e571 = ((((_e551[0] * _e463) + (_e551[1] * _e466)) + (_e551[2] * _e469)) + (((_e562[0] * _e512) + (_e562[1] * _e513)) + (_e562[2] * _e514)));
-                let _e574 = local_20.member[1u];
-                let _e582 = (((_e574[0] * _e463) + (_e574[1] * _e466)) + (_e574[2] * _e469));
-                let _e585 = local_20.member[0u];
-                if (_e585[0] < 0.0lf) {
-                    phi_1132_ = -(_e585[0]);
-                } else {
-                    phi_1132_ = _e585[0];
-                }
-                let _e592 = phi_1132_;
-                if (_e585[1] < 0.0lf) {
-                    phi_1139_ = -(_e585[1]);
-                } else {
-                    phi_1139_ = _e585[1];
-                }
-                let _e596 = phi_1139_;
-                if (_e592 > _e596) {
-                    phi_1144_ = _e592;
-                } else {
-                    phi_1144_ = _e596;
-                }
-                let _e599 = phi_1144_;
-                if (_e585[2] < 0.0lf) {
-                    phi_1151_ = -(_e585[2]);
-                } else {
-                    phi_1151_ = _e585[2];
-                }
-                let _e603 = phi_1151_;
-                if (_e599 > _e603) {
-                    phi_1156_ = _e599;
-                } else {
-                    phi_1156_ = _e603;
-                }
-                let _e606 = phi_1156_;
-                let _e609 = local_20.member[1u];
-                if (_e609[0] < 0.0lf) {
-                    phi_1169_ = -(_e609[0]);
-                } else {
-                    phi_1169_ = _e609[0];
-                }
-                let _e616 = phi_1169_;
-                if (_e609[1] < 0.0lf) {
-                    phi_1176_ = -(_e609[1]);
-                } else {
-                    phi_1176_ = _e609[1];
-                }
-                let _e620 = phi_1176_;
-                if (_e616 > _e620) {
-                    phi_1181_ = _e616;
-                } else {
-                    phi_1181_ = _e620;
-                }
-                let _e623 = phi_1181_;
-                if (_e609[2] < 0.0lf) {
-                    phi_1188_ = -(_e609[2]);
-                } else {
-                    phi_1188_ = _e609[2];
-                }
-                let _e627 = phi_1188_;
-                if (_e623 > _e627) {
-                    phi_1193_ = _e623;
-                } else {
-                    phi_1193_ = _e627;
-                }
-                let _e630 = phi_1193_;
-                if (_e606 > _e630) {
-                    phi_1198_ = _e606;
-                } else {
-                    phi_1198_ = _e630;
-                }
-                let _e633 = phi_1198_;
-                let _e635 = local_20.member_3;
-                let _e636 = (_e633 + _e635);
-                let _e639 = local_20.member_1[0u];
-                if (_e639[0] < 0.0lf) {
-                    phi_1215_ = -(_e639[0]);
-                } else {
-                    phi_1215_ = _e639[0];
-                }
-                let _e646 = phi_1215_;
-                if (_e639[1] < 0.0lf) {
-                    phi_1222_ = -(_e639[1]);
-                } else {
-                    phi_1222_ = _e639[1];
-                }
-                let _e650 = phi_1222_;
-                if (_e646 > _e650) {
-                    phi_1227_ = _e646;
-                } else {
-                    phi_1227_ = _e650;
-                }
-                let _e653 = phi_1227_;
-                if (_e639[2] < 0.0lf) {
-                    phi_1234_ = -(_e639[2]);
-                } else {
-                    phi_1234_ = _e639[2];
-                }
-                let _e657 = phi_1234_;
-                if (_e653 > _e657) {
-                    phi_1239_ = _e653;
-                } else {
-                    phi_1239_ = _e657;
-                }
-                let _e660 = phi_1239_;
-                let _e663 = local_20.member_1[1u];
-                if (_e663[0] < 0.0lf) {
-                    phi_1253_ = -(_e663[0]);
-                } else {
-                    phi_1253_ = _e663[0];
-                }
-                let _e670 = phi_1253_;
-                if (_e663[1] < 0.0lf) {
-                    phi_1260_ = -(_e663[1]);
-                } else {
-                    phi_1260_ = _e663[1];
-                }
-                let _e674 = phi_1260_;
-                if (_e670 > _e674) {
-                    phi_1265_ = _e670;
-                } else {
-                    phi_1265_ = _e674;
-                }
-                let _e677 = phi_1265_;
-                if (_e663[2] < 0.0lf) {
-                    phi_1272_ = -(_e663[2]);
-                } else {
-                    phi_1272_ = _e663[2];
-                }
-                let _e681 = phi_1272_;
-                if (_e677 > _e681) {
-                    phi_1277_ = _e677;
-                } else {
-                    phi_1277_ = _e681;
-                }
-                let _e684 = phi_1277_;
-                if (_e660 > _e684) {
-                    phi_1282_ = _e660;
-                } else {
-                    phi_1282_ = _e684;
-                }
-                let _e687 = phi_1282_;
-                let _e689 = local_20.member_3;
-                let _e690 = (_e687 + _e689);
-                let _e693 = local_20.member_2[0u];
-                if (_e693[0] < 0.0lf) {
-                    phi_1299_ = -(_e693[0]);
-                } else {
-                    phi_1299_ = _e693[0];
-                }
-                let _e700 = phi_1299_;
-                if (_e693[1] < 0.0lf) {
-                    phi_1306_ = -(_e693[1]);
-                } else {
-                    phi_1306_ = _e693[1];
-                }
-                let _e704 = phi_1306_;
-                if (_e700 > _e704) {
-                    phi_1311_ = _e700;
-                } else {
-                    phi_1311_ = _e704;
-                }
-                let _e707 = phi_1311_;
-                if (_e693[2] < 0.0lf) {
-                    phi_1318_ = -(_e693[2]);
-                } else {
-                    phi_1318_ = _e693[2];
-                }
-                let _e711 = phi_1318_;
-                if (_e707 > _e711) {
-                    phi_1323_ = _e707;
-                } else {
-                    phi_1323_ = _e711;
-                }
-                let _e714 = phi_1323_;
-                let _e717 = local_20.member_2[1u];
-                if (_e717[0] < 0.0lf) {
-                    phi_1337_ = -(_e717[0]);
-                } else {
-                    phi_1337_ = _e717[0];
-                }
-                let _e724 = phi_1337_;
-                if (_e717[1] < 0.0lf) {
-                    phi_1344_ = -(_e717[1]);
-                } else {
-                    phi_1344_ = _e717[1];
-                }
-                let _e728 = phi_1344_;
-                if (_e724 > _e728) {
-                    phi_1349_ = _e724;
-                } else {
-                    phi_1349_ = _e728;
-                }
-                let _e731 = phi_1349_;
-                if (_e717[2] < 0.0lf) {
-                    phi_1356_ = -(_e717[2]);
-                } else {
-                    phi_1356_ = _e717[2];
-                }
-                let _e735 = phi_1356_;
-                if (_e731 > _e735) {
-                    phi_1361_ = _e731;
-                } else {
-                    phi_1361_ = _e735;
-                }
-                let _e738 = phi_1361_;
-                if (_e714 > _e738) {
-                    phi_1366_ = _e714;
-                } else {
-                    phi_1366_ = _e738;
-                }
-                let _e741 = phi_1366_;
-                let _e743 = local_20.member_3;
-                let _e744 = (_e741 + _e743);
-                let _e745 = f64(1f);
-                let _e746 = f64(8f);
-                let _e748 = ((_e690 * _e746) * _e744);
-                let _e756 = local_20.member_3;
-                if (_e442 < 0.0lf) {
-                    phi_1403_ = -(_e442);
-                } else {
-                    phi_1403_ = _e442;
-                }
-                let _e776 = phi_1403_;
-                if (_e445 < 0.0lf) {
-                    phi_1409_ = -(_e445);
-                } else {
-                    phi_1409_ = _e445;
-                }
-                let _e780 = phi_1409_;
-                if (_e448 < 0.0lf) {
-                    phi_1416_ = -(_e448);
-                } else {
-                    phi_1416_ = _e448;
-                }
-                let _e785 = phi_1416_;
-                let _e786 = ((_e776 + _e780) + _e785);
-                if (_e463 < 0.0lf) {
-                    phi_1423_ = -(_e463);
-                } else {
-                    phi_1423_ = _e463;
-                }
-                let _e790 = phi_1423_;
-                if (_e466 < 0.0lf) {
-                    phi_1429_ = -(_e466);
-                } else {
-                    phi_1429_ = _e466;
-                }
-                let _e794 = phi_1429_;
-                if (_e469 < 0.0lf) {
-                    phi_1436_ = -(_e469);
-                } else {
-                    phi_1436_ = _e469;
-                }
-                let _e799 = phi_1436_;
-                let _e800 = ((_e790 + _e794) + _e799);
-                if (_e786 > _e800) {
-                    phi_1442_ = _e786;
-                } else {
-                    phi_1442_ = _e800;
-                }
-                let _e803 = phi_1442_;
-                if (_e512 < 0.0lf) {
-                    phi_1448_ = -(_e512);
-                } else {
-                    phi_1448_ = _e512;
-                }
-                let _e807 = phi_1448_;
-                if (_e513 < 0.0lf) {
-                    phi_1454_ = -(_e513);
-                } else {
-                    phi_1454_ = _e513;
-                }
-                let _e811 = phi_1454_;
-                if (_e514 < 0.0lf) {
-                    phi_1461_ = -(_e514);
-                } else {
-                    phi_1461_ = _e514;
-                }
-                let _e816 = phi_1461_;
-                let _e818 = (((_e807 + _e811) + _e816) * f64(0.5f));
-                if (_e803 > _e818) {
-                    phi_1468_ = _e803;
-                } else {
-                    phi_1468_ = _e818;
-                }
-                let _e821 = phi_1468_;
-                let _e827 = local_20.member_3;
-                let _e841 = (((((_e636 * _e746) * _e748) * (1.1102230246251565e-16lf * f64((490f / 64f)))) + ((_e756 * f64(19f)) * ((_e636 * (_e690 + _e744)) + (_e690 * _e744)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e745 + _e636) * ((_e745 + _e690) * (_e745 + _e744)))));
-                let _e842 = f64(3f);
-                let _e843 = (_e525 * _e842);
-                let _e844 = (_e582 * _e842);
-                if (_e843 < _e844) {
-                    phi_1496_ = _e843;
-                } else {
-                    phi_1496_ = _e844;
-                }
-                let _e847 = phi_1496_;
-                if (_e548 < _e571) {
-                    phi_1501_ = _e548;
-                } else {
-                    phi_1501_ = _e571;
-                }
-                let _e850 = phi_1501_;
-                if (_e847 < _e850) {
-                    phi_1506_ = _e847;
-                } else {
-                    phi_1506_ = _e850;
-                }
-                let _e853 = phi_1506_;
-                if (_e843 > _e844) {
-                    phi_1511_ = _e843;
-                } else {
-                    phi_1511_ = _e844;
-                }
-                let _e856 = phi_1511_;
-                if (_e548 > _e571) {
-                    phi_1516_ = _e548;
-                } else {
-                    phi_1516_ = _e571;
-                }
-                let _e859 = phi_1516_;
-                if (_e856 > _e859) {
-                    phi_1521_ = _e856;
-                } else {
-                    phi_1521_ = _e859;
-                }
-                let _e862 = phi_1521_;
-                let _e868 = -(_e862);
-                if (_e853 > _e868) {
-                    phi_1532_ = _e853;
-                } else {
-                    phi_1532_ = _e868;
-                }
-                let _e871 = phi_1532_;
-                if ((_e871 - (_e841 + ((_e426 * (((_e821 + (_e748 * (1.1102230246251565e-16lf * f64(4f)))) + ((_e827 * f64(6f)) * (_e690 + _e744))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e745 + _e690) * (_e745 + _e744))))) * f64((3f * 1.0001f))))) > _e427) {
-                    phi_7450_ = type_40(0u, type_40().member_1);
-                } else {
-                    if (_e426 > _e427) {
-                        let _e3233 = f64(1f);
-                        let _e3237 = local_20.member[0u];
-                        let _e3243 = local_20.member_1[0u];
-                        let _e3249 = local_20.member_2[0u];
-                        let _e3253 = (_e3237[0] - _e3243[0]);
-                        let _e3254 = (_e3237[1] - _e3243[1]);
-                        let _e3255 = (_e3237[2] - _e3243[2]);
-                        local_12 = array<array<f64, 3>, 4>(_e3237, array<f64, 3>(_e3253, _e3254, _e3255), array<f64, 3>((_e3237[0] - _e3249[0]), (_e3237[1] - _e3249[1]), (_e3237[2] - _e3249[2])), array<f64, 3>((_e3253 - _e3249[0]), (_e3254 - _e3249[1]), (_e3255 - _e3249[2])));
-                        let _e3268 = local_20.member[1u];
-                        let _e3274 = local_20.member_1[1u];
-                        let _e3280 = local_20.member_2[1u];
-                        let _e3284 = (_e3268[0] - _e3274[0]);
-                        let _e3285 = (_e3268[1] - _e3274[1]);
-                        let _e3286 = (_e3268[2] - _e3274[2]);
-                        local_13 = array<array<f64, 3>, 4>(_e3268, array<f64, 3>(_e3284, _e3285, _e3286), array<f64, 3>((_e3268[0] - _e3280[0]), (_e3268[1] - _e3280[1]), (_e3268[2] - _e3280[2])), array<f64, 3>((_e3284 - _e3280[0]), (_e3285 - _e3280[1]), (_e3286 - _e3280[2])));
-                        let _e3299 = local_20.member[0u];
-                        if (_e3299[0] < 0.0lf) {
-                            phi_1735_ = -(_e3299[0]);
+                        let _e2993 = phi_1528_;
+                        if (_e2989 > _e2993) {
+                            phi_1533_ = _e2989;
                         } else {
-                            phi_1735_ = _e3299[0];
+                            phi_1533_ = _e2993;
                         }
-                        let _e3306 = phi_1735_;
-                        if (_e3299[1] < 0.0lf) {
-                            phi_1742_ = -(_e3299[1]);
+                        let _e2996 = phi_1533_;
+                        if (_e2982[2] < 0.0lf) {
+                            phi_1540_ = -(_e2982[2]);
                         } else {
-                            phi_1742_ = _e3299[1];
+                            phi_1540_ = _e2982[2];
                         }
-                        let _e3310 = phi_1742_;
-                        if (_e3306 > _e3310) {
-                            phi_1747_ = _e3306;
+                        let _e3000 = phi_1540_;
+                        if (_e2996 > _e3000) {
+                            phi_1545_ = _e2996;
                         } else {
-                            phi_1747_ = _e3310;
+                            phi_1545_ = _e3000;
                         }
-                        let _e3313 = phi_1747_;
-                        if (_e3299[2] < 0.0lf) {
-                            phi_1754_ = -(_e3299[2]);
+                        let _e3003 = phi_1545_;
+                        let _e3006 = local_12.member[1u];
+                        if (_e3006[0] < 0.0lf) {
+                            phi_1558_ = -(_e3006[0]);
                         } else {
-                            phi_1754_ = _e3299[2];
+                            phi_1558_ = _e3006[0];
                         }
-                        let _e3317 = phi_1754_;
-                        if (_e3313 > _e3317) {
-                            phi_1759_ = _e3313;
+                        let _e3013 = phi_1558_;
+                        if (_e3006[1] < 0.0lf) {
+                            phi_1565_ = -(_e3006[1]);
                         } else {
-                            phi_1759_ = _e3317;
+                            phi_1565_ = _e3006[1];
                         }
-                        let _e3320 = phi_1759_;
-                        let _e3323 = local_20.member[1u];
-                        if (_e3323[0] < 0.0lf) {
-                            phi_1772_ = -(_e3323[0]);
+                        let _e3017 = phi_1565_;
+                        if (_e3013 > _e3017) {
+                            phi_1570_ = _e3013;
                         } else {
-                            phi_1772_ = _e3323[0];
+                            phi_1570_ = _e3017;
                         }
-                        let _e3330 = phi_1772_;
-                        if (_e3323[1] < 0.0lf) {
-                            phi_1779_ = -(_e3323[1]);
+                        let _e3020 = phi_1570_;
+                        if (_e3006[2] < 0.0lf) {
+                            phi_1577_ = -(_e3006[2]);
                         } else {
-                            phi_1779_ = _e3323[1];
+                            phi_1577_ = _e3006[2];
                         }
-                        let _e3334 = phi_1779_;
-                        if (_e3330 > _e3334) {
-                            phi_1784_ = _e3330;
+                        let _e3024 = phi_1577_;
+                        if (_e3020 > _e3024) {
+                            phi_1582_ = _e3020;
                         } else {
-                            phi_1784_ = _e3334;
+                            phi_1582_ = _e3024;
                         }
-                        let _e3337 = phi_1784_;
-                        if (_e3323[2] < 0.0lf) {
-                            phi_1791_ = -(_e3323[2]);
+                        let _e3027 = phi_1582_;
+                        if (_e3003 > _e3027) {
+                            phi_1587_ = _e3003;
                         } else {
-                            phi_1791_ = _e3323[2];
+                            phi_1587_ = _e3027;
                         }
-                        let _e3341 = phi_1791_;
-                        if (_e3337 > _e3341) {
-                            phi_1796_ = _e3337;
+                        let _e3030 = phi_1587_;
+                        let _e3032 = local_12.member_3;
+                        let _e3036 = local_12.member_1[0u];
+                        if (_e3036[0] < 0.0lf) {
+                            phi_1604_ = -(_e3036[0]);
                         } else {
-                            phi_1796_ = _e3341;
+                            phi_1604_ = _e3036[0];
                         }
-                        let _e3344 = phi_1796_;
-                        if (_e3320 > _e3344) {
-                            phi_1801_ = _e3320;
+                        let _e3043 = phi_1604_;
+                        if (_e3036[1] < 0.0lf) {
+                            phi_1611_ = -(_e3036[1]);
                         } else {
-                            phi_1801_ = _e3344;
+                            phi_1611_ = _e3036[1];
                         }
-                        let _e3347 = phi_1801_;
-                        let _e3349 = local_20.member_3;
-                        let _e3353 = local_20.member_1[0u];
-                        if (_e3353[0] < 0.0lf) {
-                            phi_1818_ = -(_e3353[0]);
+                        let _e3047 = phi_1611_;
+                        if (_e3043 > _e3047) {
+                            phi_1616_ = _e3043;
                         } else {
-                            phi_1818_ = _e3353[0];
+                            phi_1616_ = _e3047;
                         }
-                        let _e3360 = phi_1818_;
-                        if (_e3353[1] < 0.0lf) {
-                            phi_1825_ = -(_e3353[1]);
+                        let _e3050 = phi_1616_;
+                        if (_e3036[2] < 0.0lf) {
+                            phi_1623_ = -(_e3036[2]);
                         } else {
-                            phi_1825_ = _e3353[1];
+                            phi_1623_ = _e3036[2];
                         }
-                        let _e3364 = phi_1825_;
-                        if (_e3360 > _e3364) {
-                            phi_1830_ = _e3360;
+                        let _e3054 = phi_1623_;
+                        if (_e3050 > _e3054) {
+                            phi_1628_ = _e3050;
                         } else {
-                            phi_1830_ = _e3364;
+                            phi_1628_ = _e3054;
                         }
-                        let _e3367 = phi_1830_;
-                        if (_e3353[2] < 0.0lf) {
-                            phi_1837_ = -(_e3353[2]);
+                        let _e3057 = phi_1628_;
+                        let _e3060 = local_12.member_1[1u];
+                        if (_e3060[0] < 0.0lf) {
+                            phi_1642_ = -(_e3060[0]);
                         } else {
-                            phi_1837_ = _e3353[2];
+                            phi_1642_ = _e3060[0];
                         }
-                        let _e3371 = phi_1837_;
-                        if (_e3367 > _e3371) {
-                            phi_1842_ = _e3367;
+                        let _e3067 = phi_1642_;
+                        if (_e3060[1] < 0.0lf) {
+                            phi_1649_ = -(_e3060[1]);
                         } else {
-                            phi_1842_ = _e3371;
+                            phi_1649_ = _e3060[1];
                         }
-                        let _e3374 = phi_1842_;
-                        let _e3377 = local_20.member_1[1u];
-                        if (_e3377[0] < 0.0lf) {
-                            phi_1856_ = -(_e3377[0]);
+                        let _e3071 = phi_1649_;
+                        if (_e3067 > _e3071) {
+                            phi_1654_ = _e3067;
                         } else {
-                            phi_1856_ = _e3377[0];
+                            phi_1654_ = _e3071;
                         }
-                        let _e3384 = phi_1856_;
-                        if (_e3377[1] < 0.0lf) {
-                            phi_1863_ = -(_e3377[1]);
+                        let _e3074 = phi_1654_;
+                        if (_e3060[2] < 0.0lf) {
+                            phi_1661_ = -(_e3060[2]);
                         } else {
-                            phi_1863_ = _e3377[1];
+                            phi_1661_ = _e3060[2];
                         }
-                        let _e3388 = phi_1863_;
-                        if (_e3384 > _e3388) {
-                            phi_1868_ = _e3384;
+                        let _e3078 = phi_1661_;
+                        if (_e3074 > _e3078) {
+                            phi_1666_ = _e3074;
                         } else {
-                            phi_1868_ = _e3388;
+                            phi_1666_ = _e3078;
                         }
-                        let _e3391 = phi_1868_;
-                        if (_e3377[2] < 0.0lf) {
-                            phi_1875_ = -(_e3377[2]);
+                        let _e3081 = phi_1666_;
+                        if (_e3057 > _e3081) {
+                            phi_1671_ = _e3057;
                         } else {
-                            phi_1875_ = _e3377[2];
+                            phi_1671_ = _e3081;
                         }
-                        let _e3395 = phi_1875_;
-                        if (_e3391 > _e3395) {
-                            phi_1880_ = _e3391;
+                        let _e3084 = phi_1671_;
+                        let _e3086 = local_12.member_3;
+                        let _e3090 = local_12.member_2[0u];
+                        if (_e3090[0] < 0.0lf) {
+                            phi_1688_ = -(_e3090[0]);
                         } else {
-                            phi_1880_ = _e3395;
+                            phi_1688_ = _e3090[0];
                         }
-                        let _e3398 = phi_1880_;
-                        if (_e3374 > _e3398) {
-                            phi_1885_ = _e3374;
+                        let _e3097 = phi_1688_;
+                        if (_e3090[1] < 0.0lf) {
+                            phi_1695_ = -(_e3090[1]);
                         } else {
-                            phi_1885_ = _e3398;
+                            phi_1695_ = _e3090[1];
                         }
-                        let _e3401 = phi_1885_;
-                        let _e3403 = local_20.member_3;
-                        let _e3407 = local_20.member_2[0u];
-                        if (_e3407[0] < 0.0lf) {
-                            phi_1902_ = -(_e3407[0]);
+                        let _e3101 = phi_1695_;
+                        if (_e3097 > _e3101) {
+                            phi_1700_ = _e3097;
                         } else {
-                            phi_1902_ = _e3407[0];
+                            phi_1700_ = _e3101;
                         }
-                        let _e3414 = phi_1902_;
-                        if (_e3407[1] < 0.0lf) {
-                            phi_1909_ = -(_e3407[1]);
+                        let _e3104 = phi_1700_;
+                        if (_e3090[2] < 0.0lf) {
+                            phi_1707_ = -(_e3090[2]);
                         } else {
-                            phi_1909_ = _e3407[1];
+                            phi_1707_ = _e3090[2];
                         }
-                        let _e3418 = phi_1909_;
-                        if (_e3414 > _e3418) {
-                            phi_1914_ = _e3414;
+                        let _e3108 = phi_1707_;
+                        if (_e3104 > _e3108) {
+                            phi_1712_ = _e3104;
                         } else {
-                            phi_1914_ = _e3418;
+                            phi_1712_ = _e3108;
                         }
-                        let _e3421 = phi_1914_;
-                        if (_e3407[2] < 0.0lf) {
-                            phi_1921_ = -(_e3407[2]);
+                        let _e3111 = phi_1712_;
+                        let _e3114 = local_12.member_2[1u];
+                        if (_e3114[0] < 0.0lf) {
+                            phi_1726_ = -(_e3114[0]);
                         } else {
-                            phi_1921_ = _e3407[2];
+                            phi_1726_ = _e3114[0];
                         }
-                        let _e3425 = phi_1921_;
-                        if (_e3421 > _e3425) {
-                            phi_1926_ = _e3421;
+                        let _e3121 = phi_1726_;
+                        if (_e3114[1] < 0.0lf) {
+                            phi_1733_ = -(_e3114[1]);
                         } else {
-                            phi_1926_ = _e3425;
+                            phi_1733_ = _e3114[1];
                         }
-                        let _e3428 = phi_1926_;
-                        let _e3431 = local_20.member_2[1u];
-                        if (_e3431[0] < 0.0lf) {
-                            phi_1940_ = -(_e3431[0]);
+                        let _e3125 = phi_1733_;
+                        if (_e3121 > _e3125) {
+                            phi_1738_ = _e3121;
                         } else {
-                            phi_1940_ = _e3431[0];
+                            phi_1738_ = _e3125;
                         }
-                        let _e3438 = phi_1940_;
-                        if (_e3431[1] < 0.0lf) {
-                            phi_1947_ = -(_e3431[1]);
+                        let _e3128 = phi_1738_;
+                        if (_e3114[2] < 0.0lf) {
+                            phi_1745_ = -(_e3114[2]);
                         } else {
-                            phi_1947_ = _e3431[1];
+                            phi_1745_ = _e3114[2];
                         }
-                        let _e3442 = phi_1947_;
-                        if (_e3438 > _e3442) {
-                            phi_1952_ = _e3438;
+                        let _e3132 = phi_1745_;
+                        if (_e3128 > _e3132) {
+                            phi_1750_ = _e3128;
                         } else {
-                            phi_1952_ = _e3442;
+                            phi_1750_ = _e3132;
                         }
-                        let _e3445 = phi_1952_;
-                        if (_e3431[2] < 0.0lf) {
-                            phi_1959_ = -(_e3431[2]);
+                        let _e3135 = phi_1750_;
+                        if (_e3111 > _e3135) {
+                            phi_1755_ = _e3111;
                         } else {
-                            phi_1959_ = _e3431[2];
+                            phi_1755_ = _e3135;
                         }
-                        let _e3449 = phi_1959_;
-                        if (_e3445 > _e3449) {
-                            phi_1964_ = _e3445;
-                        } else {
-                            phi_1964_ = _e3449;
-                        }
-                        let _e3452 = phi_1964_;
-                        if (_e3428 > _e3452) {
-                            phi_1969_ = _e3428;
-                        } else {
-                            phi_1969_ = _e3452;
-                        }
-                        let _e3455 = phi_1969_;
-                        let _e3457 = local_20.member_3;
-                        let _e3465 = local_20.member_3;
-                        phi_1989_ = type_19(0u, 48u);
-                        phi_1992_ = f64(0f);
+                        let _e3138 = phi_1755_;
+                        let _e3140 = local_12.member_3;
+                        let _e3148 = local_12.member_3;
+                        phi_1775_ = type_19(0u, 48u);
+                        phi_1778_ = f64(0f);
                         loop {
-                            let _e3474 = phi_1989_;
-                            let _e3476 = phi_1992_;
-                            local_87 = _e3476;
-                            local_45 = _e3476;
-                            local_46 = _e3476;
-                            local_47 = _e3476;
-                            local_48 = _e3476;
-                            if (_e3474.member < _e3474.member_1) {
-                                phi_1990_ = type_19((_e3474.member + 1u), _e3474.member_1);
-                                phi_2015_ = type_19(1u, _e3474.member);
+                            let _e3157 = phi_1775_;
+                            let _e3159 = phi_1778_;
+                            local_77 = _e3159;
+                            local_37 = _e3159;
+                            local_38 = _e3159;
+                            local_39 = _e3159;
+                            local_40 = _e3159;
+                            if (_e3157.member < _e3157.member_1) {
+                                phi_1776_ = type_19((_e3157.member + 1u), _e3157.member_1);
+                                phi_1801_ = type_19(1u, _e3157.member);
                             } else {
-                                phi_1990_ = _e3474;
-                                phi_2015_ = type_19(0u, type_19().member_1);
+                                phi_1776_ = _e3157;
+                                phi_1801_ = type_19(0u, type_19().member_1);
                             }
-                            let _e3488 = phi_1990_;
-                            let _e3490 = phi_2015_;
-                            if (bitcast<i32>(_e3490.member) != 0i) {
-                                let _e3496 = local_20.member[0u];
-                                let _e3502 = local_20.member[1u];
-                                let _e3512 = (_e3496[0] + ((_e3502[0] - _e3496[0]) * _e3476));
-                                let _e3513 = (_e3496[1] + ((_e3502[1] - _e3496[1]) * _e3476));
-                                let _e3514 = (_e3496[2] + ((_e3502[2] - _e3496[2]) * _e3476));
-                                let _e3517 = local_20.member_1[0u];
-                                let _e3523 = local_20.member_1[1u];
-                                let _e3533 = (_e3517[0] + ((_e3523[0] - _e3517[0]) * _e3476));
-                                let _e3534 = (_e3517[1] + ((_e3523[1] - _e3517[1]) * _e3476));
-                                let _e3535 = (_e3517[2] + ((_e3523[2] - _e3517[2]) * _e3476));
-                                let _e3538 = local_20.member_2[0u];
-                                let _e3544 = local_20.member_2[1u];
-                                let _e3554 = (_e3538[0] + ((_e3544[0] - _e3538[0]) * _e3476));
-                                let _e3555 = (_e3538[1] + ((_e3544[1] - _e3538[1]) * _e3476));
-                                let _e3556 = (_e3538[2] + ((_e3544[2] - _e3538[2]) * _e3476));
-                                let _e3561 = (((_e3533 * _e3533) + (_e3534 * _e3534)) + (_e3535 * _e3535));
-                                let _e3566 = (((_e3533 * _e3554) + (_e3534 * _e3555)) + (_e3535 * _e3556));
-                                let _e3571 = (((_e3554 * _e3554) + (_e3555 * _e3555)) + (_e3556 * _e3556));
-                                let _e3576 = (((_e3512 * _e3533) + (_e3513 * _e3534)) + (_e3514 * _e3535));
-                                let _e3581 = (((_e3512 * _e3554) + (_e3513 * _e3555)) + (_e3514 * _e3556));
-                                let _e3584 = ((_e3561 * _e3571) - (_e3566 * _e3566));
-                                let _e3585 = f64(0f);
-                                let _e3586 = f64(1f);
-                                let _e3590 = (((_e3576 * _e3571) - (_e3581 * _e3566)) / _e3584);
-                                let _e3594 = (((_e3581 * _e3561) - (_e3576 * _e3566)) / _e3584);
-                                if (_e3590 >= _e3585) {
-                                    if (_e3594 >= _e3585) {
-                                        if (_e3590 <= _e3586) {
-                                            phi_2171_ = (_e3594 <= _e3586);
-                                            phi_2172_ = false;
-                                        } else {
-                                            phi_2171_ = bool();
-                                            phi_2172_ = true;
-                                        }
-                                        let _e3600 = phi_2171_;
-                                        let _e3602 = phi_2172_;
-                                        phi_2173_ = _e3600;
-                                        phi_2174_ = _e3602;
-                                    } else {
-                                        phi_2173_ = bool();
-                                        phi_2174_ = true;
-                                    }
-                                    let _e3604 = phi_2173_;
-                                    let _e3606 = phi_2174_;
-                                    phi_2175_ = _e3604;
-                                    phi_2176_ = _e3606;
+                            let _e3171 = phi_1776_;
+                            let _e3173 = phi_1801_;
+                            if (bitcast<i32>(_e3173.member) != 0i) {
+                                let _e3179 = local_12.member[0u];
+                                let _e3185 = local_12.member[1u];
+                                let _e3201 = local_12.member_1[0u];
+                                let _e3207 = local_12.member_1[1u];
+                                let _e3223 = local_12.member_2[0u];
+                                let _e3229 = local_12.member_2[1u];
+                                let _e3243 = function_2(array<f64, 3>((_e3179[0] + ((_e3185[0] - _e3179[0]) * _e3159)), (_e3179[1] + ((_e3185[1] - _e3179[1]) * _e3159)), (_e3179[2] + ((_e3185[2] - _e3179[2]) * _e3159))), array<f64, 3>((_e3201[0] + ((_e3207[0] - _e3201[0]) * _e3159)), (_e3201[1] + ((_e3207[1] - _e3201[1]) * _e3159)), (_e3201[2] + ((_e3207[2] - _e3201[2]) * _e3159))), array<f64, 3>((_e3223[0] + ((_e3229[0] - _e3223[0]) * _e3159)), (_e3223[1] + ((_e3229[1] - _e3223[1]) * _e3159)), (_e3223[2] + ((_e3229[2] - _e3223[2]) * _e3159))), 1u);
+                                if (_e3243[0] < 0.0lf) {
+                                    phi_1912_ = -(_e3243[0]);
                                 } else {
-                                    phi_2175_ = bool();
-                                    phi_2176_ = true;
+                                    phi_1912_ = _e3243[0];
                                 }
-                                let _e3608 = phi_2175_;
-                                let _e3610 = phi_2176_;
-                                if _e3610 {
-                                    phi_2180_ = false;
+                                let _e3248 = phi_1912_;
+                                if (_e3243[1] < 0.0lf) {
+                                    phi_1919_ = -(_e3243[1]);
                                 } else {
-                                    phi_2180_ = _e3608;
+                                    phi_1919_ = _e3243[1];
                                 }
-                                let _e3612 = phi_2180_;
-                                if (_e3584 > _e3585) {
-                                    if _e3612 {
-                                        phi_2220_ = array<f64, 3>((_e3512 - ((_e3533 * _e3590) + (_e3554 * _e3594))), (_e3513 - ((_e3534 * _e3590) + (_e3555 * _e3594))), (_e3514 - ((_e3535 * _e3590) + (_e3556 * _e3594))));
-                                        phi_2221_ = false;
-                                    } else {
-                                        phi_2220_ = array<f64, 3>();
-                                        phi_2221_ = true;
-                                    }
-                                    let _e3628 = phi_2220_;
-                                    let _e3630 = phi_2221_;
-                                    phi_2222_ = _e3628;
-                                    phi_2223_ = _e3630;
+                                let _e3253 = phi_1919_;
+                                if (_e3243[2] < 0.0lf) {
+                                    phi_1927_ = -(_e3243[2]);
                                 } else {
-                                    phi_2222_ = array<f64, 3>();
-                                    phi_2223_ = true;
+                                    phi_1927_ = _e3243[2];
                                 }
-                                let _e3632 = phi_2222_;
-                                let _e3634 = phi_2223_;
-                                if _e3634 {
-                                    let _e3635 = (_e3512 - _e3533);
-                                    let _e3636 = (_e3513 - _e3534);
-                                    let _e3637 = (_e3514 - _e3535);
-                                    let _e3648 = ((((_e3512 * _e3533) + (_e3513 * _e3534)) + (_e3514 * _e3535)) / (((_e3533 * _e3533) + (_e3534 * _e3534)) + (_e3535 * _e3535)));
-                                    if (_e3648 > f64(0f)) {
-                                        if (_e3648 < f64(1f)) {
-                                            phi_2256_ = _e3648;
-                                        } else {
-                                            phi_2256_ = f64(1f);
-                                        }
-                                        let _e3656 = phi_2256_;
-                                        phi_2258_ = _e3656;
-                                    } else {
-                                        phi_2258_ = f64(0f);
-                                    }
-                                    let _e3658 = phi_2258_;
-                                    let _e3675 = ((((_e3512 * _e3554) + (_e3513 * _e3555)) + (_e3514 * _e3556)) / (((_e3554 * _e3554) + (_e3555 * _e3555)) + (_e3556 * _e3556)));
-                                    if (_e3675 > f64(0f)) {
-                                        if (_e3675 < f64(1f)) {
-                                            phi_2288_ = _e3675;
-                                        } else {
-                                            phi_2288_ = f64(1f);
-                                        }
-                                        let _e3683 = phi_2288_;
-                                        phi_2290_ = _e3683;
-                                    } else {
-                                        phi_2290_ = f64(0f);
-                                    }
-                                    let _e3685 = phi_2290_;
-                                    let _e3702 = ((((_e3635 * _e3554) + (_e3636 * _e3555)) + (_e3637 * _e3556)) / (((_e3554 * _e3554) + (_e3555 * _e3555)) + (_e3556 * _e3556)));
-                                    if (_e3702 > f64(0f)) {
-                                        if (_e3702 < f64(1f)) {
-                                            phi_2320_ = _e3702;
-                                        } else {
-                                            phi_2320_ = f64(1f);
-                                        }
-                                        let _e3710 = phi_2320_;
-                                        phi_2322_ = _e3710;
-                                    } else {
-                                        phi_2322_ = f64(0f);
-                                    }
-                                    let _e3712 = phi_2322_;
-                                    let _e3719 = (_e3512 - _e3554);
-                                    let _e3720 = (_e3513 - _e3555);
-                                    let _e3721 = (_e3514 - _e3556);
-                                    let _e3732 = ((((_e3719 * _e3533) + (_e3720 * _e3534)) + (_e3721 * _e3535)) / (((_e3533 * _e3533) + (_e3534 * _e3534)) + (_e3535 * _e3535)));
-                                    if (_e3732 > f64(0f)) {
-                                        if (_e3732 < f64(1f)) {
-                                            phi_2355_ = _e3732;
-                                        } else {
-                                            phi_2355_ = f64(1f);
-                                        }
-                                        let _e3740 = phi_2355_;
-                                        phi_2357_ = _e3740;
-                                    } else {
-                                        phi_2357_ = f64(0f);
-                                    }
-                                    let _e3742 = phi_2357_;
-                                    local_11[0u] = array<f64, 3>((_e3512 - (_e3533 * _e3658)), (_e3513 - (_e3534 * _e3658)), (_e3514 - (_e3535 * _e3658)));
-                                    local_11[1u] = array<f64, 3>((_e3512 - (_e3554 * _e3685)), (_e3513 - (_e3555 * _e3685)), (_e3514 - (_e3556 * _e3685)));
-                                    local_11[2u] = array<f64, 3>((_e3635 - (_e3554 * _e3712)), (_e3636 - (_e3555 * _e3712)), (_e3637 - (_e3556 * _e3712)));
-                                    local_11[3u] = array<f64, 3>((_e3719 - (_e3533 * _e3742)), (_e3720 - (_e3534 * _e3742)), (_e3721 - (_e3535 * _e3742)));
-                                    let _e3758 = local_11[0u];
-                                    phi_2512_ = type_19(1u, 4u);
-                                    phi_2515_ = array<f64, 3>(_e3758[0], _e3758[1], _e3758[2]);
-                                    loop {
-                                        let _e3764 = phi_2512_;
-                                        let _e3766 = phi_2515_;
-                                        local_74 = _e3766;
-                                        if (_e3764.member < _e3764.member_1) {
-                                            phi_2513_ = type_19((_e3764.member + 1u), _e3764.member_1);
-                                            phi_2538_ = type_19(1u, _e3764.member);
-                                        } else {
-                                            phi_2513_ = _e3764;
-                                            phi_2538_ = type_19(0u, type_19().member_1);
-                                        }
-                                        let _e3778 = phi_2513_;
-                                        let _e3780 = phi_2538_;
-                                        let _e3784 = (bitcast<i32>(_e3780.member) != 0i);
-                                        if _e3784 {
-                                            let _e3786 = local_11[_e3780.member_1];
-                                            let _e3791 = local_11[_e3780.member_1];
-                                            if ((((_e3786[0] * _e3791[0]) + (_e3786[1] * _e3791[1])) + (_e3786[2] * _e3791[2])) < (((_e3766[0] * _e3766[0]) + (_e3766[1] * _e3766[1])) + (_e3766[2] * _e3766[2]))) {
-                                                let _e3813 = local_11[_e3780.member_1];
-                                                phi_2605_ = array<f64, 3>(_e3813[0], _e3813[1], _e3813[2]);
+                                let _e3259 = phi_1927_;
+                                let _e3260 = ((_e3248 + _e3253) + _e3259);
+                                if (_e3260 > f64(0f)) {
+                                    if ((bitcast<u64>(_e3260) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                        let _e3266 = (f64(1f) / _e3260);
+                                        let _e3268 = (_e3243[0] * _e3266);
+                                        let _e3270 = (_e3243[1] * _e3266);
+                                        let _e3272 = (_e3243[2] * _e3266);
+                                        let _e3277 = (((_e3268 * _e3268) + (_e3270 * _e3270)) + (_e3272 * _e3272));
+                                        if (_e3277 <= 2.2250738585072014e-308lf) {
+                                            if (_e3277 > 0.0lf) {
+                                                phi_1965_ = (1.464336215552873e-154lf * 2.0lf);
                                             } else {
-                                                phi_2605_ = _e3766;
+                                                phi_1965_ = 0.0lf;
                                             }
-                                            let _e3819 = phi_2605_;
-                                            phi_2516_ = _e3819;
+                                            let _e3329 = phi_1965_;
+                                            phi_2029_ = _e3329;
                                         } else {
-                                            phi_2516_ = array<f64, 3>();
-                                        }
-                                        let _e3821 = phi_2516_;
-                                        continue;
-                                        continuing {
-                                            phi_2512_ = _e3778;
-                                            phi_2515_ = _e3821;
-                                            break if !(_e3784);
-                                        }
-                                    }
-                                    let _e5608 = local_74;
-                                    phi_2606_ = _e5608;
-                                } else {
-                                    phi_2606_ = _e3632;
-                                }
-                                let _e3824 = phi_2606_;
-                                if (_e3824[0] < 0.0lf) {
-                                    phi_2613_ = -(_e3824[0]);
-                                } else {
-                                    phi_2613_ = _e3824[0];
-                                }
-                                let _e3829 = phi_2613_;
-                                if (_e3824[1] < 0.0lf) {
-                                    phi_2620_ = -(_e3824[1]);
-                                } else {
-                                    phi_2620_ = _e3824[1];
-                                }
-                                let _e3834 = phi_2620_;
-                                if (_e3824[2] < 0.0lf) {
-                                    phi_2628_ = -(_e3824[2]);
-                                } else {
-                                    phi_2628_ = _e3824[2];
-                                }
-                                let _e3840 = phi_2628_;
-                                let _e3841 = ((_e3829 + _e3834) + _e3840);
-                                if (_e3841 > f64(0f)) {
-                                    if ((bitcast<u64>(_e3841) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                        let _e3847 = (f64(1f) / _e3841);
-                                        let _e3849 = (_e3824[0] * _e3847);
-                                        let _e3851 = (_e3824[1] * _e3847);
-                                        let _e3853 = (_e3824[2] * _e3847);
-                                        let _e3858 = (((_e3849 * _e3849) + (_e3851 * _e3851)) + (_e3853 * _e3853));
-                                        if (_e3858 <= 2.2250738585072014e-308lf) {
-                                            if (_e3858 > 0.0lf) {
-                                                phi_2666_ = (1.464336215552873e-154lf * 2.0lf);
-                                            } else {
-                                                phi_2666_ = 0.0lf;
-                                            }
-                                            let _e3910 = phi_2666_;
-                                            phi_2730_ = _e3910;
-                                        } else {
-                                            phi_2673_ = type_17(0i, 5i);
-                                            phi_2676_ = bitcast<f64>(((bitcast<u64>(_e3858) / 2lu) + 2303426169912950784lu));
+                                            phi_1972_ = type_17(0i, 5i);
+                                            phi_1975_ = bitcast<f64>(((bitcast<u64>(_e3277) / 2lu) + 2303426169912950784lu));
                                             loop {
-                                                let _e3865 = phi_2673_;
-                                                let _e3867 = phi_2676_;
-                                                local_39 = _e3867;
-                                                if (_e3865.member < _e3865.member_1) {
-                                                    let _e3874 = (_e3865.member + 1i);
-                                                    if ((false == (_e3874 > _e3865.member)) != false) {
-                                                        phi_2697_ = true;
+                                                let _e3284 = phi_1972_;
+                                                let _e3286 = phi_1975_;
+                                                local_31 = _e3286;
+                                                if (_e3284.member < _e3284.member_1) {
+                                                    let _e3293 = (_e3284.member + 1i);
+                                                    if ((false == (_e3293 > _e3284.member)) != false) {
+                                                        phi_1996_ = true;
                                                     } else {
-                                                        phi_2697_ = false;
+                                                        phi_1996_ = false;
                                                     }
-                                                    let _e3879 = phi_2697_;
-                                                    if _e3879 {
-                                                        phi_2703_ = type_18(0u, type_18().member_1);
+                                                    let _e3298 = phi_1996_;
+                                                    if _e3298 {
+                                                        phi_2002_ = type_18(0u, type_18().member_1);
                                                     } else {
-                                                        phi_2703_ = type_18(1u, _e3874);
+                                                        phi_2002_ = type_18(1u, _e3293);
                                                     }
-                                                    let _e3884 = phi_2703_;
-                                                    phi_2674_ = type_17(_e3884.member_1, _e3865.member_1);
-                                                    phi_2717_ = type_18(1u, _e3865.member);
+                                                    let _e3303 = phi_2002_;
+                                                    phi_1973_ = type_17(_e3303.member_1, _e3284.member_1);
+                                                    phi_2016_ = type_18(1u, _e3284.member);
                                                 } else {
-                                                    phi_2674_ = _e3865;
-                                                    phi_2717_ = type_18(0u, type_18().member_1);
+                                                    phi_1973_ = _e3284;
+                                                    phi_2016_ = type_18(0u, type_18().member_1);
                                                 }
-                                                let _e3890 = phi_2674_;
-                                                let _e3892 = phi_2717_;
-                                                let _e3895 = (bitcast<i32>(_e3892.member) != 0i);
-                                                if _e3895 {
-                                                    phi_2677_ = (0.5lf * (_e3867 + (_e3858 / _e3867)));
+                                                let _e3309 = phi_1973_;
+                                                let _e3311 = phi_2016_;
+                                                let _e3314 = (bitcast<i32>(_e3311.member) != 0i);
+                                                if _e3314 {
+                                                    phi_1976_ = (0.5lf * (_e3286 + (_e3277 / _e3286)));
                                                 } else {
-                                                    phi_2677_ = f64();
+                                                    phi_1976_ = f64();
                                                 }
-                                                let _e3900 = phi_2677_;
+                                                let _e3319 = phi_1976_;
                                                 continue;
                                                 continuing {
-                                                    phi_2673_ = _e3890;
-                                                    phi_2676_ = _e3900;
-                                                    break if !(_e3895);
+                                                    phi_1972_ = _e3309;
+                                                    phi_1975_ = _e3319;
+                                                    break if !(_e3314);
                                                 }
                                             }
-                                            let _e3905 = local_39;
-                                            phi_2730_ = (_e3905 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                            let _e3324 = local_31;
+                                            phi_2029_ = (_e3324 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                         }
-                                        let _e3912 = phi_2730_;
-                                        phi_2743_ = type_19(0u, 4u);
-                                        phi_2746_ = f64(2f);
+                                        let _e3331 = phi_2029_;
+                                        phi_2042_ = type_19(0u, 4u);
+                                        phi_2045_ = f64(2f);
                                         loop {
-                                            let _e3924 = phi_2743_;
-                                            let _e3926 = phi_2746_;
-                                            local_41 = _e3926;
-                                            local_42 = _e3926;
-                                            local_43 = _e3926;
-                                            local_77 = _e3926;
-                                            local_78 = _e3926;
-                                            if (_e3924.member < _e3924.member_1) {
-                                                phi_2744_ = type_19((_e3924.member + 1u), _e3924.member_1);
-                                                phi_2769_ = type_19(1u, _e3924.member);
+                                            let _e3343 = phi_2042_;
+                                            let _e3345 = phi_2045_;
+                                            local_33 = _e3345;
+                                            local_34 = _e3345;
+                                            local_35 = _e3345;
+                                            local_67 = _e3345;
+                                            local_68 = _e3345;
+                                            if (_e3343.member < _e3343.member_1) {
+                                                phi_2043_ = type_19((_e3343.member + 1u), _e3343.member_1);
+                                                phi_2068_ = type_19(1u, _e3343.member);
                                             } else {
-                                                phi_2744_ = _e3924;
-                                                phi_2769_ = type_19(0u, type_19().member_1);
+                                                phi_2043_ = _e3343;
+                                                phi_2068_ = type_19(0u, type_19().member_1);
                                             }
-                                            let _e3938 = phi_2744_;
-                                            let _e3940 = phi_2769_;
-                                            if (bitcast<i32>(_e3940.member) != 0i) {
-                                                let _e3946 = local_12[_e3940.member_1];
-                                                let _e3954 = (((_e3849 * _e3946[0]) + (_e3851 * _e3946[1])) + (_e3853 * _e3946[2]));
-                                                let _e3956 = local_13[_e3940.member_1];
-                                                let _e3964 = (((_e3849 * _e3956[0]) + (_e3851 * _e3956[1])) + (_e3853 * _e3956[2]));
-                                                if (_e3954 < 0.0lf) {
-                                                    phi_2820_ = -(_e3954);
+                                            let _e3357 = phi_2043_;
+                                            let _e3359 = phi_2068_;
+                                            if (bitcast<i32>(_e3359.member) != 0i) {
+                                                let _e3365 = local_9[_e3359.member_1];
+                                                let _e3373 = (((_e3268 * _e3365[0]) + (_e3270 * _e3365[1])) + (_e3272 * _e3365[2]));
+                                                let _e3375 = local_10[_e3359.member_1];
+                                                let _e3383 = (((_e3268 * _e3375[0]) + (_e3270 * _e3375[1])) + (_e3272 * _e3375[2]));
+                                                if (_e3373 < 0.0lf) {
+                                                    phi_2119_ = -(_e3373);
                                                 } else {
-                                                    phi_2820_ = _e3954;
+                                                    phi_2119_ = _e3373;
                                                 }
-                                                let _e3968 = phi_2820_;
-                                                if (_e3964 < 0.0lf) {
-                                                    phi_2826_ = -(_e3964);
+                                                let _e3387 = phi_2119_;
+                                                if (_e3383 < 0.0lf) {
+                                                    phi_2125_ = -(_e3383);
                                                 } else {
-                                                    phi_2826_ = _e3964;
+                                                    phi_2125_ = _e3383;
                                                 }
-                                                let _e3972 = phi_2826_;
-                                                let _e3977 = (((((((((_e3347 + _e3349) + (_e3401 + _e3403)) + (_e3455 + _e3457)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3465 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e426 * _e3912) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e3968 + _e3972) * (1.1102230246251565e-16lf * f64(8f))));
-                                                if (_e3954 > _e3977) {
-                                                    if (_e3964 > _e3977) {
-                                                        phi_2840_ = false;
+                                                let _e3391 = phi_2125_;
+                                                let _e3396 = (((((((((_e3030 + _e3032) + (_e3084 + _e3086)) + (_e3138 + _e3140)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3148 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e373 * _e3331) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e3387 + _e3391) * (1.1102230246251565e-16lf * f64(8f))));
+                                                if (_e3373 > _e3396) {
+                                                    if (_e3383 > _e3396) {
+                                                        phi_2139_ = false;
                                                     } else {
-                                                        phi_2840_ = true;
+                                                        phi_2139_ = true;
                                                     }
-                                                    let _e3981 = phi_2840_;
-                                                    phi_2841_ = _e3981;
+                                                    let _e3400 = phi_2139_;
+                                                    phi_2140_ = _e3400;
                                                 } else {
-                                                    phi_2841_ = true;
+                                                    phi_2140_ = true;
                                                 }
-                                                let _e3983 = phi_2841_;
-                                                if _e3983 {
-                                                    if ((_e3954 + ((_e3964 - _e3954) * _e3476)) > _e3977) {
-                                                        if (_e3964 < _e3954) {
-                                                            let _e3992 = ((_e3954 - _e3964) <= (f64(0.25f) / 2.2250738585072014e-308lf));
-                                                            if _e3992 {
-                                                                let _e4000 = (((_e3954 - _e3977) / (_e3954 - _e3964)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                if (_e3926 < _e4000) {
-                                                                    phi_2875_ = _e3926;
+                                                let _e3402 = phi_2140_;
+                                                if _e3402 {
+                                                    if ((_e3373 + ((_e3383 - _e3373) * _e3159)) > _e3396) {
+                                                        if (_e3383 < _e3373) {
+                                                            let _e3411 = ((_e3373 - _e3383) <= (f64(0.25f) / 2.2250738585072014e-308lf));
+                                                            if _e3411 {
+                                                                let _e3419 = (((_e3373 - _e3396) / (_e3373 - _e3383)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                if (_e3345 < _e3419) {
+                                                                    phi_2174_ = _e3345;
                                                                 } else {
-                                                                    phi_2875_ = _e4000;
+                                                                    phi_2174_ = _e3419;
                                                                 }
-                                                                let _e4003 = phi_2875_;
-                                                                phi_2876_ = _e4003;
+                                                                let _e3422 = phi_2174_;
+                                                                phi_2175_ = _e3422;
                                                             } else {
-                                                                phi_2876_ = f64();
+                                                                phi_2175_ = f64();
                                                             }
-                                                            let _e4005 = phi_2876_;
-                                                            phi_2877_ = _e4005;
-                                                            phi_2878_ = _e3992;
+                                                            let _e3424 = phi_2175_;
+                                                            phi_2176_ = _e3424;
+                                                            phi_2177_ = _e3411;
                                                         } else {
-                                                            phi_2877_ = _e3926;
-                                                            phi_2878_ = true;
+                                                            phi_2176_ = _e3345;
+                                                            phi_2177_ = true;
                                                         }
-                                                        let _e4007 = phi_2877_;
-                                                        let _e4009 = phi_2878_;
-                                                        if _e4009 {
-                                                            phi_2882_ = false;
+                                                        let _e3426 = phi_2176_;
+                                                        let _e3428 = phi_2177_;
+                                                        if _e3428 {
+                                                            phi_2181_ = false;
                                                         } else {
-                                                            phi_2882_ = true;
+                                                            phi_2181_ = true;
                                                         }
-                                                        let _e4011 = phi_2882_;
-                                                        phi_2883_ = _e4007;
-                                                        phi_2884_ = _e4009;
-                                                        phi_2885_ = _e4011;
-                                                        phi_2886_ = false;
+                                                        let _e3430 = phi_2181_;
+                                                        phi_2182_ = _e3426;
+                                                        phi_2183_ = _e3428;
+                                                        phi_2184_ = _e3430;
+                                                        phi_2185_ = false;
                                                     } else {
-                                                        phi_2883_ = f64();
-                                                        phi_2884_ = false;
-                                                        phi_2885_ = false;
-                                                        phi_2886_ = true;
+                                                        phi_2182_ = f64();
+                                                        phi_2183_ = false;
+                                                        phi_2184_ = false;
+                                                        phi_2185_ = true;
                                                     }
-                                                    let _e4013 = phi_2883_;
-                                                    let _e4015 = phi_2884_;
-                                                    let _e4017 = phi_2885_;
-                                                    let _e4019 = phi_2886_;
-                                                    phi_2887_ = _e4013;
-                                                    phi_2888_ = _e4015;
-                                                    phi_2889_ = _e4017;
-                                                    phi_2890_ = _e4019;
+                                                    let _e3432 = phi_2182_;
+                                                    let _e3434 = phi_2183_;
+                                                    let _e3436 = phi_2184_;
+                                                    let _e3438 = phi_2185_;
+                                                    phi_2186_ = _e3432;
+                                                    phi_2187_ = _e3434;
+                                                    phi_2188_ = _e3436;
+                                                    phi_2189_ = _e3438;
                                                 } else {
-                                                    phi_2887_ = _e3926;
-                                                    phi_2888_ = true;
-                                                    phi_2889_ = false;
-                                                    phi_2890_ = false;
+                                                    phi_2186_ = _e3345;
+                                                    phi_2187_ = true;
+                                                    phi_2188_ = false;
+                                                    phi_2189_ = false;
                                                 }
-                                                let _e4021 = phi_2887_;
-                                                let _e4023 = phi_2888_;
-                                                let _e4025 = phi_2889_;
-                                                let _e4027 = phi_2890_;
-                                                phi_2747_ = _e4021;
-                                                phi_2891_ = _e4023;
-                                                phi_2892_ = false;
-                                                phi_2893_ = _e4025;
-                                                phi_2894_ = _e4027;
+                                                let _e3440 = phi_2186_;
+                                                let _e3442 = phi_2187_;
+                                                let _e3444 = phi_2188_;
+                                                let _e3446 = phi_2189_;
+                                                phi_2046_ = _e3440;
+                                                phi_2190_ = _e3442;
+                                                phi_2191_ = false;
+                                                phi_2192_ = _e3444;
+                                                phi_2193_ = _e3446;
                                             } else {
-                                                phi_2747_ = f64();
-                                                phi_2891_ = false;
-                                                phi_2892_ = true;
-                                                phi_2893_ = false;
-                                                phi_2894_ = false;
+                                                phi_2046_ = f64();
+                                                phi_2190_ = false;
+                                                phi_2191_ = true;
+                                                phi_2192_ = false;
+                                                phi_2193_ = false;
                                             }
-                                            let _e4029 = phi_2747_;
-                                            let _e4031 = phi_2891_;
-                                            let _e4033 = phi_2892_;
-                                            let _e4035 = phi_2893_;
-                                            let _e4037 = phi_2894_;
-                                            local_40 = _e4033;
-                                            local_75 = _e4035;
-                                            local_76 = _e4037;
+                                            let _e3448 = phi_2046_;
+                                            let _e3450 = phi_2190_;
+                                            let _e3452 = phi_2191_;
+                                            let _e3454 = phi_2192_;
+                                            let _e3456 = phi_2193_;
+                                            local_32 = _e3452;
+                                            local_65 = _e3454;
+                                            local_66 = _e3456;
                                             continue;
                                             continuing {
-                                                phi_2743_ = _e3938;
-                                                phi_2746_ = _e4029;
-                                                break if !(_e4031);
+                                                phi_2042_ = _e3357;
+                                                phi_2045_ = _e3448;
+                                                break if !(_e3450);
                                             }
                                         }
-                                        let _e4040 = local_40;
-                                        if _e4040 {
-                                            let _e4042 = local_41;
-                                            let _e4043 = (_e4042 > _e3233);
-                                            if _e4043 {
-                                                phi_2916_ = false;
-                                                phi_2917_ = false;
-                                                phi_2918_ = false;
+                                        let _e3459 = local_32;
+                                        if _e3459 {
+                                            let _e3461 = local_33;
+                                            let _e3462 = (_e3461 > _e2916);
+                                            if _e3462 {
+                                                phi_2215_ = false;
+                                                phi_2216_ = false;
+                                                phi_2217_ = false;
                                             } else {
-                                                let _e4045 = local_42;
-                                                if (_e4045 > _e3476) {
-                                                    let _e4048 = local_43;
-                                                    let _e4051 = ((_e4048 - _e3476) < f64(0.00000000023283064f));
-                                                    if _e4051 {
-                                                        phi_2912_ = false;
+                                                let _e3464 = local_34;
+                                                if (_e3464 > _e3159) {
+                                                    let _e3467 = local_35;
+                                                    let _e3470 = ((_e3467 - _e3159) < f64(0.00000000023283064f));
+                                                    if _e3470 {
+                                                        phi_2211_ = false;
                                                     } else {
-                                                        phi_2912_ = true;
+                                                        phi_2211_ = true;
                                                     }
-                                                    let _e4053 = phi_2912_;
-                                                    phi_2913_ = _e4053;
-                                                    phi_2914_ = _e4051;
-                                                    phi_2915_ = false;
+                                                    let _e3472 = phi_2211_;
+                                                    phi_2212_ = _e3472;
+                                                    phi_2213_ = _e3470;
+                                                    phi_2214_ = false;
                                                 } else {
-                                                    phi_2913_ = false;
-                                                    phi_2914_ = false;
-                                                    phi_2915_ = true;
+                                                    phi_2212_ = false;
+                                                    phi_2213_ = false;
+                                                    phi_2214_ = true;
                                                 }
-                                                let _e4055 = phi_2913_;
-                                                let _e4057 = phi_2914_;
-                                                let _e4059 = phi_2915_;
-                                                phi_2916_ = _e4055;
-                                                phi_2917_ = _e4057;
-                                                phi_2918_ = _e4059;
+                                                let _e3474 = phi_2212_;
+                                                let _e3476 = phi_2213_;
+                                                let _e3478 = phi_2214_;
+                                                phi_2215_ = _e3474;
+                                                phi_2216_ = _e3476;
+                                                phi_2217_ = _e3478;
                                             }
-                                            let _e4061 = phi_2916_;
-                                            let _e4063 = phi_2917_;
-                                            let _e4065 = phi_2918_;
-                                            phi_2919_ = _e4061;
-                                            phi_2920_ = _e4043;
-                                            phi_2921_ = _e4063;
-                                            phi_2922_ = _e4065;
-                                            phi_2923_ = false;
-                                            phi_2924_ = false;
+                                            let _e3480 = phi_2215_;
+                                            let _e3482 = phi_2216_;
+                                            let _e3484 = phi_2217_;
+                                            phi_2218_ = _e3480;
+                                            phi_2219_ = _e3462;
+                                            phi_2220_ = _e3482;
+                                            phi_2221_ = _e3484;
+                                            phi_2222_ = false;
+                                            phi_2223_ = false;
                                         } else {
-                                            phi_2919_ = false;
-                                            phi_2920_ = false;
-                                            phi_2921_ = false;
-                                            phi_2922_ = false;
-                                            let _e5665 = local_75;
-                                            phi_2923_ = _e5665;
-                                            let _e5668 = local_76;
-                                            phi_2924_ = _e5668;
+                                            phi_2218_ = false;
+                                            phi_2219_ = false;
+                                            phi_2220_ = false;
+                                            phi_2221_ = false;
+                                            let _e4756 = local_65;
+                                            phi_2222_ = _e4756;
+                                            let _e4759 = local_66;
+                                            phi_2223_ = _e4759;
                                         }
-                                        let _e4067 = phi_2919_;
-                                        let _e4069 = phi_2920_;
-                                        let _e4071 = phi_2921_;
-                                        let _e4073 = phi_2922_;
-                                        let _e4075 = phi_2923_;
-                                        let _e4077 = phi_2924_;
-                                        let _e5671 = local_77;
-                                        phi_2925_ = _e5671;
-                                        let _e5674 = local_78;
-                                        phi_2926_ = _e5674;
-                                        phi_2927_ = _e4067;
-                                        phi_2928_ = _e4069;
-                                        phi_2929_ = _e4071;
-                                        phi_2930_ = _e4073;
-                                        phi_2931_ = _e4075;
-                                        phi_2932_ = _e4077;
-                                        phi_2933_ = false;
+                                        let _e3486 = phi_2218_;
+                                        let _e3488 = phi_2219_;
+                                        let _e3490 = phi_2220_;
+                                        let _e3492 = phi_2221_;
+                                        let _e3494 = phi_2222_;
+                                        let _e3496 = phi_2223_;
+                                        let _e4762 = local_67;
+                                        phi_2224_ = _e4762;
+                                        let _e4765 = local_68;
+                                        phi_2225_ = _e4765;
+                                        phi_2226_ = _e3486;
+                                        phi_2227_ = _e3488;
+                                        phi_2228_ = _e3490;
+                                        phi_2229_ = _e3492;
+                                        phi_2230_ = _e3494;
+                                        phi_2231_ = _e3496;
+                                        phi_2232_ = false;
                                     } else {
-                                        phi_2925_ = f64();
-                                        phi_2926_ = f64();
-                                        phi_2927_ = false;
-                                        phi_2928_ = false;
-                                        phi_2929_ = false;
-                                        phi_2930_ = false;
-                                        phi_2931_ = false;
-                                        phi_2932_ = false;
-                                        phi_2933_ = true;
+                                        phi_2224_ = f64();
+                                        phi_2225_ = f64();
+                                        phi_2226_ = false;
+                                        phi_2227_ = false;
+                                        phi_2228_ = false;
+                                        phi_2229_ = false;
+                                        phi_2230_ = false;
+                                        phi_2231_ = false;
+                                        phi_2232_ = true;
                                     }
-                                    let _e4079 = phi_2925_;
-                                    let _e4081 = phi_2926_;
-                                    let _e4083 = phi_2927_;
-                                    let _e4085 = phi_2928_;
-                                    let _e4087 = phi_2929_;
-                                    let _e4089 = phi_2930_;
-                                    let _e4091 = phi_2931_;
-                                    let _e4093 = phi_2932_;
-                                    let _e4095 = phi_2933_;
-                                    phi_2934_ = _e4079;
-                                    phi_2935_ = _e4081;
-                                    phi_2936_ = _e4083;
-                                    phi_2937_ = _e4085;
-                                    phi_2938_ = _e4087;
-                                    phi_2939_ = _e4089;
-                                    phi_2940_ = _e4091;
-                                    phi_2941_ = _e4093;
-                                    phi_2942_ = _e4095;
-                                    phi_2943_ = false;
+                                    let _e3498 = phi_2224_;
+                                    let _e3500 = phi_2225_;
+                                    let _e3502 = phi_2226_;
+                                    let _e3504 = phi_2227_;
+                                    let _e3506 = phi_2228_;
+                                    let _e3508 = phi_2229_;
+                                    let _e3510 = phi_2230_;
+                                    let _e3512 = phi_2231_;
+                                    let _e3514 = phi_2232_;
+                                    phi_2233_ = _e3498;
+                                    phi_2234_ = _e3500;
+                                    phi_2235_ = _e3502;
+                                    phi_2236_ = _e3504;
+                                    phi_2237_ = _e3506;
+                                    phi_2238_ = _e3508;
+                                    phi_2239_ = _e3510;
+                                    phi_2240_ = _e3512;
+                                    phi_2241_ = _e3514;
+                                    phi_2242_ = false;
                                 } else {
-                                    phi_2934_ = f64();
-                                    phi_2935_ = f64();
-                                    phi_2936_ = false;
-                                    phi_2937_ = false;
-                                    phi_2938_ = false;
-                                    phi_2939_ = false;
-                                    phi_2940_ = false;
-                                    phi_2941_ = false;
-                                    phi_2942_ = false;
-                                    phi_2943_ = true;
+                                    phi_2233_ = f64();
+                                    phi_2234_ = f64();
+                                    phi_2235_ = false;
+                                    phi_2236_ = false;
+                                    phi_2237_ = false;
+                                    phi_2238_ = false;
+                                    phi_2239_ = false;
+                                    phi_2240_ = false;
+                                    phi_2241_ = false;
+                                    phi_2242_ = true;
                                 }
-                                let _e4097 = phi_2934_;
-                                let _e4099 = phi_2935_;
-                                let _e4101 = phi_2936_;
-                                let _e4103 = phi_2937_;
-                                let _e4105 = phi_2938_;
-                                let _e4107 = phi_2939_;
-                                let _e4109 = phi_2940_;
-                                let _e4111 = phi_2941_;
-                                let _e4113 = phi_2942_;
-                                let _e4115 = phi_2943_;
-                                phi_2944_ = _e4097;
-                                phi_1993_ = _e4099;
-                                phi_2945_ = _e4101;
-                                phi_2946_ = _e4103;
-                                phi_2947_ = _e4105;
-                                phi_2948_ = false;
-                                phi_2949_ = _e4107;
-                                phi_2950_ = _e4109;
-                                phi_2951_ = _e4111;
-                                phi_2952_ = _e4113;
-                                phi_2953_ = _e4115;
+                                let _e3516 = phi_2233_;
+                                let _e3518 = phi_2234_;
+                                let _e3520 = phi_2235_;
+                                let _e3522 = phi_2236_;
+                                let _e3524 = phi_2237_;
+                                let _e3526 = phi_2238_;
+                                let _e3528 = phi_2239_;
+                                let _e3530 = phi_2240_;
+                                let _e3532 = phi_2241_;
+                                let _e3534 = phi_2242_;
+                                phi_2243_ = _e3516;
+                                phi_1779_ = _e3518;
+                                phi_2244_ = _e3520;
+                                phi_2245_ = _e3522;
+                                phi_2246_ = _e3524;
+                                phi_2247_ = false;
+                                phi_2248_ = _e3526;
+                                phi_2249_ = _e3528;
+                                phi_2250_ = _e3530;
+                                phi_2251_ = _e3532;
+                                phi_2252_ = _e3534;
                             } else {
-                                phi_2944_ = f64();
-                                phi_1993_ = f64();
-                                phi_2945_ = false;
-                                phi_2946_ = false;
-                                phi_2947_ = false;
-                                phi_2948_ = true;
-                                phi_2949_ = false;
-                                phi_2950_ = false;
-                                phi_2951_ = false;
-                                phi_2952_ = false;
-                                phi_2953_ = false;
+                                phi_2243_ = f64();
+                                phi_1779_ = f64();
+                                phi_2244_ = false;
+                                phi_2245_ = false;
+                                phi_2246_ = false;
+                                phi_2247_ = true;
+                                phi_2248_ = false;
+                                phi_2249_ = false;
+                                phi_2250_ = false;
+                                phi_2251_ = false;
+                                phi_2252_ = false;
                             }
-                            let _e4117 = phi_2944_;
-                            let _e4119 = phi_1993_;
-                            let _e4121 = phi_2945_;
-                            let _e4123 = phi_2946_;
-                            let _e4125 = phi_2947_;
-                            let _e4127 = phi_2948_;
-                            let _e4129 = phi_2949_;
-                            let _e4131 = phi_2950_;
-                            let _e4133 = phi_2951_;
-                            let _e4135 = phi_2952_;
-                            let _e4137 = phi_2953_;
-                            local_44 = _e4123;
-                            local_79 = _e4125;
-                            local_80 = _e4127;
-                            local_81 = _e4129;
-                            local_82 = _e4131;
-                            local_83 = _e4133;
-                            local_84 = _e4135;
-                            local_85 = _e4137;
-                            local_86 = _e4117;
-                            local_88 = _e4123;
+                            let _e3536 = phi_2243_;
+                            let _e3538 = phi_1779_;
+                            let _e3540 = phi_2244_;
+                            let _e3542 = phi_2245_;
+                            let _e3544 = phi_2246_;
+                            let _e3546 = phi_2247_;
+                            let _e3548 = phi_2248_;
+                            let _e3550 = phi_2249_;
+                            let _e3552 = phi_2250_;
+                            let _e3554 = phi_2251_;
+                            let _e3556 = phi_2252_;
+                            local_36 = _e3542;
+                            local_69 = _e3544;
+                            local_70 = _e3546;
+                            local_71 = _e3548;
+                            local_72 = _e3550;
+                            local_73 = _e3552;
+                            local_74 = _e3554;
+                            local_75 = _e3556;
+                            local_76 = _e3536;
+                            local_78 = _e3542;
                             continue;
                             continuing {
-                                phi_1989_ = _e3488;
-                                phi_1992_ = _e4119;
-                                break if !(_e4121);
+                                phi_1775_ = _e3171;
+                                phi_1778_ = _e3538;
+                                break if !(_e3540);
                             }
                         }
-                        let _e4140 = local_44;
-                        if _e4140 {
-                            phi_2958_ = type_40(0u, type_40().member_1);
-                            phi_2959_ = false;
-                            phi_2960_ = false;
-                            phi_2961_ = false;
-                            phi_2962_ = false;
-                            phi_2963_ = false;
-                            phi_2964_ = false;
-                            phi_2965_ = false;
+                        let _e3559 = local_36;
+                        if _e3559 {
+                            phi_2257_ = type_40(0u, type_40().member_1);
+                            phi_2258_ = false;
+                            phi_2259_ = false;
+                            phi_2260_ = false;
+                            phi_2261_ = false;
+                            phi_2262_ = false;
+                            phi_2263_ = false;
+                            phi_2264_ = false;
                         } else {
-                            phi_2958_ = type_40();
-                            let _e5707 = local_79;
-                            phi_2959_ = _e5707;
-                            let _e5710 = local_80;
-                            phi_2960_ = _e5710;
-                            let _e5713 = local_81;
-                            phi_2961_ = _e5713;
-                            let _e5716 = local_82;
-                            phi_2962_ = _e5716;
-                            let _e5719 = local_83;
-                            phi_2963_ = _e5719;
-                            let _e5722 = local_84;
-                            phi_2964_ = _e5722;
-                            let _e5725 = local_85;
-                            phi_2965_ = _e5725;
+                            phi_2257_ = type_40();
+                            let _e4798 = local_69;
+                            phi_2258_ = _e4798;
+                            let _e4801 = local_70;
+                            phi_2259_ = _e4801;
+                            let _e4804 = local_71;
+                            phi_2260_ = _e4804;
+                            let _e4807 = local_72;
+                            phi_2261_ = _e4807;
+                            let _e4810 = local_73;
+                            phi_2262_ = _e4810;
+                            let _e4813 = local_74;
+                            phi_2263_ = _e4813;
+                            let _e4816 = local_75;
+                            phi_2264_ = _e4816;
                         }
-                        let _e4144 = phi_2958_;
-                        let _e4146 = phi_2959_;
-                        let _e4148 = phi_2960_;
-                        let _e4150 = phi_2961_;
-                        let _e4152 = phi_2962_;
-                        let _e4154 = phi_2963_;
-                        let _e4156 = phi_2964_;
-                        let _e4158 = phi_2965_;
-                        if _e4146 {
-                            let _e5728 = local_86;
-                            phi_2969_ = _e5728;
-                            phi_2970_ = true;
-                            phi_2971_ = false;
-                            phi_2972_ = false;
-                            phi_2973_ = false;
-                            phi_2974_ = false;
-                            phi_2975_ = false;
-                            phi_2976_ = false;
+                        let _e3563 = phi_2257_;
+                        let _e3565 = phi_2258_;
+                        let _e3567 = phi_2259_;
+                        let _e3569 = phi_2260_;
+                        let _e3571 = phi_2261_;
+                        let _e3573 = phi_2262_;
+                        let _e3575 = phi_2263_;
+                        let _e3577 = phi_2264_;
+                        if _e3565 {
+                            let _e4819 = local_76;
+                            phi_2268_ = _e4819;
+                            phi_2269_ = true;
+                            phi_2270_ = false;
+                            phi_2271_ = false;
+                            phi_2272_ = false;
+                            phi_2273_ = false;
+                            phi_2274_ = false;
+                            phi_2275_ = false;
                         } else {
-                            let _e5730 = local_87;
-                            phi_2969_ = _e5730;
-                            phi_2970_ = _e4148;
-                            phi_2971_ = _e4150;
-                            phi_2972_ = _e4152;
-                            phi_2973_ = _e4154;
-                            let _e5737 = local_88;
-                            phi_2974_ = _e5737;
-                            phi_2975_ = _e4156;
-                            phi_2976_ = _e4158;
+                            let _e4821 = local_77;
+                            phi_2268_ = _e4821;
+                            phi_2269_ = _e3567;
+                            phi_2270_ = _e3569;
+                            phi_2271_ = _e3571;
+                            phi_2272_ = _e3573;
+                            let _e4828 = local_78;
+                            phi_2273_ = _e4828;
+                            phi_2274_ = _e3575;
+                            phi_2275_ = _e3577;
                         }
-                        let _e4160 = phi_2969_;
-                        let _e4162 = phi_2970_;
-                        let _e4164 = phi_2971_;
-                        let _e4166 = phi_2972_;
-                        let _e4168 = phi_2973_;
-                        let _e4170 = phi_2974_;
-                        let _e4172 = phi_2975_;
-                        let _e4174 = phi_2976_;
-                        if _e4162 {
-                            phi_2981_ = type_40(1u, _e4160);
-                            phi_2982_ = false;
-                            phi_2983_ = false;
-                            phi_2984_ = false;
-                            phi_2985_ = false;
-                            phi_2986_ = false;
-                            phi_2987_ = false;
+                        let _e3579 = phi_2268_;
+                        let _e3581 = phi_2269_;
+                        let _e3583 = phi_2270_;
+                        let _e3585 = phi_2271_;
+                        let _e3587 = phi_2272_;
+                        let _e3589 = phi_2273_;
+                        let _e3591 = phi_2274_;
+                        let _e3593 = phi_2275_;
+                        if _e3581 {
+                            phi_2280_ = type_40(1u, _e3579);
+                            phi_2281_ = false;
+                            phi_2282_ = false;
+                            phi_2283_ = false;
+                            phi_2284_ = false;
+                            phi_2285_ = false;
+                            phi_2286_ = false;
                         } else {
-                            phi_2981_ = type_40();
-                            phi_2982_ = _e4164;
-                            phi_2983_ = _e4166;
-                            phi_2984_ = _e4168;
-                            phi_2985_ = _e4170;
-                            phi_2986_ = _e4172;
-                            phi_2987_ = _e4174;
+                            phi_2280_ = type_40();
+                            phi_2281_ = _e3583;
+                            phi_2282_ = _e3585;
+                            phi_2283_ = _e3587;
+                            phi_2284_ = _e3589;
+                            phi_2285_ = _e3591;
+                            phi_2286_ = _e3593;
                         }
-                        let _e4177 = phi_2981_;
-                        let _e4179 = phi_2982_;
-                        let _e4181 = phi_2983_;
-                        let _e4183 = phi_2984_;
-                        let _e4185 = phi_2985_;
-                        let _e4187 = phi_2986_;
-                        let _e4189 = phi_2987_;
-                        if _e4179 {
-                            let _e4191 = local_45;
-                            phi_2992_ = type_40(1u, _e4191);
-                            phi_2993_ = false;
-                            phi_2994_ = false;
-                            phi_2995_ = true;
-                            phi_2996_ = false;
-                            phi_2997_ = false;
+                        let _e3596 = phi_2280_;
+                        let _e3598 = phi_2281_;
+                        let _e3600 = phi_2282_;
+                        let _e3602 = phi_2283_;
+                        let _e3604 = phi_2284_;
+                        let _e3606 = phi_2285_;
+                        let _e3608 = phi_2286_;
+                        if _e3598 {
+                            let _e3610 = local_37;
+                            phi_2291_ = type_40(1u, _e3610);
+                            phi_2292_ = false;
+                            phi_2293_ = false;
+                            phi_2294_ = true;
+                            phi_2295_ = false;
+                            phi_2296_ = false;
                         } else {
-                            phi_2992_ = _e4144;
-                            phi_2993_ = _e4181;
-                            phi_2994_ = _e4183;
-                            phi_2995_ = _e4185;
-                            phi_2996_ = _e4187;
-                            phi_2997_ = _e4189;
+                            phi_2291_ = _e3563;
+                            phi_2292_ = _e3600;
+                            phi_2293_ = _e3602;
+                            phi_2294_ = _e3604;
+                            phi_2295_ = _e3606;
+                            phi_2296_ = _e3608;
                         }
-                        let _e4194 = phi_2992_;
-                        let _e4196 = phi_2993_;
-                        let _e4198 = phi_2994_;
-                        let _e4200 = phi_2995_;
-                        let _e4202 = phi_2996_;
-                        let _e4204 = phi_2997_;
-                        if _e4196 {
-                            let _e4206 = local_46;
-                            phi_3002_ = type_40(1u, _e4206);
-                            phi_3003_ = false;
-                            phi_3004_ = false;
-                            phi_3005_ = false;
-                            phi_3006_ = false;
+                        let _e3613 = phi_2291_;
+                        let _e3615 = phi_2292_;
+                        let _e3617 = phi_2293_;
+                        let _e3619 = phi_2294_;
+                        let _e3621 = phi_2295_;
+                        let _e3623 = phi_2296_;
+                        if _e3615 {
+                            let _e3625 = local_38;
+                            phi_2301_ = type_40(1u, _e3625);
+                            phi_2302_ = false;
+                            phi_2303_ = false;
+                            phi_2304_ = false;
+                            phi_2305_ = false;
                         } else {
-                            phi_3002_ = type_40();
-                            phi_3003_ = _e4198;
-                            phi_3004_ = _e4200;
-                            phi_3005_ = _e4202;
-                            phi_3006_ = _e4204;
+                            phi_2301_ = type_40();
+                            phi_2302_ = _e3617;
+                            phi_2303_ = _e3619;
+                            phi_2304_ = _e3621;
+                            phi_2305_ = _e3623;
                         }
-                        let _e4209 = phi_3002_;
-                        let _e4211 = phi_3003_;
-                        let _e4213 = phi_3004_;
-                        let _e4215 = phi_3005_;
-                        let _e4217 = phi_3006_;
-                        if _e4211 {
-                            let _e4219 = local_47;
-                            phi_3011_ = type_40(1u, _e4219);
-                            phi_3012_ = true;
-                            phi_3013_ = false;
-                            phi_3014_ = false;
-                            phi_3015_ = false;
+                        let _e3628 = phi_2301_;
+                        let _e3630 = phi_2302_;
+                        let _e3632 = phi_2303_;
+                        let _e3634 = phi_2304_;
+                        let _e3636 = phi_2305_;
+                        if _e3630 {
+                            let _e3638 = local_39;
+                            phi_2310_ = type_40(1u, _e3638);
+                            phi_2311_ = true;
+                            phi_2312_ = false;
+                            phi_2313_ = false;
+                            phi_2314_ = false;
                         } else {
-                            phi_3011_ = _e4209;
-                            phi_3012_ = _e4196;
-                            phi_3013_ = _e4213;
-                            phi_3014_ = _e4215;
-                            phi_3015_ = _e4217;
+                            phi_2310_ = _e3628;
+                            phi_2311_ = _e3615;
+                            phi_2312_ = _e3632;
+                            phi_2313_ = _e3634;
+                            phi_2314_ = _e3636;
                         }
-                        let _e4222 = phi_3011_;
-                        let _e4224 = phi_3012_;
-                        let _e4226 = phi_3013_;
-                        let _e4228 = phi_3014_;
-                        let _e4230 = phi_3015_;
-                        if _e4224 {
-                            phi_3019_ = _e4222;
-                            phi_3020_ = true;
-                            phi_3021_ = false;
-                            phi_3022_ = false;
+                        let _e3641 = phi_2310_;
+                        let _e3643 = phi_2311_;
+                        let _e3645 = phi_2312_;
+                        let _e3647 = phi_2313_;
+                        let _e3649 = phi_2314_;
+                        if _e3643 {
+                            phi_2318_ = _e3641;
+                            phi_2319_ = true;
+                            phi_2320_ = false;
+                            phi_2321_ = false;
                         } else {
-                            phi_3019_ = _e4194;
-                            phi_3020_ = _e4226;
-                            phi_3021_ = _e4228;
-                            phi_3022_ = _e4230;
+                            phi_2318_ = _e3613;
+                            phi_2319_ = _e3645;
+                            phi_2320_ = _e3647;
+                            phi_2321_ = _e3649;
                         }
-                        let _e4232 = phi_3019_;
-                        let _e4234 = phi_3020_;
-                        let _e4236 = phi_3021_;
-                        let _e4238 = phi_3022_;
-                        if _e4234 {
-                            phi_3026_ = false;
-                            phi_3027_ = false;
+                        let _e3651 = phi_2318_;
+                        let _e3653 = phi_2319_;
+                        let _e3655 = phi_2320_;
+                        let _e3657 = phi_2321_;
+                        if _e3653 {
+                            phi_2325_ = false;
+                            phi_2326_ = false;
                         } else {
-                            phi_3026_ = _e4236;
-                            phi_3027_ = _e4238;
+                            phi_2325_ = _e3655;
+                            phi_2326_ = _e3657;
                         }
-                        let _e4240 = phi_3026_;
-                        let _e4242 = phi_3027_;
-                        if _e4240 {
-                            phi_3031_ = false;
-                            phi_3032_ = false;
+                        let _e3659 = phi_2325_;
+                        let _e3661 = phi_2326_;
+                        if _e3659 {
+                            phi_2330_ = false;
+                            phi_2331_ = false;
                         } else {
-                            phi_3031_ = _e4242;
-                            phi_3032_ = _e4234;
+                            phi_2330_ = _e3661;
+                            phi_2331_ = _e3653;
                         }
-                        let _e4244 = phi_3031_;
-                        let _e4246 = phi_3032_;
-                        if _e4244 {
-                            phi_3036_ = true;
-                            phi_3037_ = false;
+                        let _e3663 = phi_2330_;
+                        let _e3665 = phi_2331_;
+                        if _e3663 {
+                            phi_2335_ = true;
+                            phi_2336_ = false;
                         } else {
-                            phi_3036_ = _e4240;
-                            phi_3037_ = _e4246;
+                            phi_2335_ = _e3659;
+                            phi_2336_ = _e3665;
                         }
-                        let _e4248 = phi_3036_;
-                        let _e4250 = phi_3037_;
-                        if _e4248 {
-                            let _e4252 = local_48;
-                            phi_3042_ = type_40(1u, _e4252);
-                            phi_3043_ = true;
+                        let _e3667 = phi_2335_;
+                        let _e3669 = phi_2336_;
+                        if _e3667 {
+                            let _e3671 = local_40;
+                            phi_2341_ = type_40(1u, _e3671);
+                            phi_2342_ = true;
                         } else {
-                            phi_3042_ = _e4232;
-                            phi_3043_ = _e4250;
+                            phi_2341_ = _e3651;
+                            phi_2342_ = _e3669;
                         }
-                        let _e4255 = phi_3042_;
-                        let _e4257 = phi_3043_;
-                        if _e4257 {
-                            phi_3047_ = _e4255;
+                        let _e3674 = phi_2341_;
+                        let _e3676 = phi_2342_;
+                        if _e3676 {
+                            phi_2346_ = _e3674;
                         } else {
-                            phi_3047_ = _e4177;
+                            phi_2346_ = _e3596;
                         }
-                        let _e4259 = phi_3047_;
-                        if (_e4259.member != 0u) {
-                            local_14[0u] = 0f;
-                            local_14[1u] = (0.02f * 0.0000005f);
-                            local_14[2u] = (1.8f * 0.0000005f);
-                            phi_3061_ = type_19(0u, 3u);
+                        let _e3678 = phi_2346_;
+                        if (_e3678.member != 0u) {
+                            local_11[0u] = 0f;
+                            local_11[1u] = (0.02f * 0.0000005f);
+                            local_11[2u] = (1.8f * 0.0000005f);
+                            phi_2360_ = type_19(0u, 3u);
                             loop {
-                                let _e4271 = phi_3061_;
-                                if (_e4271.member < _e4271.member_1) {
-                                    phi_3062_ = type_19((_e4271.member + 1u), _e4271.member_1);
-                                    phi_3085_ = type_19(1u, _e4271.member);
+                                let _e3690 = phi_2360_;
+                                if (_e3690.member < _e3690.member_1) {
+                                    phi_2361_ = type_19((_e3690.member + 1u), _e3690.member_1);
+                                    phi_2384_ = type_19(1u, _e3690.member);
                                 } else {
-                                    phi_3062_ = _e4271;
-                                    phi_3085_ = type_19(0u, type_19().member_1);
+                                    phi_2361_ = _e3690;
+                                    phi_2384_ = type_19(0u, type_19().member_1);
                                 }
-                                let _e4283 = phi_3062_;
-                                let _e4285 = phi_3085_;
-                                if (bitcast<i32>(_e4285.member) != 0i) {
-                                    let _e4291 = local_14[_e4285.member_1];
-                                    let _e4293 = (_e4259.member_1 + f64(_e4291));
-                                    if (_e4293 < _e3233) {
-                                        phi_3106_ = _e4293;
+                                let _e3702 = phi_2361_;
+                                let _e3704 = phi_2384_;
+                                if (bitcast<i32>(_e3704.member) != 0i) {
+                                    let _e3710 = local_11[_e3704.member_1];
+                                    let _e3712 = (_e3678.member_1 + f64(_e3710));
+                                    if (_e3712 < _e2916) {
+                                        phi_2405_ = _e3712;
                                     } else {
-                                        phi_3106_ = _e3233;
+                                        phi_2405_ = _e2916;
                                     }
-                                    let _e4296 = phi_3106_;
-                                    let _e4299 = local_20.member[0u];
-                                    let _e4305 = local_20.member[1u];
-                                    let _e4315 = (_e4299[0] + ((_e4305[0] - _e4299[0]) * _e4296));
-                                    let _e4316 = (_e4299[1] + ((_e4305[1] - _e4299[1]) * _e4296));
-                                    let _e4317 = (_e4299[2] + ((_e4305[2] - _e4299[2]) * _e4296));
-                                    let _e4320 = local_20.member_1[0u];
-                                    let _e4326 = local_20.member_1[1u];
-                                    let _e4336 = (_e4320[0] + ((_e4326[0] - _e4320[0]) * _e4296));
-                                    let _e4337 = (_e4320[1] + ((_e4326[1] - _e4320[1]) * _e4296));
-                                    let _e4338 = (_e4320[2] + ((_e4326[2] - _e4320[2]) * _e4296));
-                                    let _e4341 = local_20.member_2[0u];
-                                    let _e4347 = local_20.member_2[1u];
-                                    let _e4357 = (_e4341[0] + ((_e4347[0] - _e4341[0]) * _e4296));
-                                    let _e4358 = (_e4341[1] + ((_e4347[1] - _e4341[1]) * _e4296));
-                                    let _e4359 = (_e4341[2] + ((_e4347[2] - _e4341[2]) * _e4296));
-                                    let _e4364 = (((_e4336 * _e4336) + (_e4337 * _e4337)) + (_e4338 * _e4338));
-                                    let _e4369 = (((_e4336 * _e4357) + (_e4337 * _e4358)) + (_e4338 * _e4359));
-                                    let _e4374 = (((_e4357 * _e4357) + (_e4358 * _e4358)) + (_e4359 * _e4359));
-                                    let _e4379 = (((_e4315 * _e4336) + (_e4316 * _e4337)) + (_e4317 * _e4338));
-                                    let _e4384 = (((_e4315 * _e4357) + (_e4316 * _e4358)) + (_e4317 * _e4359));
-                                    let _e4387 = ((_e4364 * _e4374) - (_e4369 * _e4369));
-                                    let _e4388 = f64(0f);
-                                    let _e4389 = f64(1f);
-                                    let _e4393 = (((_e4379 * _e4374) - (_e4384 * _e4369)) / _e4387);
-                                    let _e4397 = (((_e4384 * _e4364) - (_e4379 * _e4369)) / _e4387);
-                                    if (_e4393 >= _e4388) {
-                                        if (_e4397 >= _e4388) {
-                                            if (_e4393 <= _e4389) {
-                                                phi_3256_ = (_e4397 <= _e4389);
-                                                phi_3257_ = false;
-                                            } else {
-                                                phi_3256_ = bool();
-                                                phi_3257_ = true;
-                                            }
-                                            let _e4403 = phi_3256_;
-                                            let _e4405 = phi_3257_;
-                                            phi_3258_ = _e4403;
-                                            phi_3259_ = _e4405;
+                                    let _e3715 = phi_2405_;
+                                    let _e3718 = local_12.member[0u];
+                                    let _e3724 = local_12.member[1u];
+                                    let _e3740 = local_12.member_1[0u];
+                                    let _e3746 = local_12.member_1[1u];
+                                    let _e3762 = local_12.member_2[0u];
+                                    let _e3768 = local_12.member_2[1u];
+                                    let _e3782 = function_2(array<f64, 3>((_e3718[0] + ((_e3724[0] - _e3718[0]) * _e3715)), (_e3718[1] + ((_e3724[1] - _e3718[1]) * _e3715)), (_e3718[2] + ((_e3724[2] - _e3718[2]) * _e3715))), array<f64, 3>((_e3740[0] + ((_e3746[0] - _e3740[0]) * _e3715)), (_e3740[1] + ((_e3746[1] - _e3740[1]) * _e3715)), (_e3740[2] + ((_e3746[2] - _e3740[2]) * _e3715))), array<f64, 3>((_e3762[0] + ((_e3768[0] - _e3762[0]) * _e3715)), (_e3762[1] + ((_e3768[1] - _e3762[1]) * _e3715)), (_e3762[2] + ((_e3768[2] - _e3762[2]) * _e3715))), 1u);
+                                    let _e3793 = (((_e3782[0] * _e3782[0]) + (_e3782[1] * _e3782[1])) + (_e3782[2] * _e3782[2]));
+                                    if (_e3793 <= 2.2250738585072014e-308lf) {
+                                        if (_e3793 > 0.0lf) {
+                                            phi_2528_ = (1.464336215552873e-154lf * 2.0lf);
                                         } else {
-                                            phi_3258_ = bool();
-                                            phi_3259_ = true;
+                                            phi_2528_ = 0.0lf;
                                         }
-                                        let _e4407 = phi_3258_;
-                                        let _e4409 = phi_3259_;
-                                        phi_3260_ = _e4407;
-                                        phi_3261_ = _e4409;
+                                        let _e3845 = phi_2528_;
+                                        phi_2592_ = _e3845;
                                     } else {
-                                        phi_3260_ = bool();
-                                        phi_3261_ = true;
-                                    }
-                                    let _e4411 = phi_3260_;
-                                    let _e4413 = phi_3261_;
-                                    if _e4413 {
-                                        phi_3265_ = false;
-                                    } else {
-                                        phi_3265_ = _e4411;
-                                    }
-                                    let _e4415 = phi_3265_;
-                                    if (_e4387 > _e4388) {
-                                        if _e4415 {
-                                            phi_3305_ = array<f64, 3>((_e4315 - ((_e4336 * _e4393) + (_e4357 * _e4397))), (_e4316 - ((_e4337 * _e4393) + (_e4358 * _e4397))), (_e4317 - ((_e4338 * _e4393) + (_e4359 * _e4397))));
-                                            phi_3306_ = false;
-                                        } else {
-                                            phi_3305_ = array<f64, 3>();
-                                            phi_3306_ = true;
-                                        }
-                                        let _e4431 = phi_3305_;
-                                        let _e4433 = phi_3306_;
-                                        phi_3307_ = _e4431;
-                                        phi_3308_ = _e4433;
-                                    } else {
-                                        phi_3307_ = array<f64, 3>();
-                                        phi_3308_ = true;
-                                    }
-                                    let _e4435 = phi_3307_;
-                                    let _e4437 = phi_3308_;
-                                    if _e4437 {
-                                        let _e4438 = (_e4315 - _e4336);
-                                        let _e4439 = (_e4316 - _e4337);
-                                        let _e4440 = (_e4317 - _e4338);
-                                        let _e4451 = ((((_e4315 * _e4336) + (_e4316 * _e4337)) + (_e4317 * _e4338)) / (((_e4336 * _e4336) + (_e4337 * _e4337)) + (_e4338 * _e4338)));
-                                        if (_e4451 > f64(0f)) {
-                                            if (_e4451 < f64(1f)) {
-                                                phi_3341_ = _e4451;
-                                            } else {
-                                                phi_3341_ = f64(1f);
-                                            }
-                                            let _e4459 = phi_3341_;
-                                            phi_3343_ = _e4459;
-                                        } else {
-                                            phi_3343_ = f64(0f);
-                                        }
-                                        let _e4461 = phi_3343_;
-                                        let _e4478 = ((((_e4315 * _e4357) + (_e4316 * _e4358)) + (_e4317 * _e4359)) / (((_e4357 * _e4357) + (_e4358 * _e4358)) + (_e4359 * _e4359)));
-                                        if (_e4478 > f64(0f)) {
-                                            if (_e4478 < f64(1f)) {
-                                                phi_3373_ = _e4478;
-                                            } else {
-                                                phi_3373_ = f64(1f);
-                                            }
-                                            let _e4486 = phi_3373_;
-                                            phi_3375_ = _e4486;
-                                        } else {
-                                            phi_3375_ = f64(0f);
-                                        }
-                                        let _e4488 = phi_3375_;
-                                        let _e4505 = ((((_e4438 * _e4357) + (_e4439 * _e4358)) + (_e4440 * _e4359)) / (((_e4357 * _e4357) + (_e4358 * _e4358)) + (_e4359 * _e4359)));
-                                        if (_e4505 > f64(0f)) {
-                                            if (_e4505 < f64(1f)) {
-                                                phi_3405_ = _e4505;
-                                            } else {
-                                                phi_3405_ = f64(1f);
-                                            }
-                                            let _e4513 = phi_3405_;
-                                            phi_3407_ = _e4513;
-                                        } else {
-                                            phi_3407_ = f64(0f);
-                                        }
-                                        let _e4515 = phi_3407_;
-                                        let _e4522 = (_e4315 - _e4357);
-                                        let _e4523 = (_e4316 - _e4358);
-                                        let _e4524 = (_e4317 - _e4359);
-                                        let _e4535 = ((((_e4522 * _e4336) + (_e4523 * _e4337)) + (_e4524 * _e4338)) / (((_e4336 * _e4336) + (_e4337 * _e4337)) + (_e4338 * _e4338)));
-                                        if (_e4535 > f64(0f)) {
-                                            if (_e4535 < f64(1f)) {
-                                                phi_3440_ = _e4535;
-                                            } else {
-                                                phi_3440_ = f64(1f);
-                                            }
-                                            let _e4543 = phi_3440_;
-                                            phi_3442_ = _e4543;
-                                        } else {
-                                            phi_3442_ = f64(0f);
-                                        }
-                                        let _e4545 = phi_3442_;
-                                        local_10[0u] = array<f64, 3>((_e4315 - (_e4336 * _e4461)), (_e4316 - (_e4337 * _e4461)), (_e4317 - (_e4338 * _e4461)));
-                                        local_10[1u] = array<f64, 3>((_e4315 - (_e4357 * _e4488)), (_e4316 - (_e4358 * _e4488)), (_e4317 - (_e4359 * _e4488)));
-                                        local_10[2u] = array<f64, 3>((_e4438 - (_e4357 * _e4515)), (_e4439 - (_e4358 * _e4515)), (_e4440 - (_e4359 * _e4515)));
-                                        local_10[3u] = array<f64, 3>((_e4522 - (_e4336 * _e4545)), (_e4523 - (_e4337 * _e4545)), (_e4524 - (_e4338 * _e4545)));
-                                        let _e4561 = local_10[0u];
-                                        phi_3597_ = type_19(1u, 4u);
-                                        phi_3600_ = array<f64, 3>(_e4561[0], _e4561[1], _e4561[2]);
+                                        phi_2535_ = type_17(0i, 5i);
+                                        phi_2538_ = bitcast<f64>(((bitcast<u64>(_e3793) / 2lu) + 2303426169912950784lu));
                                         loop {
-                                            let _e4567 = phi_3597_;
-                                            let _e4569 = phi_3600_;
-                                            local_89 = _e4569;
-                                            if (_e4567.member < _e4567.member_1) {
-                                                phi_3598_ = type_19((_e4567.member + 1u), _e4567.member_1);
-                                                phi_3623_ = type_19(1u, _e4567.member);
-                                            } else {
-                                                phi_3598_ = _e4567;
-                                                phi_3623_ = type_19(0u, type_19().member_1);
-                                            }
-                                            let _e4581 = phi_3598_;
-                                            let _e4583 = phi_3623_;
-                                            let _e4587 = (bitcast<i32>(_e4583.member) != 0i);
-                                            if _e4587 {
-                                                let _e4589 = local_10[_e4583.member_1];
-                                                let _e4594 = local_10[_e4583.member_1];
-                                                if ((((_e4589[0] * _e4594[0]) + (_e4589[1] * _e4594[1])) + (_e4589[2] * _e4594[2])) < (((_e4569[0] * _e4569[0]) + (_e4569[1] * _e4569[1])) + (_e4569[2] * _e4569[2]))) {
-                                                    let _e4616 = local_10[_e4583.member_1];
-                                                    phi_3690_ = array<f64, 3>(_e4616[0], _e4616[1], _e4616[2]);
+                                            let _e3800 = phi_2535_;
+                                            let _e3802 = phi_2538_;
+                                            local_41 = _e3802;
+                                            if (_e3800.member < _e3800.member_1) {
+                                                let _e3809 = (_e3800.member + 1i);
+                                                if ((false == (_e3809 > _e3800.member)) != false) {
+                                                    phi_2559_ = true;
                                                 } else {
-                                                    phi_3690_ = _e4569;
+                                                    phi_2559_ = false;
                                                 }
-                                                let _e4622 = phi_3690_;
-                                                phi_3601_ = _e4622;
+                                                let _e3814 = phi_2559_;
+                                                if _e3814 {
+                                                    phi_2565_ = type_18(0u, type_18().member_1);
+                                                } else {
+                                                    phi_2565_ = type_18(1u, _e3809);
+                                                }
+                                                let _e3819 = phi_2565_;
+                                                phi_2536_ = type_17(_e3819.member_1, _e3800.member_1);
+                                                phi_2579_ = type_18(1u, _e3800.member);
                                             } else {
-                                                phi_3601_ = array<f64, 3>();
+                                                phi_2536_ = _e3800;
+                                                phi_2579_ = type_18(0u, type_18().member_1);
                                             }
-                                            let _e4624 = phi_3601_;
+                                            let _e3825 = phi_2536_;
+                                            let _e3827 = phi_2579_;
+                                            let _e3830 = (bitcast<i32>(_e3827.member) != 0i);
+                                            if _e3830 {
+                                                phi_2539_ = (0.5lf * (_e3802 + (_e3793 / _e3802)));
+                                            } else {
+                                                phi_2539_ = f64();
+                                            }
+                                            let _e3835 = phi_2539_;
                                             continue;
                                             continuing {
-                                                phi_3597_ = _e4581;
-                                                phi_3600_ = _e4624;
-                                                break if !(_e4587);
+                                                phi_2535_ = _e3825;
+                                                phi_2538_ = _e3835;
+                                                break if !(_e3830);
                                             }
                                         }
-                                        let _e5811 = local_89;
-                                        phi_3691_ = _e5811;
-                                    } else {
-                                        phi_3691_ = _e4435;
+                                        let _e3840 = local_41;
+                                        phi_2592_ = (_e3840 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                     }
-                                    let _e4627 = phi_3691_;
-                                    let _e4638 = (((_e4627[0] * _e4627[0]) + (_e4627[1] * _e4627[1])) + (_e4627[2] * _e4627[2]));
-                                    if (_e4638 <= 2.2250738585072014e-308lf) {
-                                        if (_e4638 > 0.0lf) {
-                                            phi_3716_ = (1.464336215552873e-154lf * 2.0lf);
-                                        } else {
-                                            phi_3716_ = 0.0lf;
-                                        }
-                                        let _e4690 = phi_3716_;
-                                        phi_3780_ = _e4690;
+                                    let _e3847 = phi_2592_;
+                                    let _e3855 = local_12.member[0u];
+                                    if (_e3855[0] < 0.0lf) {
+                                        phi_2610_ = -(_e3855[0]);
                                     } else {
-                                        phi_3723_ = type_17(0i, 5i);
-                                        phi_3726_ = bitcast<f64>(((bitcast<u64>(_e4638) / 2lu) + 2303426169912950784lu));
-                                        loop {
-                                            let _e4645 = phi_3723_;
-                                            let _e4647 = phi_3726_;
-                                            local_49 = _e4647;
-                                            if (_e4645.member < _e4645.member_1) {
-                                                let _e4654 = (_e4645.member + 1i);
-                                                if ((false == (_e4654 > _e4645.member)) != false) {
-                                                    phi_3747_ = true;
-                                                } else {
-                                                    phi_3747_ = false;
-                                                }
-                                                let _e4659 = phi_3747_;
-                                                if _e4659 {
-                                                    phi_3753_ = type_18(0u, type_18().member_1);
-                                                } else {
-                                                    phi_3753_ = type_18(1u, _e4654);
-                                                }
-                                                let _e4664 = phi_3753_;
-                                                phi_3724_ = type_17(_e4664.member_1, _e4645.member_1);
-                                                phi_3767_ = type_18(1u, _e4645.member);
-                                            } else {
-                                                phi_3724_ = _e4645;
-                                                phi_3767_ = type_18(0u, type_18().member_1);
-                                            }
-                                            let _e4670 = phi_3724_;
-                                            let _e4672 = phi_3767_;
-                                            let _e4675 = (bitcast<i32>(_e4672.member) != 0i);
-                                            if _e4675 {
-                                                phi_3727_ = (0.5lf * (_e4647 + (_e4638 / _e4647)));
-                                            } else {
-                                                phi_3727_ = f64();
-                                            }
-                                            let _e4680 = phi_3727_;
-                                            continue;
-                                            continuing {
-                                                phi_3723_ = _e4670;
-                                                phi_3726_ = _e4680;
-                                                break if !(_e4675);
-                                            }
-                                        }
-                                        let _e4685 = local_49;
-                                        phi_3780_ = (_e4685 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                        phi_2610_ = _e3855[0];
                                     }
-                                    let _e4692 = phi_3780_;
-                                    let _e4700 = local_20.member[0u];
-                                    if (_e4700[0] < 0.0lf) {
-                                        phi_3798_ = -(_e4700[0]);
+                                    let _e3862 = phi_2610_;
+                                    if (_e3855[1] < 0.0lf) {
+                                        phi_2617_ = -(_e3855[1]);
                                     } else {
-                                        phi_3798_ = _e4700[0];
+                                        phi_2617_ = _e3855[1];
                                     }
-                                    let _e4707 = phi_3798_;
-                                    if (_e4700[1] < 0.0lf) {
-                                        phi_3805_ = -(_e4700[1]);
+                                    let _e3866 = phi_2617_;
+                                    if (_e3862 > _e3866) {
+                                        phi_2622_ = _e3862;
                                     } else {
-                                        phi_3805_ = _e4700[1];
+                                        phi_2622_ = _e3866;
                                     }
-                                    let _e4711 = phi_3805_;
-                                    if (_e4707 > _e4711) {
-                                        phi_3810_ = _e4707;
+                                    let _e3869 = phi_2622_;
+                                    if (_e3855[2] < 0.0lf) {
+                                        phi_2629_ = -(_e3855[2]);
                                     } else {
-                                        phi_3810_ = _e4711;
+                                        phi_2629_ = _e3855[2];
                                     }
-                                    let _e4714 = phi_3810_;
-                                    if (_e4700[2] < 0.0lf) {
-                                        phi_3817_ = -(_e4700[2]);
+                                    let _e3873 = phi_2629_;
+                                    if (_e3869 > _e3873) {
+                                        phi_2634_ = _e3869;
                                     } else {
-                                        phi_3817_ = _e4700[2];
+                                        phi_2634_ = _e3873;
                                     }
-                                    let _e4718 = phi_3817_;
-                                    if (_e4714 > _e4718) {
-                                        phi_3822_ = _e4714;
+                                    let _e3876 = phi_2634_;
+                                    let _e3879 = local_12.member[1u];
+                                    if (_e3879[0] < 0.0lf) {
+                                        phi_2647_ = -(_e3879[0]);
                                     } else {
-                                        phi_3822_ = _e4718;
+                                        phi_2647_ = _e3879[0];
                                     }
-                                    let _e4721 = phi_3822_;
-                                    let _e4724 = local_20.member[1u];
-                                    if (_e4724[0] < 0.0lf) {
-                                        phi_3835_ = -(_e4724[0]);
+                                    let _e3886 = phi_2647_;
+                                    if (_e3879[1] < 0.0lf) {
+                                        phi_2654_ = -(_e3879[1]);
                                     } else {
-                                        phi_3835_ = _e4724[0];
+                                        phi_2654_ = _e3879[1];
                                     }
-                                    let _e4731 = phi_3835_;
-                                    if (_e4724[1] < 0.0lf) {
-                                        phi_3842_ = -(_e4724[1]);
+                                    let _e3890 = phi_2654_;
+                                    if (_e3886 > _e3890) {
+                                        phi_2659_ = _e3886;
                                     } else {
-                                        phi_3842_ = _e4724[1];
+                                        phi_2659_ = _e3890;
                                     }
-                                    let _e4735 = phi_3842_;
-                                    if (_e4731 > _e4735) {
-                                        phi_3847_ = _e4731;
+                                    let _e3893 = phi_2659_;
+                                    if (_e3879[2] < 0.0lf) {
+                                        phi_2666_ = -(_e3879[2]);
                                     } else {
-                                        phi_3847_ = _e4735;
+                                        phi_2666_ = _e3879[2];
                                     }
-                                    let _e4738 = phi_3847_;
-                                    if (_e4724[2] < 0.0lf) {
-                                        phi_3854_ = -(_e4724[2]);
+                                    let _e3897 = phi_2666_;
+                                    if (_e3893 > _e3897) {
+                                        phi_2671_ = _e3893;
                                     } else {
-                                        phi_3854_ = _e4724[2];
+                                        phi_2671_ = _e3897;
                                     }
-                                    let _e4742 = phi_3854_;
-                                    if (_e4738 > _e4742) {
-                                        phi_3859_ = _e4738;
+                                    let _e3900 = phi_2671_;
+                                    if (_e3876 > _e3900) {
+                                        phi_2676_ = _e3876;
                                     } else {
-                                        phi_3859_ = _e4742;
+                                        phi_2676_ = _e3900;
                                     }
-                                    let _e4745 = phi_3859_;
-                                    if (_e4721 > _e4745) {
-                                        phi_3864_ = _e4721;
+                                    let _e3903 = phi_2676_;
+                                    let _e3905 = local_12.member_3;
+                                    let _e3909 = local_12.member_1[0u];
+                                    if (_e3909[0] < 0.0lf) {
+                                        phi_2693_ = -(_e3909[0]);
                                     } else {
-                                        phi_3864_ = _e4745;
+                                        phi_2693_ = _e3909[0];
                                     }
-                                    let _e4748 = phi_3864_;
-                                    let _e4750 = local_20.member_3;
-                                    let _e4754 = local_20.member_1[0u];
-                                    if (_e4754[0] < 0.0lf) {
-                                        phi_3881_ = -(_e4754[0]);
+                                    let _e3916 = phi_2693_;
+                                    if (_e3909[1] < 0.0lf) {
+                                        phi_2700_ = -(_e3909[1]);
                                     } else {
-                                        phi_3881_ = _e4754[0];
+                                        phi_2700_ = _e3909[1];
                                     }
-                                    let _e4761 = phi_3881_;
-                                    if (_e4754[1] < 0.0lf) {
-                                        phi_3888_ = -(_e4754[1]);
+                                    let _e3920 = phi_2700_;
+                                    if (_e3916 > _e3920) {
+                                        phi_2705_ = _e3916;
                                     } else {
-                                        phi_3888_ = _e4754[1];
+                                        phi_2705_ = _e3920;
                                     }
-                                    let _e4765 = phi_3888_;
-                                    if (_e4761 > _e4765) {
-                                        phi_3893_ = _e4761;
+                                    let _e3923 = phi_2705_;
+                                    if (_e3909[2] < 0.0lf) {
+                                        phi_2712_ = -(_e3909[2]);
                                     } else {
-                                        phi_3893_ = _e4765;
+                                        phi_2712_ = _e3909[2];
                                     }
-                                    let _e4768 = phi_3893_;
-                                    if (_e4754[2] < 0.0lf) {
-                                        phi_3900_ = -(_e4754[2]);
+                                    let _e3927 = phi_2712_;
+                                    if (_e3923 > _e3927) {
+                                        phi_2717_ = _e3923;
                                     } else {
-                                        phi_3900_ = _e4754[2];
+                                        phi_2717_ = _e3927;
                                     }
-                                    let _e4772 = phi_3900_;
-                                    if (_e4768 > _e4772) {
-                                        phi_3905_ = _e4768;
+                                    let _e3930 = phi_2717_;
+                                    let _e3933 = local_12.member_1[1u];
+                                    if (_e3933[0] < 0.0lf) {
+                                        phi_2731_ = -(_e3933[0]);
                                     } else {
-                                        phi_3905_ = _e4772;
+                                        phi_2731_ = _e3933[0];
                                     }
-                                    let _e4775 = phi_3905_;
-                                    let _e4778 = local_20.member_1[1u];
-                                    if (_e4778[0] < 0.0lf) {
-                                        phi_3919_ = -(_e4778[0]);
+                                    let _e3940 = phi_2731_;
+                                    if (_e3933[1] < 0.0lf) {
+                                        phi_2738_ = -(_e3933[1]);
                                     } else {
-                                        phi_3919_ = _e4778[0];
+                                        phi_2738_ = _e3933[1];
                                     }
-                                    let _e4785 = phi_3919_;
-                                    if (_e4778[1] < 0.0lf) {
-                                        phi_3926_ = -(_e4778[1]);
+                                    let _e3944 = phi_2738_;
+                                    if (_e3940 > _e3944) {
+                                        phi_2743_ = _e3940;
                                     } else {
-                                        phi_3926_ = _e4778[1];
+                                        phi_2743_ = _e3944;
                                     }
-                                    let _e4789 = phi_3926_;
-                                    if (_e4785 > _e4789) {
-                                        phi_3931_ = _e4785;
+                                    let _e3947 = phi_2743_;
+                                    if (_e3933[2] < 0.0lf) {
+                                        phi_2750_ = -(_e3933[2]);
                                     } else {
-                                        phi_3931_ = _e4789;
+                                        phi_2750_ = _e3933[2];
                                     }
-                                    let _e4792 = phi_3931_;
-                                    if (_e4778[2] < 0.0lf) {
-                                        phi_3938_ = -(_e4778[2]);
+                                    let _e3951 = phi_2750_;
+                                    if (_e3947 > _e3951) {
+                                        phi_2755_ = _e3947;
                                     } else {
-                                        phi_3938_ = _e4778[2];
+                                        phi_2755_ = _e3951;
                                     }
-                                    let _e4796 = phi_3938_;
-                                    if (_e4792 > _e4796) {
-                                        phi_3943_ = _e4792;
+                                    let _e3954 = phi_2755_;
+                                    if (_e3930 > _e3954) {
+                                        phi_2760_ = _e3930;
                                     } else {
-                                        phi_3943_ = _e4796;
+                                        phi_2760_ = _e3954;
                                     }
-                                    let _e4799 = phi_3943_;
-                                    if (_e4775 > _e4799) {
-                                        phi_3948_ = _e4775;
+                                    let _e3957 = phi_2760_;
+                                    let _e3959 = local_12.member_3;
+                                    let _e3963 = local_12.member_2[0u];
+                                    if (_e3963[0] < 0.0lf) {
+                                        phi_2777_ = -(_e3963[0]);
                                     } else {
-                                        phi_3948_ = _e4799;
+                                        phi_2777_ = _e3963[0];
                                     }
-                                    let _e4802 = phi_3948_;
-                                    let _e4804 = local_20.member_3;
-                                    let _e4808 = local_20.member_2[0u];
-                                    if (_e4808[0] < 0.0lf) {
-                                        phi_3965_ = -(_e4808[0]);
+                                    let _e3970 = phi_2777_;
+                                    if (_e3963[1] < 0.0lf) {
+                                        phi_2784_ = -(_e3963[1]);
                                     } else {
-                                        phi_3965_ = _e4808[0];
+                                        phi_2784_ = _e3963[1];
                                     }
-                                    let _e4815 = phi_3965_;
-                                    if (_e4808[1] < 0.0lf) {
-                                        phi_3972_ = -(_e4808[1]);
+                                    let _e3974 = phi_2784_;
+                                    if (_e3970 > _e3974) {
+                                        phi_2789_ = _e3970;
                                     } else {
-                                        phi_3972_ = _e4808[1];
+                                        phi_2789_ = _e3974;
                                     }
-                                    let _e4819 = phi_3972_;
-                                    if (_e4815 > _e4819) {
-                                        phi_3977_ = _e4815;
+                                    let _e3977 = phi_2789_;
+                                    if (_e3963[2] < 0.0lf) {
+                                        phi_2796_ = -(_e3963[2]);
                                     } else {
-                                        phi_3977_ = _e4819;
+                                        phi_2796_ = _e3963[2];
                                     }
-                                    let _e4822 = phi_3977_;
-                                    if (_e4808[2] < 0.0lf) {
-                                        phi_3984_ = -(_e4808[2]);
+                                    let _e3981 = phi_2796_;
+                                    if (_e3977 > _e3981) {
+                                        phi_2801_ = _e3977;
                                     } else {
-                                        phi_3984_ = _e4808[2];
+                                        phi_2801_ = _e3981;
                                     }
-                                    let _e4826 = phi_3984_;
-                                    if (_e4822 > _e4826) {
-                                        phi_3989_ = _e4822;
+                                    let _e3984 = phi_2801_;
+                                    let _e3987 = local_12.member_2[1u];
+                                    if (_e3987[0] < 0.0lf) {
+                                        phi_2815_ = -(_e3987[0]);
                                     } else {
-                                        phi_3989_ = _e4826;
+                                        phi_2815_ = _e3987[0];
                                     }
-                                    let _e4829 = phi_3989_;
-                                    let _e4832 = local_20.member_2[1u];
-                                    if (_e4832[0] < 0.0lf) {
-                                        phi_4003_ = -(_e4832[0]);
+                                    let _e3994 = phi_2815_;
+                                    if (_e3987[1] < 0.0lf) {
+                                        phi_2822_ = -(_e3987[1]);
                                     } else {
-                                        phi_4003_ = _e4832[0];
+                                        phi_2822_ = _e3987[1];
                                     }
-                                    let _e4839 = phi_4003_;
-                                    if (_e4832[1] < 0.0lf) {
-                                        phi_4010_ = -(_e4832[1]);
+                                    let _e3998 = phi_2822_;
+                                    if (_e3994 > _e3998) {
+                                        phi_2827_ = _e3994;
                                     } else {
-                                        phi_4010_ = _e4832[1];
+                                        phi_2827_ = _e3998;
                                     }
-                                    let _e4843 = phi_4010_;
-                                    if (_e4839 > _e4843) {
-                                        phi_4015_ = _e4839;
+                                    let _e4001 = phi_2827_;
+                                    if (_e3987[2] < 0.0lf) {
+                                        phi_2834_ = -(_e3987[2]);
                                     } else {
-                                        phi_4015_ = _e4843;
+                                        phi_2834_ = _e3987[2];
                                     }
-                                    let _e4846 = phi_4015_;
-                                    if (_e4832[2] < 0.0lf) {
-                                        phi_4022_ = -(_e4832[2]);
+                                    let _e4005 = phi_2834_;
+                                    if (_e4001 > _e4005) {
+                                        phi_2839_ = _e4001;
                                     } else {
-                                        phi_4022_ = _e4832[2];
+                                        phi_2839_ = _e4005;
                                     }
-                                    let _e4850 = phi_4022_;
-                                    if (_e4846 > _e4850) {
-                                        phi_4027_ = _e4846;
+                                    let _e4008 = phi_2839_;
+                                    if (_e3984 > _e4008) {
+                                        phi_2844_ = _e3984;
                                     } else {
-                                        phi_4027_ = _e4850;
+                                        phi_2844_ = _e4008;
                                     }
-                                    let _e4853 = phi_4027_;
-                                    if (_e4829 > _e4853) {
-                                        phi_4032_ = _e4829;
+                                    let _e4011 = phi_2844_;
+                                    let _e4013 = local_12.member_3;
+                                    let _e4021 = local_12.member_3;
+                                    let _e4031 = (((_e3847 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e3903 + _e3905) + (_e3957 + _e3959)) + (_e4011 + _e4013)) * (1.1102230246251565e-16lf * f64(16f))) + (_e4021 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e373);
+                                    if _e4031 {
+                                        phi_2868_ = false;
                                     } else {
-                                        phi_4032_ = _e4853;
+                                        phi_2868_ = true;
                                     }
-                                    let _e4856 = phi_4032_;
-                                    let _e4858 = local_20.member_3;
-                                    let _e4866 = local_20.member_3;
-                                    let _e4876 = (((_e4692 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e4748 + _e4750) + (_e4802 + _e4804)) + (_e4856 + _e4858)) * (1.1102230246251565e-16lf * f64(16f))) + (_e4866 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e426);
-                                    if _e4876 {
-                                        phi_4056_ = false;
-                                    } else {
-                                        phi_4056_ = true;
-                                    }
-                                    let _e4878 = phi_4056_;
-                                    phi_4057_ = _e4878;
-                                    phi_4058_ = _e4876;
+                                    let _e4033 = phi_2868_;
+                                    phi_2869_ = _e4033;
+                                    phi_2870_ = _e4031;
                                 } else {
-                                    phi_4057_ = false;
-                                    phi_4058_ = false;
+                                    phi_2869_ = false;
+                                    phi_2870_ = false;
                                 }
-                                let _e4880 = phi_4057_;
-                                let _e4882 = phi_4058_;
-                                local_50 = _e4882;
+                                let _e4035 = phi_2869_;
+                                let _e4037 = phi_2870_;
+                                local_42 = _e4037;
                                 continue;
                                 continuing {
-                                    phi_3061_ = _e4283;
-                                    break if !(_e4880);
+                                    phi_2360_ = _e3702;
+                                    break if !(_e4035);
                                 }
                             }
-                            let _e4885 = local_50;
-                            if _e4885 {
-                                phi_4063_ = type_40(1u, _e4259.member_1);
-                                phi_4064_ = false;
+                            let _e4040 = local_42;
+                            if _e4040 {
+                                phi_2875_ = type_40(1u, _e3678.member_1);
+                                phi_2876_ = false;
                             } else {
-                                phi_4063_ = type_40();
-                                phi_4064_ = true;
+                                phi_2875_ = type_40();
+                                phi_2876_ = true;
                             }
-                            let _e4888 = phi_4063_;
-                            let _e4890 = phi_4064_;
-                            if _e4890 {
-                                phi_4069_ = type_40(2u, _e4259.member_1);
-                                phi_4070_ = false;
+                            let _e4043 = phi_2875_;
+                            let _e4045 = phi_2876_;
+                            if _e4045 {
+                                phi_2881_ = type_40(2u, _e3678.member_1);
+                                phi_2882_ = false;
                             } else {
-                                phi_4069_ = type_40();
-                                phi_4070_ = true;
+                                phi_2881_ = type_40();
+                                phi_2882_ = true;
                             }
-                            let _e4893 = phi_4069_;
-                            let _e4895 = phi_4070_;
-                            phi_4072_ = _e4893;
-                            phi_4073_ = _e4888;
-                            phi_4074_ = _e4895;
+                            let _e4048 = phi_2881_;
+                            let _e4050 = phi_2882_;
+                            phi_2884_ = _e4048;
+                            phi_2885_ = _e4043;
+                            phi_2886_ = _e4050;
                         } else {
-                            phi_4072_ = type_40();
-                            phi_4073_ = type_40(0u, type_40().member_1);
-                            phi_4074_ = true;
+                            phi_2884_ = type_40();
+                            phi_2885_ = type_40(0u, type_40().member_1);
+                            phi_2886_ = true;
                         }
-                        let _e4897 = phi_4072_;
-                        let _e4899 = phi_4073_;
-                        let _e4901 = phi_4074_;
-                        if _e4901 {
-                            phi_4078_ = _e4899;
+                        let _e4052 = phi_2884_;
+                        let _e4054 = phi_2885_;
+                        let _e4056 = phi_2886_;
+                        if _e4056 {
+                            phi_2890_ = _e4054;
                         } else {
-                            phi_4078_ = _e4897;
+                            phi_2890_ = _e4052;
                         }
-                        let _e4903 = phi_4078_;
-                        phi_7449_ = _e4903;
+                        let _e4058 = phi_2890_;
+                        phi_5774_ = _e4058;
                     } else {
-                        if (_e525 < 0.0lf) {
-                            phi_4089_ = -(_e525);
+                        if (_e472 < 0.0lf) {
+                            phi_2901_ = -(_e472);
                         } else {
-                            phi_4089_ = _e525;
+                            phi_2901_ = _e472;
                         }
-                        let _e880 = phi_4089_;
-                        if (_e548 < 0.0lf) {
-                            phi_4095_ = -(_e548);
+                        let _e827 = phi_2901_;
+                        if (_e495 < 0.0lf) {
+                            phi_2907_ = -(_e495);
                         } else {
-                            phi_4095_ = _e548;
+                            phi_2907_ = _e495;
                         }
-                        let _e884 = phi_4095_;
-                        if (_e880 > _e884) {
-                            phi_4100_ = _e880;
+                        let _e831 = phi_2907_;
+                        if (_e827 > _e831) {
+                            phi_2912_ = _e827;
                         } else {
-                            phi_4100_ = _e884;
+                            phi_2912_ = _e831;
                         }
-                        let _e887 = phi_4100_;
-                        if (_e571 < 0.0lf) {
-                            phi_4106_ = -(_e571);
+                        let _e834 = phi_2912_;
+                        if (_e518 < 0.0lf) {
+                            phi_2918_ = -(_e518);
                         } else {
-                            phi_4106_ = _e571;
+                            phi_2918_ = _e518;
                         }
-                        let _e891 = phi_4106_;
-                        if (_e582 < 0.0lf) {
-                            phi_4112_ = -(_e582);
+                        let _e838 = phi_2918_;
+                        if (_e529 < 0.0lf) {
+                            phi_2924_ = -(_e529);
                         } else {
-                            phi_4112_ = _e582;
+                            phi_2924_ = _e529;
                         }
-                        let _e895 = phi_4112_;
-                        if (_e891 > _e895) {
-                            phi_4117_ = _e891;
+                        let _e842 = phi_2924_;
+                        if (_e838 > _e842) {
+                            phi_2929_ = _e838;
                         } else {
-                            phi_4117_ = _e895;
+                            phi_2929_ = _e842;
                         }
-                        let _e898 = phi_4117_;
-                        if (_e887 > _e898) {
-                            phi_4122_ = _e887;
+                        let _e845 = phi_2929_;
+                        if (_e834 > _e845) {
+                            phi_2934_ = _e834;
                         } else {
-                            phi_4122_ = _e898;
+                            phi_2934_ = _e845;
                         }
-                        let _e901 = phi_4122_;
-                        let _e903 = (2.2250738585072014e-308lf * f64(67108864f));
-                        let _e904 = f64(1f);
-                        if (_e901 >= _e903) {
-                            phi_4132_ = (_e901 <= (_e904 / _e903));
+                        let _e848 = phi_2934_;
+                        let _e850 = (2.2250738585072014e-308lf * f64(67108864f));
+                        let _e851 = f64(1f);
+                        if (_e848 >= _e850) {
+                            phi_2944_ = (_e848 <= (_e851 / _e850));
                         } else {
-                            phi_4132_ = false;
+                            phi_2944_ = false;
                         }
-                        let _e909 = phi_4132_;
-                        if _e909 {
-                            phi_4139_ = (1.1102230246251565e-16lf * f64(256f));
+                        let _e856 = phi_2944_;
+                        if _e856 {
+                            phi_2951_ = (1.1102230246251565e-16lf * f64(256f));
                         } else {
-                            phi_4139_ = f64(2f);
+                            phi_2951_ = f64(2f);
                         }
-                        let _e914 = phi_4139_;
-                        let _e916 = ((_e841 * f64(0.34f)) + (_e901 * _e914));
-                        if _e909 {
-                            phi_4147_ = (_e904 / _e901);
+                        let _e861 = phi_2951_;
+                        let _e863 = ((_e788 * f64(0.34f)) + (_e848 * _e861));
+                        if _e856 {
+                            phi_2959_ = (_e851 / _e848);
                         } else {
-                            phi_4147_ = f64(0f);
+                            phi_2959_ = f64(0f);
                         }
-                        let _e920 = phi_4147_;
-                        let _e921 = f64(0f);
-                        let _e922 = f64(1f);
-                        let _e923 = f64(3f);
-                        let _e929 = ((_e548 - (_e923 * _e525)) * _e920);
-                        let _e930 = ((_e571 - _e548) * _e920);
-                        let _e931 = (((_e923 * _e582) - _e571) * _e920);
-                        local_7[0u] = _e921;
-                        local_7[1u] = _e922;
-                        local_7[2u] = _e922;
-                        local_7[3u] = _e922;
-                        let _e938 = ((_e930 * _e930) - (_e929 * _e931));
-                        if (_e938 > _e921) {
-                            if (_e938 <= 2.2250738585072014e-308lf) {
-                                if (_e938 > 0.0lf) {
-                                    phi_4183_ = (1.464336215552873e-154lf * 2.0lf);
+                        let _e867 = phi_2959_;
+                        let _e868 = f64(0f);
+                        let _e869 = f64(1f);
+                        let _e870 = f64(3f);
+                        let _e876 = ((_e495 - (_e870 * _e472)) * _e867);
+                        let _e877 = ((_e518 - _e495) * _e867);
+                        let _e878 = (((_e870 * _e529) - _e518) * _e867);
+                        local_6[0u] = _e868;
+                        local_6[1u] = _e869;
+                        local_6[2u] = _e869;
+                        local_6[3u] = _e869;
+                        let _e885 = ((_e877 * _e877) - (_e876 * _e878));
+                        if (_e885 > _e868) {
+                            if (_e885 <= 2.2250738585072014e-308lf) {
+                                if (_e885 > 0.0lf) {
+                                    phi_2995_ = (1.464336215552873e-154lf * 2.0lf);
                                 } else {
-                                    phi_4183_ = 0.0lf;
+                                    phi_2995_ = 0.0lf;
                                 }
-                                let _e991 = phi_4183_;
-                                phi_4247_ = _e991;
+                                let _e938 = phi_2995_;
+                                phi_3059_ = _e938;
                             } else {
-                                phi_4190_ = type_17(0i, 5i);
-                                phi_4193_ = bitcast<f64>(((bitcast<u64>(_e938) / 2lu) + 2303426169912950784lu));
+                                phi_3002_ = type_17(0i, 5i);
+                                phi_3005_ = bitcast<f64>(((bitcast<u64>(_e885) / 2lu) + 2303426169912950784lu));
                                 loop {
-                                    let _e946 = phi_4190_;
-                                    let _e948 = phi_4193_;
-                                    local_21 = _e948;
-                                    if (_e946.member < _e946.member_1) {
-                                        let _e955 = (_e946.member + 1i);
-                                        if ((false == (_e955 > _e946.member)) != false) {
-                                            phi_4214_ = true;
+                                    let _e893 = phi_3002_;
+                                    let _e895 = phi_3005_;
+                                    local_13 = _e895;
+                                    if (_e893.member < _e893.member_1) {
+                                        let _e902 = (_e893.member + 1i);
+                                        if ((false == (_e902 > _e893.member)) != false) {
+                                            phi_3026_ = true;
                                         } else {
-                                            phi_4214_ = false;
+                                            phi_3026_ = false;
                                         }
-                                        let _e960 = phi_4214_;
-                                        if _e960 {
-                                            phi_4220_ = type_18(0u, type_18().member_1);
+                                        let _e907 = phi_3026_;
+                                        if _e907 {
+                                            phi_3032_ = type_18(0u, type_18().member_1);
                                         } else {
-                                            phi_4220_ = type_18(1u, _e955);
+                                            phi_3032_ = type_18(1u, _e902);
                                         }
-                                        let _e965 = phi_4220_;
-                                        phi_4191_ = type_17(_e965.member_1, _e946.member_1);
-                                        phi_4234_ = type_18(1u, _e946.member);
+                                        let _e912 = phi_3032_;
+                                        phi_3003_ = type_17(_e912.member_1, _e893.member_1);
+                                        phi_3046_ = type_18(1u, _e893.member);
                                     } else {
-                                        phi_4191_ = _e946;
-                                        phi_4234_ = type_18(0u, type_18().member_1);
+                                        phi_3003_ = _e893;
+                                        phi_3046_ = type_18(0u, type_18().member_1);
                                     }
-                                    let _e971 = phi_4191_;
-                                    let _e973 = phi_4234_;
-                                    let _e976 = (bitcast<i32>(_e973.member) != 0i);
-                                    if _e976 {
-                                        phi_4194_ = (0.5lf * (_e948 + (_e938 / _e948)));
+                                    let _e918 = phi_3003_;
+                                    let _e920 = phi_3046_;
+                                    let _e923 = (bitcast<i32>(_e920.member) != 0i);
+                                    if _e923 {
+                                        phi_3006_ = (0.5lf * (_e895 + (_e885 / _e895)));
                                     } else {
-                                        phi_4194_ = f64();
+                                        phi_3006_ = f64();
                                     }
-                                    let _e981 = phi_4194_;
+                                    let _e928 = phi_3006_;
                                     continue;
                                     continuing {
-                                        phi_4190_ = _e971;
-                                        phi_4193_ = _e981;
-                                        break if !(_e976);
+                                        phi_3002_ = _e918;
+                                        phi_3005_ = _e928;
+                                        break if !(_e923);
                                     }
                                 }
-                                let _e986 = local_21;
-                                phi_4247_ = (_e986 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                let _e933 = local_13;
+                                phi_3059_ = (_e933 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                             }
-                            let _e993 = phi_4247_;
-                            if (_e930 < _e921) {
-                                phi_4253_ = -(_e993);
+                            let _e940 = phi_3059_;
+                            if (_e877 < _e868) {
+                                phi_3065_ = -(_e940);
                             } else {
-                                phi_4253_ = _e993;
+                                phi_3065_ = _e940;
                             }
-                            let _e997 = phi_4253_;
-                            let _e999 = -((_e930 + _e997));
-                            local_8[0u] = (_e999 / (_e999 + _e931));
-                            local_8[1u] = (_e929 / (_e929 + _e999));
-                            let _e1008 = local_8[1u];
-                            let _e1009 = local_8[0u];
-                            if (_e1008 < _e1009) {
-                                let _e1012 = local_8[1u];
-                                let _e1014 = local_8[0u];
-                                local_8[0u] = _e1012;
-                                local_8[1u] = _e1014;
+                            let _e944 = phi_3065_;
+                            let _e946 = -((_e877 + _e944));
+                            local_7[0u] = (_e946 / (_e946 + _e878));
+                            local_7[1u] = (_e876 / (_e876 + _e946));
+                            let _e955 = local_7[1u];
+                            let _e956 = local_7[0u];
+                            if (_e955 < _e956) {
+                                let _e959 = local_7[1u];
+                                let _e961 = local_7[0u];
+                                local_7[0u] = _e959;
+                                local_7[1u] = _e961;
                             }
-                            phi_4278_ = type_19(0u, 2u);
-                            phi_4281_ = 1u;
+                            phi_3090_ = type_19(0u, 2u);
+                            phi_3093_ = 1u;
                             loop {
-                                let _e1018 = phi_4278_;
-                                let _e1020 = phi_4281_;
-                                local_51 = _e1020;
-                                if (_e1018.member < _e1018.member_1) {
-                                    phi_4279_ = type_19((_e1018.member + 1u), _e1018.member_1);
-                                    phi_4304_ = type_19(1u, _e1018.member);
+                                let _e965 = phi_3090_;
+                                let _e967 = phi_3093_;
+                                local_43 = _e967;
+                                if (_e965.member < _e965.member_1) {
+                                    phi_3091_ = type_19((_e965.member + 1u), _e965.member_1);
+                                    phi_3116_ = type_19(1u, _e965.member);
                                 } else {
-                                    phi_4279_ = _e1018;
-                                    phi_4304_ = type_19(0u, type_19().member_1);
+                                    phi_3091_ = _e965;
+                                    phi_3116_ = type_19(0u, type_19().member_1);
                                 }
-                                let _e1032 = phi_4279_;
-                                let _e1034 = phi_4304_;
-                                let _e1038 = (bitcast<i32>(_e1034.member) != 0i);
-                                if _e1038 {
-                                    let _e1040 = local_8[_e1034.member_1];
-                                    if (_e1040 > _e921) {
-                                        let _e1043 = local_8[_e1034.member_1];
-                                        if (_e1043 < _e922) {
-                                            let _e1046 = local_8[_e1034.member_1];
-                                            local_7[_e1020] = _e1046;
-                                            phi_4348_ = (_e1020 + 1u);
+                                let _e979 = phi_3091_;
+                                let _e981 = phi_3116_;
+                                let _e985 = (bitcast<i32>(_e981.member) != 0i);
+                                if _e985 {
+                                    let _e987 = local_7[_e981.member_1];
+                                    if (_e987 > _e868) {
+                                        let _e990 = local_7[_e981.member_1];
+                                        if (_e990 < _e869) {
+                                            let _e993 = local_7[_e981.member_1];
+                                            local_6[_e967] = _e993;
+                                            phi_3160_ = (_e967 + 1u);
                                         } else {
-                                            phi_4348_ = _e1020;
+                                            phi_3160_ = _e967;
                                         }
-                                        let _e1050 = phi_4348_;
-                                        phi_4349_ = _e1050;
+                                        let _e997 = phi_3160_;
+                                        phi_3161_ = _e997;
                                     } else {
-                                        phi_4349_ = _e1020;
+                                        phi_3161_ = _e967;
                                     }
-                                    let _e1052 = phi_4349_;
-                                    phi_4282_ = _e1052;
+                                    let _e999 = phi_3161_;
+                                    phi_3094_ = _e999;
                                 } else {
-                                    phi_4282_ = u32();
+                                    phi_3094_ = u32();
                                 }
-                                let _e1054 = phi_4282_;
+                                let _e1001 = phi_3094_;
                                 continue;
                                 continuing {
-                                    phi_4278_ = _e1032;
-                                    phi_4281_ = _e1054;
-                                    break if !(_e1038);
+                                    phi_3090_ = _e979;
+                                    phi_3093_ = _e1001;
+                                    break if !(_e985);
                                 }
                             }
-                            let _e5089 = local_51;
-                            phi_4350_ = _e5089;
+                            let _e4236 = local_43;
+                            phi_3162_ = _e4236;
                         } else {
-                            phi_4350_ = 1u;
+                            phi_3162_ = 1u;
                         }
-                        let _e1057 = phi_4350_;
-                        local_7[_e1057] = _e922;
-                        let _e1059 = local_7;
-                        local_9 = _e1059;
-                        phi_4370_ = type_19(0u, _e1057);
+                        let _e1004 = phi_3162_;
+                        local_6[_e1004] = _e869;
+                        let _e1006 = local_6;
+                        local_8 = _e1006;
+                        phi_3182_ = type_19(0u, _e1004);
                         loop {
-                            let _e1062 = phi_4370_;
-                            if (_e1062.member < _e1062.member_1) {
-                                phi_4371_ = type_19((_e1062.member + 1u), _e1062.member_1);
-                                phi_4394_ = type_19(1u, _e1062.member);
+                            let _e1009 = phi_3182_;
+                            if (_e1009.member < _e1009.member_1) {
+                                phi_3183_ = type_19((_e1009.member + 1u), _e1009.member_1);
+                                phi_3206_ = type_19(1u, _e1009.member);
                             } else {
-                                phi_4371_ = _e1062;
-                                phi_4394_ = type_19(0u, type_19().member_1);
+                                phi_3183_ = _e1009;
+                                phi_3206_ = type_19(0u, type_19().member_1);
                             }
-                            let _e1074 = phi_4371_;
-                            let _e1076 = phi_4394_;
-                            if (bitcast<i32>(_e1076.member) != 0i) {
-                                let _e1082 = local_9[_e1076.member_1];
-                                let _e1085 = local_9[(_e1076.member_1 + 1u)];
-                                let _e1087 = (f64(1f) - _e1082);
-                                let _e1098 = ((((_e525 * _e1087) + (_e548 * _e1082)) * (_e1087 * _e1087)) + (((_e571 * _e1087) + (_e582 * _e1082)) * (_e1082 * _e1082)));
-                                let _e1100 = (f64(1f) - _e1085);
-                                let _e1111 = ((((_e525 * _e1100) + (_e548 * _e1085)) * (_e1100 * _e1100)) + (((_e571 * _e1100) + (_e582 * _e1085)) * (_e1085 * _e1085)));
-                                if (_e1098 < 0.0lf) {
-                                    phi_4448_ = -(_e1098);
+                            let _e1021 = phi_3183_;
+                            let _e1023 = phi_3206_;
+                            if (bitcast<i32>(_e1023.member) != 0i) {
+                                let _e1029 = local_8[_e1023.member_1];
+                                let _e1032 = local_8[(_e1023.member_1 + 1u)];
+                                let _e1034 = (f64(1f) - _e1029);
+                                let _e1045 = ((((_e472 * _e1034) + (_e495 * _e1029)) * (_e1034 * _e1034)) + (((_e518 * _e1034) + (_e529 * _e1029)) * (_e1029 * _e1029)));
+                                let _e1047 = (f64(1f) - _e1032);
+                                let _e1058 = ((((_e472 * _e1047) + (_e495 * _e1032)) * (_e1047 * _e1047)) + (((_e518 * _e1047) + (_e529 * _e1032)) * (_e1032 * _e1032)));
+                                if (_e1045 < 0.0lf) {
+                                    phi_3260_ = -(_e1045);
                                 } else {
-                                    phi_4448_ = _e1098;
+                                    phi_3260_ = _e1045;
                                 }
-                                let _e1115 = phi_4448_;
-                                let _e1116 = (_e1115 > _e916);
-                                if (_e1111 < 0.0lf) {
-                                    phi_4455_ = -(_e1111);
+                                let _e1062 = phi_3260_;
+                                let _e1063 = (_e1062 > _e863);
+                                if (_e1058 < 0.0lf) {
+                                    phi_3267_ = -(_e1058);
                                 } else {
-                                    phi_4455_ = _e1111;
+                                    phi_3267_ = _e1058;
                                 }
-                                let _e1120 = phi_4455_;
-                                let _e1121 = (_e1120 > _e916);
-                                let _e1122 = f64(0f);
-                                if _e1116 {
-                                    if _e1121 {
-                                        phi_4467_ = ((_e1098 > _e1122) != (_e1111 > _e1122));
-                                        phi_4468_ = false;
+                                let _e1067 = phi_3267_;
+                                let _e1068 = (_e1067 > _e863);
+                                let _e1069 = f64(0f);
+                                if _e1063 {
+                                    if _e1068 {
+                                        phi_3279_ = ((_e1045 > _e1069) != (_e1058 > _e1069));
+                                        phi_3280_ = false;
                                     } else {
-                                        phi_4467_ = bool();
-                                        phi_4468_ = true;
+                                        phi_3279_ = bool();
+                                        phi_3280_ = true;
                                     }
-                                    let _e1127 = phi_4467_;
-                                    let _e1129 = phi_4468_;
-                                    phi_4469_ = _e1127;
-                                    phi_4470_ = _e1129;
+                                    let _e1074 = phi_3279_;
+                                    let _e1076 = phi_3280_;
+                                    phi_3281_ = _e1074;
+                                    phi_3282_ = _e1076;
                                 } else {
-                                    phi_4469_ = bool();
-                                    phi_4470_ = true;
+                                    phi_3281_ = bool();
+                                    phi_3282_ = true;
                                 }
-                                let _e1131 = phi_4469_;
-                                let _e1133 = phi_4470_;
-                                if _e1133 {
-                                    phi_4474_ = false;
+                                let _e1078 = phi_3281_;
+                                let _e1080 = phi_3282_;
+                                if _e1080 {
+                                    phi_3286_ = false;
                                 } else {
-                                    phi_4474_ = _e1131;
+                                    phi_3286_ = _e1078;
                                 }
-                                let _e1135 = phi_4474_;
-                                if _e1116 {
-                                    if _e1121 {
-                                        if _e1135 {
-                                            phi_4486_ = type_41();
+                                let _e1082 = phi_3286_;
+                                if _e1063 {
+                                    if _e1068 {
+                                        if _e1082 {
+                                            phi_3298_ = type_41();
                                         } else {
-                                            phi_4486_ = type_41(f64(1f), _e1122, _e1135);
+                                            phi_3298_ = type_41(f64(1f), _e1069, _e1082);
                                         }
-                                        let _e1139 = phi_4486_;
-                                        phi_4487_ = _e1139;
-                                        phi_4488_ = _e1135;
+                                        let _e1086 = phi_3298_;
+                                        phi_3299_ = _e1086;
+                                        phi_3300_ = _e1082;
                                     } else {
-                                        phi_4487_ = type_41();
-                                        phi_4488_ = true;
+                                        phi_3299_ = type_41();
+                                        phi_3300_ = true;
                                     }
-                                    let _e1141 = phi_4487_;
-                                    let _e1143 = phi_4488_;
-                                    phi_4489_ = _e1141;
-                                    phi_4490_ = _e1143;
+                                    let _e1088 = phi_3299_;
+                                    let _e1090 = phi_3300_;
+                                    phi_3301_ = _e1088;
+                                    phi_3302_ = _e1090;
                                 } else {
-                                    phi_4489_ = type_41();
-                                    phi_4490_ = true;
+                                    phi_3301_ = type_41();
+                                    phi_3302_ = true;
                                 }
-                                let _e1145 = phi_4489_;
-                                let _e1147 = phi_4490_;
-                                if _e1147 {
-                                    if _e1116 {
-                                        if (_e1098 < _e1122) {
-                                            phi_4503_ = f64(-1f);
+                                let _e1092 = phi_3301_;
+                                let _e1094 = phi_3302_;
+                                if _e1094 {
+                                    if _e1063 {
+                                        if (_e1045 < _e1069) {
+                                            phi_3315_ = f64(-1f);
                                         } else {
-                                            phi_4503_ = f64(1f);
+                                            phi_3315_ = f64(1f);
                                         }
-                                        let _e1152 = phi_4503_;
-                                        let _e1153 = f64(0.00000000000022737368f);
-                                        let _e1154 = f64(0.5f);
-                                        let _e1155 = f64(3f);
-                                        let _e1158 = (_e571 - _e548);
-                                        phi_4516_ = type_19(0u, 64u);
-                                        phi_4519_ = _e1085;
-                                        phi_4521_ = _e1082;
-                                        phi_4523_ = (_e1154 * (_e1082 + _e1085));
+                                        let _e1099 = phi_3315_;
+                                        let _e1100 = f64(0.00000000000022737368f);
+                                        let _e1101 = f64(0.5f);
+                                        let _e1102 = f64(3f);
+                                        let _e1105 = (_e518 - _e495);
+                                        phi_3328_ = type_19(0u, 64u);
+                                        phi_3331_ = _e1032;
+                                        phi_3333_ = _e1029;
+                                        phi_3335_ = (_e1101 * (_e1029 + _e1032));
                                         loop {
-                                            let _e1164 = phi_4516_;
-                                            let _e1166 = phi_4519_;
-                                            let _e1168 = phi_4521_;
-                                            let _e1170 = phi_4523_;
-                                            local_53 = _e1168;
-                                            if (_e1164.member < _e1164.member_1) {
-                                                phi_4517_ = type_19((_e1164.member + 1u), _e1164.member_1);
-                                                phi_4546_ = type_19(1u, _e1164.member);
+                                            let _e1111 = phi_3328_;
+                                            let _e1113 = phi_3331_;
+                                            let _e1115 = phi_3333_;
+                                            let _e1117 = phi_3335_;
+                                            local_45 = _e1115;
+                                            if (_e1111.member < _e1111.member_1) {
+                                                phi_3329_ = type_19((_e1111.member + 1u), _e1111.member_1);
+                                                phi_3358_ = type_19(1u, _e1111.member);
                                             } else {
-                                                phi_4517_ = _e1164;
-                                                phi_4546_ = type_19(0u, type_19().member_1);
+                                                phi_3329_ = _e1111;
+                                                phi_3358_ = type_19(0u, type_19().member_1);
                                             }
-                                            let _e1182 = phi_4517_;
-                                            let _e1184 = phi_4546_;
-                                            if (bitcast<i32>(_e1184.member) != 0i) {
-                                                let _e1189 = (f64(1f) - _e1170);
-                                                let _e1202 = ((_e1152 * ((((_e525 * _e1189) + (_e548 * _e1170)) * (_e1189 * _e1189)) + (((_e571 * _e1189) + (_e582 * _e1170)) * (_e1170 * _e1170)))) - _e916);
-                                                if (_e1202 > f64(0f)) {
-                                                    phi_4573_ = _e1166;
-                                                    phi_4574_ = _e1170;
+                                            let _e1129 = phi_3329_;
+                                            let _e1131 = phi_3358_;
+                                            if (bitcast<i32>(_e1131.member) != 0i) {
+                                                let _e1136 = (f64(1f) - _e1117);
+                                                let _e1149 = ((_e1099 * ((((_e472 * _e1136) + (_e495 * _e1117)) * (_e1136 * _e1136)) + (((_e518 * _e1136) + (_e529 * _e1117)) * (_e1117 * _e1117)))) - _e863);
+                                                if (_e1149 > f64(0f)) {
+                                                    phi_3385_ = _e1113;
+                                                    phi_3386_ = _e1117;
                                                 } else {
-                                                    phi_4573_ = _e1170;
-                                                    phi_4574_ = _e1168;
+                                                    phi_3385_ = _e1117;
+                                                    phi_3386_ = _e1115;
                                                 }
-                                                let _e1206 = phi_4573_;
-                                                let _e1208 = phi_4574_;
-                                                let _e1210 = ((_e1206 - _e1208) > _e1153);
-                                                if _e1210 {
-                                                    let _e1212 = (f64(1f) - _e1170);
-                                                    let _e1224 = (-(_e1202) / (_e1152 * (((((_e548 - (_e1155 * _e525)) * _e1212) + (_e1158 * _e1170)) * _e1212) + (((_e1158 * _e1212) + (((_e1155 * _e582) - _e571) * _e1170)) * _e1170))));
-                                                    if (_e1202 > f64(0f)) {
-                                                        phi_4602_ = (_e1154 * _e1153);
+                                                let _e1153 = phi_3385_;
+                                                let _e1155 = phi_3386_;
+                                                let _e1157 = ((_e1153 - _e1155) > _e1100);
+                                                if _e1157 {
+                                                    let _e1159 = (f64(1f) - _e1117);
+                                                    let _e1171 = (-(_e1149) / (_e1099 * (((((_e495 - (_e1102 * _e472)) * _e1159) + (_e1105 * _e1117)) * _e1159) + (((_e1105 * _e1159) + (((_e1102 * _e529) - _e518) * _e1117)) * _e1117))));
+                                                    if (_e1149 > f64(0f)) {
+                                                        phi_3414_ = (_e1101 * _e1100);
                                                     } else {
-                                                        phi_4602_ = -((_e1154 * _e1153));
+                                                        phi_3414_ = -((_e1101 * _e1100));
                                                     }
-                                                    let _e1231 = phi_4602_;
-                                                    let _e1233 = ((_e1170 + _e1224) + _e1231);
-                                                    if (_e1233 > _e1208) {
-                                                        if (_e1233 < _e1206) {
-                                                            if (_e1224 < 0.0lf) {
-                                                                phi_4618_ = -(_e1224);
+                                                    let _e1178 = phi_3414_;
+                                                    let _e1180 = ((_e1117 + _e1171) + _e1178);
+                                                    if (_e1180 > _e1155) {
+                                                        if (_e1180 < _e1153) {
+                                                            if (_e1171 < 0.0lf) {
+                                                                phi_3430_ = -(_e1171);
                                                             } else {
-                                                                phi_4618_ = _e1224;
+                                                                phi_3430_ = _e1171;
                                                             }
-                                                            let _e1239 = phi_4618_;
-                                                            if (_e1239 < (_e1154 * (_e1206 - _e1208))) {
-                                                                phi_4625_ = false;
+                                                            let _e1186 = phi_3430_;
+                                                            if (_e1186 < (_e1101 * (_e1153 - _e1155))) {
+                                                                phi_3437_ = false;
                                                             } else {
-                                                                phi_4625_ = true;
+                                                                phi_3437_ = true;
                                                             }
-                                                            let _e1244 = phi_4625_;
-                                                            phi_4626_ = _e1244;
+                                                            let _e1191 = phi_3437_;
+                                                            phi_3438_ = _e1191;
                                                         } else {
-                                                            phi_4626_ = true;
+                                                            phi_3438_ = true;
                                                         }
-                                                        let _e1246 = phi_4626_;
-                                                        phi_4627_ = _e1246;
+                                                        let _e1193 = phi_3438_;
+                                                        phi_3439_ = _e1193;
                                                     } else {
-                                                        phi_4627_ = true;
+                                                        phi_3439_ = true;
                                                     }
-                                                    let _e1248 = phi_4627_;
-                                                    if _e1248 {
-                                                        phi_4633_ = (_e1154 * (_e1208 + _e1206));
+                                                    let _e1195 = phi_3439_;
+                                                    if _e1195 {
+                                                        phi_3445_ = (_e1101 * (_e1155 + _e1153));
                                                     } else {
-                                                        phi_4633_ = _e1233;
+                                                        phi_3445_ = _e1180;
                                                     }
-                                                    let _e1252 = phi_4633_;
-                                                    phi_4634_ = _e1252;
-                                                    phi_4635_ = false;
+                                                    let _e1199 = phi_3445_;
+                                                    phi_3446_ = _e1199;
+                                                    phi_3447_ = false;
                                                 } else {
-                                                    phi_4634_ = f64();
-                                                    phi_4635_ = true;
+                                                    phi_3446_ = f64();
+                                                    phi_3447_ = true;
                                                 }
-                                                let _e1254 = phi_4634_;
-                                                let _e1256 = phi_4635_;
-                                                phi_4520_ = _e1206;
-                                                phi_4522_ = _e1208;
-                                                phi_4524_ = _e1254;
-                                                phi_4636_ = _e1208;
-                                                phi_4637_ = _e1210;
-                                                phi_4638_ = _e1256;
+                                                let _e1201 = phi_3446_;
+                                                let _e1203 = phi_3447_;
+                                                phi_3332_ = _e1153;
+                                                phi_3334_ = _e1155;
+                                                phi_3336_ = _e1201;
+                                                phi_3448_ = _e1155;
+                                                phi_3449_ = _e1157;
+                                                phi_3450_ = _e1203;
                                             } else {
-                                                phi_4520_ = f64();
-                                                phi_4522_ = f64();
-                                                phi_4524_ = f64();
-                                                phi_4636_ = f64();
-                                                phi_4637_ = false;
-                                                phi_4638_ = false;
+                                                phi_3332_ = f64();
+                                                phi_3334_ = f64();
+                                                phi_3336_ = f64();
+                                                phi_3448_ = f64();
+                                                phi_3449_ = false;
+                                                phi_3450_ = false;
                                             }
-                                            let _e1258 = phi_4520_;
-                                            let _e1260 = phi_4522_;
-                                            let _e1262 = phi_4524_;
-                                            let _e1264 = phi_4636_;
-                                            let _e1266 = phi_4637_;
-                                            let _e1268 = phi_4638_;
-                                            local_22 = _e1268;
-                                            local_52 = _e1264;
+                                            let _e1205 = phi_3332_;
+                                            let _e1207 = phi_3334_;
+                                            let _e1209 = phi_3336_;
+                                            let _e1211 = phi_3448_;
+                                            let _e1213 = phi_3449_;
+                                            let _e1215 = phi_3450_;
+                                            local_14 = _e1215;
+                                            local_44 = _e1211;
                                             continue;
                                             continuing {
-                                                phi_4516_ = _e1182;
-                                                phi_4519_ = _e1258;
-                                                phi_4521_ = _e1260;
-                                                phi_4523_ = _e1262;
-                                                break if !(_e1266);
+                                                phi_3328_ = _e1129;
+                                                phi_3331_ = _e1205;
+                                                phi_3333_ = _e1207;
+                                                phi_3335_ = _e1209;
+                                                break if !(_e1213);
                                             }
                                         }
-                                        let _e1271 = local_22;
-                                        if _e1271 {
-                                            let _e5131 = local_52;
-                                            phi_4642_ = _e5131;
+                                        let _e1218 = local_14;
+                                        if _e1218 {
+                                            let _e4278 = local_44;
+                                            phi_3454_ = _e4278;
                                         } else {
-                                            let _e5133 = local_53;
-                                            phi_4642_ = _e5133;
+                                            let _e4280 = local_45;
+                                            phi_3454_ = _e4280;
                                         }
-                                        let _e1273 = phi_4642_;
-                                        phi_4643_ = _e1273;
+                                        let _e1220 = phi_3454_;
+                                        phi_3455_ = _e1220;
                                     } else {
-                                        phi_4643_ = _e1082;
+                                        phi_3455_ = _e1029;
                                     }
-                                    let _e1275 = phi_4643_;
-                                    if _e1121 {
-                                        phi_4651_ = type_19(0u, 64u);
-                                        phi_4654_ = f64((2f * 0.00000000000022737368f));
+                                    let _e1222 = phi_3455_;
+                                    if _e1068 {
+                                        phi_3463_ = type_19(0u, 64u);
+                                        phi_3466_ = f64((2f * 0.00000000000022737368f));
                                         loop {
-                                            let _e1279 = phi_4651_;
-                                            let _e1281 = phi_4654_;
-                                            if (_e1279.member < _e1279.member_1) {
-                                                phi_4652_ = type_19((_e1279.member + 1u), _e1279.member_1);
-                                                phi_4677_ = type_19(1u, _e1279.member);
+                                            let _e1226 = phi_3463_;
+                                            let _e1228 = phi_3466_;
+                                            if (_e1226.member < _e1226.member_1) {
+                                                phi_3464_ = type_19((_e1226.member + 1u), _e1226.member_1);
+                                                phi_3489_ = type_19(1u, _e1226.member);
                                             } else {
-                                                phi_4652_ = _e1279;
-                                                phi_4677_ = type_19(0u, type_19().member_1);
+                                                phi_3464_ = _e1226;
+                                                phi_3489_ = type_19(0u, type_19().member_1);
                                             }
-                                            let _e1293 = phi_4652_;
-                                            let _e1295 = phi_4677_;
-                                            if (bitcast<i32>(_e1295.member) != 0i) {
-                                                let _e1299 = (_e1275 + _e1281);
-                                                if (_e1299 < _e1085) {
-                                                    let _e1302 = (f64(1f) - _e1299);
-                                                    let _e1313 = ((((_e525 * _e1302) + (_e548 * _e1299)) * (_e1302 * _e1302)) + (((_e571 * _e1302) + (_e582 * _e1299)) * (_e1299 * _e1299)));
-                                                    let _e1315 = (f64(1f) - _e1275);
-                                                    let _e1326 = ((((_e525 * _e1315) + (_e548 * _e1275)) * (_e1315 * _e1315)) + (((_e571 * _e1315) + (_e582 * _e1275)) * (_e1275 * _e1275)));
-                                                    if (_e1313 < 0.0lf) {
-                                                        phi_4720_ = -(_e1313);
+                                            let _e1240 = phi_3464_;
+                                            let _e1242 = phi_3489_;
+                                            if (bitcast<i32>(_e1242.member) != 0i) {
+                                                let _e1246 = (_e1222 + _e1228);
+                                                if (_e1246 < _e1032) {
+                                                    let _e1249 = (f64(1f) - _e1246);
+                                                    let _e1260 = ((((_e472 * _e1249) + (_e495 * _e1246)) * (_e1249 * _e1249)) + (((_e518 * _e1249) + (_e529 * _e1246)) * (_e1246 * _e1246)));
+                                                    let _e1262 = (f64(1f) - _e1222);
+                                                    let _e1273 = ((((_e472 * _e1262) + (_e495 * _e1222)) * (_e1262 * _e1262)) + (((_e518 * _e1262) + (_e529 * _e1222)) * (_e1222 * _e1222)));
+                                                    if (_e1260 < 0.0lf) {
+                                                        phi_3532_ = -(_e1260);
                                                     } else {
-                                                        phi_4720_ = _e1313;
+                                                        phi_3532_ = _e1260;
                                                     }
-                                                    let _e1330 = phi_4720_;
-                                                    if (_e1330 > _e916) {
-                                                        if (_e1326 < 0.0lf) {
-                                                            phi_4730_ = -(_e1326);
+                                                    let _e1277 = phi_3532_;
+                                                    if (_e1277 > _e863) {
+                                                        if (_e1273 < 0.0lf) {
+                                                            phi_3542_ = -(_e1273);
                                                         } else {
-                                                            phi_4730_ = _e1326;
+                                                            phi_3542_ = _e1273;
                                                         }
-                                                        let _e1335 = phi_4730_;
-                                                        if (_e1335 > _e916) {
-                                                            phi_4740_ = ((_e1313 > f64(0f)) == (_e1326 > f64(0f)));
+                                                        let _e1282 = phi_3542_;
+                                                        if (_e1282 > _e863) {
+                                                            phi_3552_ = ((_e1260 > f64(0f)) == (_e1273 > f64(0f)));
                                                         } else {
-                                                            phi_4740_ = false;
+                                                            phi_3552_ = false;
                                                         }
-                                                        let _e1343 = phi_4740_;
-                                                        phi_4742_ = !(_e1343);
+                                                        let _e1290 = phi_3552_;
+                                                        phi_3554_ = !(_e1290);
                                                     } else {
-                                                        phi_4742_ = false;
+                                                        phi_3554_ = false;
                                                     }
-                                                    let _e1346 = phi_4742_;
-                                                    if _e1346 {
-                                                        phi_4747_ = f64();
-                                                        phi_4748_ = false;
+                                                    let _e1293 = phi_3554_;
+                                                    if _e1293 {
+                                                        phi_3559_ = f64();
+                                                        phi_3560_ = false;
                                                     } else {
-                                                        phi_4747_ = (_e1281 + _e1281);
-                                                        phi_4748_ = true;
+                                                        phi_3559_ = (_e1228 + _e1228);
+                                                        phi_3560_ = true;
                                                     }
-                                                    let _e1349 = phi_4747_;
-                                                    let _e1351 = phi_4748_;
-                                                    phi_4749_ = _e1349;
-                                                    phi_4750_ = _e1351;
-                                                    phi_4751_ = _e1346;
-                                                    phi_4752_ = false;
+                                                    let _e1296 = phi_3559_;
+                                                    let _e1298 = phi_3560_;
+                                                    phi_3561_ = _e1296;
+                                                    phi_3562_ = _e1298;
+                                                    phi_3563_ = _e1293;
+                                                    phi_3564_ = false;
                                                 } else {
-                                                    phi_4749_ = f64();
-                                                    phi_4750_ = false;
-                                                    phi_4751_ = false;
-                                                    phi_4752_ = true;
+                                                    phi_3561_ = f64();
+                                                    phi_3562_ = false;
+                                                    phi_3563_ = false;
+                                                    phi_3564_ = true;
                                                 }
-                                                let _e1353 = phi_4749_;
-                                                let _e1355 = phi_4750_;
-                                                let _e1357 = phi_4751_;
-                                                let _e1359 = phi_4752_;
-                                                phi_4753_ = _e1299;
-                                                phi_4655_ = _e1353;
-                                                phi_4754_ = _e1355;
-                                                phi_4755_ = _e1357;
-                                                phi_4756_ = _e1359;
-                                                phi_4757_ = false;
+                                                let _e1300 = phi_3561_;
+                                                let _e1302 = phi_3562_;
+                                                let _e1304 = phi_3563_;
+                                                let _e1306 = phi_3564_;
+                                                phi_3565_ = _e1246;
+                                                phi_3467_ = _e1300;
+                                                phi_3566_ = _e1302;
+                                                phi_3567_ = _e1304;
+                                                phi_3568_ = _e1306;
+                                                phi_3569_ = false;
                                             } else {
-                                                phi_4753_ = f64();
-                                                phi_4655_ = f64();
-                                                phi_4754_ = false;
-                                                phi_4755_ = false;
-                                                phi_4756_ = false;
-                                                phi_4757_ = true;
+                                                phi_3565_ = f64();
+                                                phi_3467_ = f64();
+                                                phi_3566_ = false;
+                                                phi_3567_ = false;
+                                                phi_3568_ = false;
+                                                phi_3569_ = true;
                                             }
-                                            let _e1361 = phi_4753_;
-                                            let _e1363 = phi_4655_;
-                                            let _e1365 = phi_4754_;
-                                            let _e1367 = phi_4755_;
-                                            let _e1369 = phi_4756_;
-                                            let _e1371 = phi_4757_;
-                                            local_23 = _e1367;
-                                            local_54 = _e1369;
-                                            local_55 = _e1371;
-                                            local_56 = _e1361;
+                                            let _e1308 = phi_3565_;
+                                            let _e1310 = phi_3467_;
+                                            let _e1312 = phi_3566_;
+                                            let _e1314 = phi_3567_;
+                                            let _e1316 = phi_3568_;
+                                            let _e1318 = phi_3569_;
+                                            local_15 = _e1314;
+                                            local_46 = _e1316;
+                                            local_47 = _e1318;
+                                            local_48 = _e1308;
                                             continue;
                                             continuing {
-                                                phi_4651_ = _e1293;
-                                                phi_4654_ = _e1363;
-                                                break if !(_e1365);
+                                                phi_3463_ = _e1240;
+                                                phi_3466_ = _e1310;
+                                                break if !(_e1312);
                                             }
                                         }
-                                        let _e1374 = local_23;
-                                        if _e1374 {
-                                            phi_4761_ = false;
-                                            phi_4762_ = false;
+                                        let _e1321 = local_15;
+                                        if _e1321 {
+                                            phi_3573_ = false;
+                                            phi_3574_ = false;
                                         } else {
-                                            let _e5158 = local_54;
-                                            phi_4761_ = _e5158;
-                                            let _e5161 = local_55;
-                                            phi_4762_ = _e5161;
+                                            let _e4305 = local_46;
+                                            phi_3573_ = _e4305;
+                                            let _e4308 = local_47;
+                                            phi_3574_ = _e4308;
                                         }
-                                        let _e1376 = phi_4761_;
-                                        let _e1378 = phi_4762_;
-                                        if _e1376 {
-                                            phi_4766_ = true;
+                                        let _e1323 = phi_3573_;
+                                        let _e1325 = phi_3574_;
+                                        if _e1323 {
+                                            phi_3578_ = true;
                                         } else {
-                                            phi_4766_ = _e1378;
+                                            phi_3578_ = _e1325;
                                         }
-                                        let _e1380 = phi_4766_;
-                                        if _e1380 {
-                                            phi_4770_ = _e1085;
+                                        let _e1327 = phi_3578_;
+                                        if _e1327 {
+                                            phi_3582_ = _e1032;
                                         } else {
-                                            let _e5165 = local_56;
-                                            phi_4770_ = _e5165;
+                                            let _e4312 = local_48;
+                                            phi_3582_ = _e4312;
                                         }
-                                        let _e1382 = phi_4770_;
-                                        phi_4771_ = _e1382;
+                                        let _e1329 = phi_3582_;
+                                        phi_3583_ = _e1329;
                                     } else {
-                                        phi_4771_ = _e1085;
+                                        phi_3583_ = _e1032;
                                     }
-                                    let _e1384 = phi_4771_;
-                                    phi_4773_ = type_41(_e1275, _e1384, _e1135);
+                                    let _e1331 = phi_3583_;
+                                    phi_3585_ = type_41(_e1222, _e1331, _e1082);
                                 } else {
-                                    phi_4773_ = _e1145;
+                                    phi_3585_ = _e1092;
                                 }
-                                let _e1387 = phi_4773_;
-                                if (_e1387.member > _e1387.member_1) {
-                                    phi_7405_ = f64();
-                                    phi_7406_ = true;
-                                    phi_7407_ = false;
-                                    phi_7408_ = false;
-                                    phi_7409_ = false;
+                                let _e1334 = phi_3585_;
+                                if (_e1334.member > _e1334.member_1) {
+                                    phi_5730_ = f64();
+                                    phi_5731_ = true;
+                                    phi_5732_ = false;
+                                    phi_5733_ = false;
+                                    phi_5734_ = false;
                                 } else {
-                                    let _e1395 = ((_e1387.member_1 - _e1387.member) * f64(0.5f));
-                                    let _e1396 = (_e1387.member + _e1395);
-                                    let _e1399 = (_e1395 + (1.1102230246251565e-16lf * f64(4f)));
-                                    let _e1401 = local_20.member_3;
-                                    let _e1404 = local_20.member[0u];
-                                    if (_e1404[0] < 0.0lf) {
-                                        phi_4804_ = -(_e1404[0]);
+                                    let _e1342 = ((_e1334.member_1 - _e1334.member) * f64(0.5f));
+                                    let _e1343 = (_e1334.member + _e1342);
+                                    let _e1346 = (_e1342 + (1.1102230246251565e-16lf * f64(4f)));
+                                    let _e1348 = local_12.member_3;
+                                    let _e1351 = local_12.member[0u];
+                                    if (_e1351[0] < 0.0lf) {
+                                        phi_3616_ = -(_e1351[0]);
                                     } else {
-                                        phi_4804_ = _e1404[0];
+                                        phi_3616_ = _e1351[0];
                                     }
-                                    let _e1411 = phi_4804_;
-                                    if (_e1404[1] < 0.0lf) {
-                                        phi_4811_ = -(_e1404[1]);
+                                    let _e1358 = phi_3616_;
+                                    if (_e1351[1] < 0.0lf) {
+                                        phi_3623_ = -(_e1351[1]);
                                     } else {
-                                        phi_4811_ = _e1404[1];
+                                        phi_3623_ = _e1351[1];
                                     }
-                                    let _e1415 = phi_4811_;
-                                    if (_e1411 > _e1415) {
-                                        phi_4816_ = _e1411;
+                                    let _e1362 = phi_3623_;
+                                    if (_e1358 > _e1362) {
+                                        phi_3628_ = _e1358;
                                     } else {
-                                        phi_4816_ = _e1415;
+                                        phi_3628_ = _e1362;
                                     }
-                                    let _e1418 = phi_4816_;
-                                    if (_e1404[2] < 0.0lf) {
-                                        phi_4823_ = -(_e1404[2]);
+                                    let _e1365 = phi_3628_;
+                                    if (_e1351[2] < 0.0lf) {
+                                        phi_3635_ = -(_e1351[2]);
                                     } else {
-                                        phi_4823_ = _e1404[2];
+                                        phi_3635_ = _e1351[2];
                                     }
-                                    let _e1422 = phi_4823_;
-                                    if (_e1418 > _e1422) {
-                                        phi_4828_ = _e1418;
+                                    let _e1369 = phi_3635_;
+                                    if (_e1365 > _e1369) {
+                                        phi_3640_ = _e1365;
                                     } else {
-                                        phi_4828_ = _e1422;
+                                        phi_3640_ = _e1369;
                                     }
-                                    let _e1425 = phi_4828_;
-                                    let _e1427 = local_20.member[1u];
-                                    if (_e1427[0] < 0.0lf) {
-                                        phi_4841_ = -(_e1427[0]);
+                                    let _e1372 = phi_3640_;
+                                    let _e1374 = local_12.member[1u];
+                                    if (_e1374[0] < 0.0lf) {
+                                        phi_3653_ = -(_e1374[0]);
                                     } else {
-                                        phi_4841_ = _e1427[0];
+                                        phi_3653_ = _e1374[0];
                                     }
-                                    let _e1434 = phi_4841_;
-                                    if (_e1427[1] < 0.0lf) {
-                                        phi_4848_ = -(_e1427[1]);
+                                    let _e1381 = phi_3653_;
+                                    if (_e1374[1] < 0.0lf) {
+                                        phi_3660_ = -(_e1374[1]);
                                     } else {
-                                        phi_4848_ = _e1427[1];
+                                        phi_3660_ = _e1374[1];
                                     }
-                                    let _e1438 = phi_4848_;
-                                    if (_e1434 > _e1438) {
-                                        phi_4853_ = _e1434;
+                                    let _e1385 = phi_3660_;
+                                    if (_e1381 > _e1385) {
+                                        phi_3665_ = _e1381;
                                     } else {
-                                        phi_4853_ = _e1438;
+                                        phi_3665_ = _e1385;
                                     }
-                                    let _e1441 = phi_4853_;
-                                    if (_e1427[2] < 0.0lf) {
-                                        phi_4860_ = -(_e1427[2]);
+                                    let _e1388 = phi_3665_;
+                                    if (_e1374[2] < 0.0lf) {
+                                        phi_3672_ = -(_e1374[2]);
                                     } else {
-                                        phi_4860_ = _e1427[2];
+                                        phi_3672_ = _e1374[2];
                                     }
-                                    let _e1445 = phi_4860_;
-                                    if (_e1441 > _e1445) {
-                                        phi_4865_ = _e1441;
+                                    let _e1392 = phi_3672_;
+                                    if (_e1388 > _e1392) {
+                                        phi_3677_ = _e1388;
                                     } else {
-                                        phi_4865_ = _e1445;
+                                        phi_3677_ = _e1392;
                                     }
-                                    let _e1448 = phi_4865_;
-                                    if (_e1425 > _e1448) {
-                                        phi_4870_ = _e1425;
+                                    let _e1395 = phi_3677_;
+                                    if (_e1372 > _e1395) {
+                                        phi_3682_ = _e1372;
                                     } else {
-                                        phi_4870_ = _e1448;
+                                        phi_3682_ = _e1395;
                                     }
-                                    let _e1451 = phi_4870_;
-                                    let _e1454 = local_20.member[0u];
-                                    let _e1459 = local_20.member[1u];
-                                    let _e1469 = (_e1454[0] + ((_e1459[0] - _e1454[0]) * _e1396));
-                                    let _e1470 = (_e1454[1] + ((_e1459[1] - _e1454[1]) * _e1396));
-                                    let _e1471 = (_e1454[2] + ((_e1459[2] - _e1454[2]) * _e1396));
-                                    let _e1473 = local_20.member[1u];
-                                    let _e1478 = local_20.member[0u];
-                                    let _e1482 = (_e1473[0] - _e1478[0]);
-                                    let _e1483 = (_e1473[1] - _e1478[1]);
-                                    let _e1484 = (_e1473[2] - _e1478[2]);
-                                    if (_e1482 < 0.0lf) {
-                                        phi_4929_ = -(_e1482);
+                                    let _e1398 = phi_3682_;
+                                    let _e1401 = local_12.member[0u];
+                                    let _e1406 = local_12.member[1u];
+                                    let _e1416 = (_e1401[0] + ((_e1406[0] - _e1401[0]) * _e1343));
+                                    let _e1417 = (_e1401[1] + ((_e1406[1] - _e1401[1]) * _e1343));
+                                    let _e1418 = (_e1401[2] + ((_e1406[2] - _e1401[2]) * _e1343));
+                                    let _e1420 = local_12.member[1u];
+                                    let _e1425 = local_12.member[0u];
+                                    let _e1429 = (_e1420[0] - _e1425[0]);
+                                    let _e1430 = (_e1420[1] - _e1425[1]);
+                                    let _e1431 = (_e1420[2] - _e1425[2]);
+                                    if (_e1429 < 0.0lf) {
+                                        phi_3741_ = -(_e1429);
                                     } else {
-                                        phi_4929_ = _e1482;
+                                        phi_3741_ = _e1429;
                                     }
-                                    let _e1488 = phi_4929_;
-                                    if (_e1483 < 0.0lf) {
-                                        phi_4935_ = -(_e1483);
+                                    let _e1435 = phi_3741_;
+                                    if (_e1430 < 0.0lf) {
+                                        phi_3747_ = -(_e1430);
                                     } else {
-                                        phi_4935_ = _e1483;
+                                        phi_3747_ = _e1430;
                                     }
-                                    let _e1492 = phi_4935_;
-                                    if (_e1488 > _e1492) {
-                                        phi_4940_ = _e1488;
+                                    let _e1439 = phi_3747_;
+                                    if (_e1435 > _e1439) {
+                                        phi_3752_ = _e1435;
                                     } else {
-                                        phi_4940_ = _e1492;
+                                        phi_3752_ = _e1439;
                                     }
-                                    let _e1495 = phi_4940_;
-                                    if (_e1484 < 0.0lf) {
-                                        phi_4946_ = -(_e1484);
+                                    let _e1442 = phi_3752_;
+                                    if (_e1431 < 0.0lf) {
+                                        phi_3758_ = -(_e1431);
                                     } else {
-                                        phi_4946_ = _e1484;
+                                        phi_3758_ = _e1431;
                                     }
-                                    let _e1499 = phi_4946_;
-                                    if (_e1495 > _e1499) {
-                                        phi_4951_ = _e1495;
+                                    let _e1446 = phi_3758_;
+                                    if (_e1442 > _e1446) {
+                                        phi_3763_ = _e1442;
                                     } else {
-                                        phi_4951_ = _e1499;
+                                        phi_3763_ = _e1446;
                                     }
-                                    let _e1502 = phi_4951_;
-                                    let _e1510 = ((((_e1399 * _e1502) * f64(1.01f)) + ((_e1451 + _e1401) * (1.1102230246251565e-16lf * f64(8f)))) + _e1401);
-                                    if (_e1469 < 0.0lf) {
-                                        phi_4965_ = -(_e1469);
+                                    let _e1449 = phi_3763_;
+                                    let _e1457 = ((((_e1346 * _e1449) * f64(1.01f)) + ((_e1398 + _e1348) * (1.1102230246251565e-16lf * f64(8f)))) + _e1348);
+                                    if (_e1416 < 0.0lf) {
+                                        phi_3777_ = -(_e1416);
                                     } else {
-                                        phi_4965_ = _e1469;
+                                        phi_3777_ = _e1416;
                                     }
-                                    let _e1514 = phi_4965_;
-                                    if (_e1470 < 0.0lf) {
-                                        phi_4971_ = -(_e1470);
+                                    let _e1461 = phi_3777_;
+                                    if (_e1417 < 0.0lf) {
+                                        phi_3783_ = -(_e1417);
                                     } else {
-                                        phi_4971_ = _e1470;
+                                        phi_3783_ = _e1417;
                                     }
-                                    let _e1518 = phi_4971_;
-                                    if (_e1514 > _e1518) {
-                                        phi_4976_ = _e1514;
+                                    let _e1465 = phi_3783_;
+                                    if (_e1461 > _e1465) {
+                                        phi_3788_ = _e1461;
                                     } else {
-                                        phi_4976_ = _e1518;
+                                        phi_3788_ = _e1465;
                                     }
-                                    let _e1521 = phi_4976_;
-                                    if (_e1471 < 0.0lf) {
-                                        phi_4982_ = -(_e1471);
+                                    let _e1468 = phi_3788_;
+                                    if (_e1418 < 0.0lf) {
+                                        phi_3794_ = -(_e1418);
                                     } else {
-                                        phi_4982_ = _e1471;
+                                        phi_3794_ = _e1418;
                                     }
-                                    let _e1525 = phi_4982_;
-                                    if (_e1521 > _e1525) {
-                                        phi_4987_ = _e1521;
+                                    let _e1472 = phi_3794_;
+                                    if (_e1468 > _e1472) {
+                                        phi_3799_ = _e1468;
                                     } else {
-                                        phi_4987_ = _e1525;
+                                        phi_3799_ = _e1472;
                                     }
-                                    let _e1528 = phi_4987_;
-                                    local_3 = type_33(array<f64, 3>(_e1469, _e1470, _e1471), _e1510, (_e1528 + _e1510));
-                                    let _e1534 = local_20.member_3;
-                                    let _e1536 = local_20.member_1[0u];
-                                    if (_e1536[0] < 0.0lf) {
-                                        phi_5013_ = -(_e1536[0]);
+                                    let _e1475 = phi_3799_;
+                                    local_2 = type_32(array<f64, 3>(_e1416, _e1417, _e1418), _e1457, (_e1475 + _e1457));
+                                    let _e1481 = local_12.member_3;
+                                    let _e1483 = local_12.member_1[0u];
+                                    if (_e1483[0] < 0.0lf) {
+                                        phi_3825_ = -(_e1483[0]);
                                     } else {
-                                        phi_5013_ = _e1536[0];
+                                        phi_3825_ = _e1483[0];
                                     }
-                                    let _e1543 = phi_5013_;
-                                    if (_e1536[1] < 0.0lf) {
-                                        phi_5020_ = -(_e1536[1]);
+                                    let _e1490 = phi_3825_;
+                                    if (_e1483[1] < 0.0lf) {
+                                        phi_3832_ = -(_e1483[1]);
                                     } else {
-                                        phi_5020_ = _e1536[1];
+                                        phi_3832_ = _e1483[1];
                                     }
-                                    let _e1547 = phi_5020_;
-                                    if (_e1543 > _e1547) {
-                                        phi_5025_ = _e1543;
+                                    let _e1494 = phi_3832_;
+                                    if (_e1490 > _e1494) {
+                                        phi_3837_ = _e1490;
                                     } else {
-                                        phi_5025_ = _e1547;
+                                        phi_3837_ = _e1494;
                                     }
-                                    let _e1550 = phi_5025_;
-                                    if (_e1536[2] < 0.0lf) {
-                                        phi_5032_ = -(_e1536[2]);
+                                    let _e1497 = phi_3837_;
+                                    if (_e1483[2] < 0.0lf) {
+                                        phi_3844_ = -(_e1483[2]);
                                     } else {
-                                        phi_5032_ = _e1536[2];
+                                        phi_3844_ = _e1483[2];
                                     }
-                                    let _e1554 = phi_5032_;
-                                    if (_e1550 > _e1554) {
-                                        phi_5037_ = _e1550;
+                                    let _e1501 = phi_3844_;
+                                    if (_e1497 > _e1501) {
+                                        phi_3849_ = _e1497;
                                     } else {
-                                        phi_5037_ = _e1554;
+                                        phi_3849_ = _e1501;
                                     }
-                                    let _e1557 = phi_5037_;
-                                    let _e1559 = local_20.member_1[1u];
-                                    if (_e1559[0] < 0.0lf) {
-                                        phi_5050_ = -(_e1559[0]);
+                                    let _e1504 = phi_3849_;
+                                    let _e1506 = local_12.member_1[1u];
+                                    if (_e1506[0] < 0.0lf) {
+                                        phi_3862_ = -(_e1506[0]);
                                     } else {
-                                        phi_5050_ = _e1559[0];
+                                        phi_3862_ = _e1506[0];
                                     }
-                                    let _e1566 = phi_5050_;
-                                    if (_e1559[1] < 0.0lf) {
-                                        phi_5057_ = -(_e1559[1]);
+                                    let _e1513 = phi_3862_;
+                                    if (_e1506[1] < 0.0lf) {
+                                        phi_3869_ = -(_e1506[1]);
                                     } else {
-                                        phi_5057_ = _e1559[1];
+                                        phi_3869_ = _e1506[1];
                                     }
-                                    let _e1570 = phi_5057_;
-                                    if (_e1566 > _e1570) {
-                                        phi_5062_ = _e1566;
+                                    let _e1517 = phi_3869_;
+                                    if (_e1513 > _e1517) {
+                                        phi_3874_ = _e1513;
                                     } else {
-                                        phi_5062_ = _e1570;
+                                        phi_3874_ = _e1517;
                                     }
-                                    let _e1573 = phi_5062_;
-                                    if (_e1559[2] < 0.0lf) {
-                                        phi_5069_ = -(_e1559[2]);
+                                    let _e1520 = phi_3874_;
+                                    if (_e1506[2] < 0.0lf) {
+                                        phi_3881_ = -(_e1506[2]);
                                     } else {
-                                        phi_5069_ = _e1559[2];
+                                        phi_3881_ = _e1506[2];
                                     }
-                                    let _e1577 = phi_5069_;
-                                    if (_e1573 > _e1577) {
-                                        phi_5074_ = _e1573;
+                                    let _e1524 = phi_3881_;
+                                    if (_e1520 > _e1524) {
+                                        phi_3886_ = _e1520;
                                     } else {
-                                        phi_5074_ = _e1577;
+                                        phi_3886_ = _e1524;
                                     }
-                                    let _e1580 = phi_5074_;
-                                    if (_e1557 > _e1580) {
-                                        phi_5079_ = _e1557;
+                                    let _e1527 = phi_3886_;
+                                    if (_e1504 > _e1527) {
+                                        phi_3891_ = _e1504;
                                     } else {
-                                        phi_5079_ = _e1580;
+                                        phi_3891_ = _e1527;
                                     }
-                                    let _e1583 = phi_5079_;
-                                    let _e1586 = local_20.member_1[0u];
-                                    let _e1591 = local_20.member_1[1u];
-                                    let _e1601 = (_e1586[0] + ((_e1591[0] - _e1586[0]) * _e1396));
-                                    let _e1602 = (_e1586[1] + ((_e1591[1] - _e1586[1]) * _e1396));
-                                    let _e1603 = (_e1586[2] + ((_e1591[2] - _e1586[2]) * _e1396));
-                                    let _e1605 = local_20.member_1[1u];
-                                    let _e1610 = local_20.member_1[0u];
-                                    let _e1614 = (_e1605[0] - _e1610[0]);
-                                    let _e1615 = (_e1605[1] - _e1610[1]);
-                                    let _e1616 = (_e1605[2] - _e1610[2]);
-                                    if (_e1614 < 0.0lf) {
-                                        phi_5138_ = -(_e1614);
+                                    let _e1530 = phi_3891_;
+                                    let _e1533 = local_12.member_1[0u];
+                                    let _e1538 = local_12.member_1[1u];
+                                    let _e1548 = (_e1533[0] + ((_e1538[0] - _e1533[0]) * _e1343));
+                                    let _e1549 = (_e1533[1] + ((_e1538[1] - _e1533[1]) * _e1343));
+                                    let _e1550 = (_e1533[2] + ((_e1538[2] - _e1533[2]) * _e1343));
+                                    let _e1552 = local_12.member_1[1u];
+                                    let _e1557 = local_12.member_1[0u];
+                                    let _e1561 = (_e1552[0] - _e1557[0]);
+                                    let _e1562 = (_e1552[1] - _e1557[1]);
+                                    let _e1563 = (_e1552[2] - _e1557[2]);
+                                    if (_e1561 < 0.0lf) {
+                                        phi_3950_ = -(_e1561);
                                     } else {
-                                        phi_5138_ = _e1614;
+                                        phi_3950_ = _e1561;
                                     }
-                                    let _e1620 = phi_5138_;
-                                    if (_e1615 < 0.0lf) {
-                                        phi_5144_ = -(_e1615);
+                                    let _e1567 = phi_3950_;
+                                    if (_e1562 < 0.0lf) {
+                                        phi_3956_ = -(_e1562);
                                     } else {
-                                        phi_5144_ = _e1615;
+                                        phi_3956_ = _e1562;
                                     }
-                                    let _e1624 = phi_5144_;
-                                    if (_e1620 > _e1624) {
-                                        phi_5149_ = _e1620;
+                                    let _e1571 = phi_3956_;
+                                    if (_e1567 > _e1571) {
+                                        phi_3961_ = _e1567;
                                     } else {
-                                        phi_5149_ = _e1624;
+                                        phi_3961_ = _e1571;
                                     }
-                                    let _e1627 = phi_5149_;
-                                    if (_e1616 < 0.0lf) {
-                                        phi_5155_ = -(_e1616);
+                                    let _e1574 = phi_3961_;
+                                    if (_e1563 < 0.0lf) {
+                                        phi_3967_ = -(_e1563);
                                     } else {
-                                        phi_5155_ = _e1616;
+                                        phi_3967_ = _e1563;
                                     }
-                                    let _e1631 = phi_5155_;
-                                    if (_e1627 > _e1631) {
-                                        phi_5160_ = _e1627;
+                                    let _e1578 = phi_3967_;
+                                    if (_e1574 > _e1578) {
+                                        phi_3972_ = _e1574;
                                     } else {
-                                        phi_5160_ = _e1631;
+                                        phi_3972_ = _e1578;
                                     }
-                                    let _e1634 = phi_5160_;
-                                    let _e1642 = ((((_e1399 * _e1634) * f64(1.01f)) + ((_e1583 + _e1534) * (1.1102230246251565e-16lf * f64(8f)))) + _e1534);
-                                    if (_e1601 < 0.0lf) {
-                                        phi_5174_ = -(_e1601);
+                                    let _e1581 = phi_3972_;
+                                    let _e1589 = ((((_e1346 * _e1581) * f64(1.01f)) + ((_e1530 + _e1481) * (1.1102230246251565e-16lf * f64(8f)))) + _e1481);
+                                    if (_e1548 < 0.0lf) {
+                                        phi_3986_ = -(_e1548);
                                     } else {
-                                        phi_5174_ = _e1601;
+                                        phi_3986_ = _e1548;
                                     }
-                                    let _e1646 = phi_5174_;
-                                    if (_e1602 < 0.0lf) {
-                                        phi_5180_ = -(_e1602);
+                                    let _e1593 = phi_3986_;
+                                    if (_e1549 < 0.0lf) {
+                                        phi_3992_ = -(_e1549);
                                     } else {
-                                        phi_5180_ = _e1602;
+                                        phi_3992_ = _e1549;
                                     }
-                                    let _e1650 = phi_5180_;
-                                    if (_e1646 > _e1650) {
-                                        phi_5185_ = _e1646;
+                                    let _e1597 = phi_3992_;
+                                    if (_e1593 > _e1597) {
+                                        phi_3997_ = _e1593;
                                     } else {
-                                        phi_5185_ = _e1650;
+                                        phi_3997_ = _e1597;
                                     }
-                                    let _e1653 = phi_5185_;
-                                    if (_e1603 < 0.0lf) {
-                                        phi_5191_ = -(_e1603);
+                                    let _e1600 = phi_3997_;
+                                    if (_e1550 < 0.0lf) {
+                                        phi_4003_ = -(_e1550);
                                     } else {
-                                        phi_5191_ = _e1603;
+                                        phi_4003_ = _e1550;
                                     }
-                                    let _e1657 = phi_5191_;
-                                    if (_e1653 > _e1657) {
-                                        phi_5196_ = _e1653;
+                                    let _e1604 = phi_4003_;
+                                    if (_e1600 > _e1604) {
+                                        phi_4008_ = _e1600;
                                     } else {
-                                        phi_5196_ = _e1657;
+                                        phi_4008_ = _e1604;
                                     }
-                                    let _e1660 = phi_5196_;
-                                    local_4 = type_33(array<f64, 3>(_e1601, _e1602, _e1603), _e1642, (_e1660 + _e1642));
-                                    let _e1666 = local_20.member_3;
-                                    let _e1668 = local_20.member_2[0u];
-                                    if (_e1668[0] < 0.0lf) {
-                                        phi_5222_ = -(_e1668[0]);
+                                    let _e1607 = phi_4008_;
+                                    local_3 = type_32(array<f64, 3>(_e1548, _e1549, _e1550), _e1589, (_e1607 + _e1589));
+                                    let _e1613 = local_12.member_3;
+                                    let _e1615 = local_12.member_2[0u];
+                                    if (_e1615[0] < 0.0lf) {
+                                        phi_4034_ = -(_e1615[0]);
                                     } else {
-                                        phi_5222_ = _e1668[0];
+                                        phi_4034_ = _e1615[0];
                                     }
-                                    let _e1675 = phi_5222_;
-                                    if (_e1668[1] < 0.0lf) {
-                                        phi_5229_ = -(_e1668[1]);
+                                    let _e1622 = phi_4034_;
+                                    if (_e1615[1] < 0.0lf) {
+                                        phi_4041_ = -(_e1615[1]);
                                     } else {
-                                        phi_5229_ = _e1668[1];
+                                        phi_4041_ = _e1615[1];
                                     }
-                                    let _e1679 = phi_5229_;
-                                    if (_e1675 > _e1679) {
-                                        phi_5234_ = _e1675;
+                                    let _e1626 = phi_4041_;
+                                    if (_e1622 > _e1626) {
+                                        phi_4046_ = _e1622;
                                     } else {
-                                        phi_5234_ = _e1679;
+                                        phi_4046_ = _e1626;
                                     }
-                                    let _e1682 = phi_5234_;
-                                    if (_e1668[2] < 0.0lf) {
-                                        phi_5241_ = -(_e1668[2]);
+                                    let _e1629 = phi_4046_;
+                                    if (_e1615[2] < 0.0lf) {
+                                        phi_4053_ = -(_e1615[2]);
                                     } else {
-                                        phi_5241_ = _e1668[2];
+                                        phi_4053_ = _e1615[2];
                                     }
-                                    let _e1686 = phi_5241_;
-                                    if (_e1682 > _e1686) {
-                                        phi_5246_ = _e1682;
+                                    let _e1633 = phi_4053_;
+                                    if (_e1629 > _e1633) {
+                                        phi_4058_ = _e1629;
                                     } else {
-                                        phi_5246_ = _e1686;
+                                        phi_4058_ = _e1633;
                                     }
-                                    let _e1689 = phi_5246_;
-                                    let _e1691 = local_20.member_2[1u];
-                                    if (_e1691[0] < 0.0lf) {
-                                        phi_5259_ = -(_e1691[0]);
+                                    let _e1636 = phi_4058_;
+                                    let _e1638 = local_12.member_2[1u];
+                                    if (_e1638[0] < 0.0lf) {
+                                        phi_4071_ = -(_e1638[0]);
                                     } else {
-                                        phi_5259_ = _e1691[0];
+                                        phi_4071_ = _e1638[0];
                                     }
-                                    let _e1698 = phi_5259_;
-                                    if (_e1691[1] < 0.0lf) {
-                                        phi_5266_ = -(_e1691[1]);
+                                    let _e1645 = phi_4071_;
+                                    if (_e1638[1] < 0.0lf) {
+                                        phi_4078_ = -(_e1638[1]);
                                     } else {
-                                        phi_5266_ = _e1691[1];
+                                        phi_4078_ = _e1638[1];
                                     }
-                                    let _e1702 = phi_5266_;
-                                    if (_e1698 > _e1702) {
-                                        phi_5271_ = _e1698;
+                                    let _e1649 = phi_4078_;
+                                    if (_e1645 > _e1649) {
+                                        phi_4083_ = _e1645;
                                     } else {
-                                        phi_5271_ = _e1702;
+                                        phi_4083_ = _e1649;
                                     }
-                                    let _e1705 = phi_5271_;
-                                    if (_e1691[2] < 0.0lf) {
-                                        phi_5278_ = -(_e1691[2]);
+                                    let _e1652 = phi_4083_;
+                                    if (_e1638[2] < 0.0lf) {
+                                        phi_4090_ = -(_e1638[2]);
                                     } else {
-                                        phi_5278_ = _e1691[2];
+                                        phi_4090_ = _e1638[2];
                                     }
-                                    let _e1709 = phi_5278_;
-                                    if (_e1705 > _e1709) {
-                                        phi_5283_ = _e1705;
+                                    let _e1656 = phi_4090_;
+                                    if (_e1652 > _e1656) {
+                                        phi_4095_ = _e1652;
                                     } else {
-                                        phi_5283_ = _e1709;
+                                        phi_4095_ = _e1656;
                                     }
-                                    let _e1712 = phi_5283_;
-                                    if (_e1689 > _e1712) {
-                                        phi_5288_ = _e1689;
+                                    let _e1659 = phi_4095_;
+                                    if (_e1636 > _e1659) {
+                                        phi_4100_ = _e1636;
                                     } else {
-                                        phi_5288_ = _e1712;
+                                        phi_4100_ = _e1659;
                                     }
-                                    let _e1715 = phi_5288_;
-                                    let _e1718 = local_20.member_2[0u];
-                                    let _e1723 = local_20.member_2[1u];
-                                    let _e1733 = (_e1718[0] + ((_e1723[0] - _e1718[0]) * _e1396));
-                                    let _e1734 = (_e1718[1] + ((_e1723[1] - _e1718[1]) * _e1396));
-                                    let _e1735 = (_e1718[2] + ((_e1723[2] - _e1718[2]) * _e1396));
-                                    let _e1737 = local_20.member_2[1u];
-                                    let _e1742 = local_20.member_2[0u];
-                                    let _e1746 = (_e1737[0] - _e1742[0]);
-                                    let _e1747 = (_e1737[1] - _e1742[1]);
-                                    let _e1748 = (_e1737[2] - _e1742[2]);
-                                    if (_e1746 < 0.0lf) {
-                                        phi_5347_ = -(_e1746);
+                                    let _e1662 = phi_4100_;
+                                    let _e1665 = local_12.member_2[0u];
+                                    let _e1670 = local_12.member_2[1u];
+                                    let _e1680 = (_e1665[0] + ((_e1670[0] - _e1665[0]) * _e1343));
+                                    let _e1681 = (_e1665[1] + ((_e1670[1] - _e1665[1]) * _e1343));
+                                    let _e1682 = (_e1665[2] + ((_e1670[2] - _e1665[2]) * _e1343));
+                                    let _e1684 = local_12.member_2[1u];
+                                    let _e1689 = local_12.member_2[0u];
+                                    let _e1693 = (_e1684[0] - _e1689[0]);
+                                    let _e1694 = (_e1684[1] - _e1689[1]);
+                                    let _e1695 = (_e1684[2] - _e1689[2]);
+                                    if (_e1693 < 0.0lf) {
+                                        phi_4159_ = -(_e1693);
                                     } else {
-                                        phi_5347_ = _e1746;
+                                        phi_4159_ = _e1693;
                                     }
-                                    let _e1752 = phi_5347_;
-                                    if (_e1747 < 0.0lf) {
-                                        phi_5353_ = -(_e1747);
+                                    let _e1699 = phi_4159_;
+                                    if (_e1694 < 0.0lf) {
+                                        phi_4165_ = -(_e1694);
                                     } else {
-                                        phi_5353_ = _e1747;
+                                        phi_4165_ = _e1694;
                                     }
-                                    let _e1756 = phi_5353_;
-                                    if (_e1752 > _e1756) {
-                                        phi_5358_ = _e1752;
+                                    let _e1703 = phi_4165_;
+                                    if (_e1699 > _e1703) {
+                                        phi_4170_ = _e1699;
                                     } else {
-                                        phi_5358_ = _e1756;
+                                        phi_4170_ = _e1703;
                                     }
-                                    let _e1759 = phi_5358_;
-                                    if (_e1748 < 0.0lf) {
-                                        phi_5364_ = -(_e1748);
+                                    let _e1706 = phi_4170_;
+                                    if (_e1695 < 0.0lf) {
+                                        phi_4176_ = -(_e1695);
                                     } else {
-                                        phi_5364_ = _e1748;
+                                        phi_4176_ = _e1695;
                                     }
-                                    let _e1763 = phi_5364_;
-                                    if (_e1759 > _e1763) {
-                                        phi_5369_ = _e1759;
+                                    let _e1710 = phi_4176_;
+                                    if (_e1706 > _e1710) {
+                                        phi_4181_ = _e1706;
                                     } else {
-                                        phi_5369_ = _e1763;
+                                        phi_4181_ = _e1710;
                                     }
-                                    let _e1766 = phi_5369_;
-                                    let _e1774 = ((((_e1399 * _e1766) * f64(1.01f)) + ((_e1715 + _e1666) * (1.1102230246251565e-16lf * f64(8f)))) + _e1666);
-                                    if (_e1733 < 0.0lf) {
-                                        phi_5383_ = -(_e1733);
+                                    let _e1713 = phi_4181_;
+                                    let _e1721 = ((((_e1346 * _e1713) * f64(1.01f)) + ((_e1662 + _e1613) * (1.1102230246251565e-16lf * f64(8f)))) + _e1613);
+                                    if (_e1680 < 0.0lf) {
+                                        phi_4195_ = -(_e1680);
                                     } else {
-                                        phi_5383_ = _e1733;
+                                        phi_4195_ = _e1680;
                                     }
-                                    let _e1778 = phi_5383_;
-                                    if (_e1734 < 0.0lf) {
-                                        phi_5389_ = -(_e1734);
+                                    let _e1725 = phi_4195_;
+                                    if (_e1681 < 0.0lf) {
+                                        phi_4201_ = -(_e1681);
                                     } else {
-                                        phi_5389_ = _e1734;
+                                        phi_4201_ = _e1681;
                                     }
-                                    let _e1782 = phi_5389_;
-                                    if (_e1778 > _e1782) {
-                                        phi_5394_ = _e1778;
+                                    let _e1729 = phi_4201_;
+                                    if (_e1725 > _e1729) {
+                                        phi_4206_ = _e1725;
                                     } else {
-                                        phi_5394_ = _e1782;
+                                        phi_4206_ = _e1729;
                                     }
-                                    let _e1785 = phi_5394_;
-                                    if (_e1735 < 0.0lf) {
-                                        phi_5400_ = -(_e1735);
+                                    let _e1732 = phi_4206_;
+                                    if (_e1682 < 0.0lf) {
+                                        phi_4212_ = -(_e1682);
                                     } else {
-                                        phi_5400_ = _e1735;
+                                        phi_4212_ = _e1682;
                                     }
-                                    let _e1789 = phi_5400_;
-                                    if (_e1785 > _e1789) {
-                                        phi_5405_ = _e1785;
+                                    let _e1736 = phi_4212_;
+                                    if (_e1732 > _e1736) {
+                                        phi_4217_ = _e1732;
                                     } else {
-                                        phi_5405_ = _e1789;
+                                        phi_4217_ = _e1736;
                                     }
-                                    let _e1792 = phi_5405_;
-                                    local_5 = type_33(array<f64, 3>(_e1733, _e1734, _e1735), _e1774, (_e1792 + _e1774));
-                                    let _e1797 = local_4.member;
-                                    let _e1802 = local_5.member;
-                                    let _e1808 = ((_e1797[1] * _e1802[2]) - (_e1797[2] * _e1802[1]));
-                                    let _e1811 = ((_e1797[2] * _e1802[0]) - (_e1797[0] * _e1802[2]));
-                                    let _e1814 = ((_e1797[0] * _e1802[1]) - (_e1797[1] * _e1802[0]));
-                                    if (_e1808 < 0.0lf) {
-                                        phi_5454_ = -(_e1808);
+                                    let _e1739 = phi_4217_;
+                                    local_4 = type_32(array<f64, 3>(_e1680, _e1681, _e1682), _e1721, (_e1739 + _e1721));
+                                    let _e1744 = local_3.member;
+                                    let _e1749 = local_4.member;
+                                    let _e1755 = ((_e1744[1] * _e1749[2]) - (_e1744[2] * _e1749[1]));
+                                    let _e1758 = ((_e1744[2] * _e1749[0]) - (_e1744[0] * _e1749[2]));
+                                    let _e1761 = ((_e1744[0] * _e1749[1]) - (_e1744[1] * _e1749[0]));
+                                    if (_e1755 < 0.0lf) {
+                                        phi_4266_ = -(_e1755);
                                     } else {
-                                        phi_5454_ = _e1808;
+                                        phi_4266_ = _e1755;
                                     }
-                                    let _e1818 = phi_5454_;
-                                    if (_e1811 < 0.0lf) {
-                                        phi_5460_ = -(_e1811);
+                                    let _e1765 = phi_4266_;
+                                    if (_e1758 < 0.0lf) {
+                                        phi_4272_ = -(_e1758);
                                     } else {
-                                        phi_5460_ = _e1811;
+                                        phi_4272_ = _e1758;
                                     }
-                                    let _e1822 = phi_5460_;
-                                    if (_e1818 > _e1822) {
-                                        if (_e1808 < 0.0lf) {
-                                            phi_5470_ = -(_e1808);
+                                    let _e1769 = phi_4272_;
+                                    if (_e1765 > _e1769) {
+                                        if (_e1755 < 0.0lf) {
+                                            phi_4282_ = -(_e1755);
                                         } else {
-                                            phi_5470_ = _e1808;
+                                            phi_4282_ = _e1755;
                                         }
-                                        let _e1840 = phi_5470_;
-                                        if (_e1814 < 0.0lf) {
-                                            phi_5476_ = -(_e1814);
+                                        let _e1787 = phi_4282_;
+                                        if (_e1761 < 0.0lf) {
+                                            phi_4288_ = -(_e1761);
                                         } else {
-                                            phi_5476_ = _e1814;
+                                            phi_4288_ = _e1761;
                                         }
-                                        let _e1844 = phi_5476_;
-                                        if (_e1840 > _e1844) {
-                                            phi_5481_ = 2u;
-                                            phi_5482_ = 1u;
+                                        let _e1791 = phi_4288_;
+                                        if (_e1787 > _e1791) {
+                                            phi_4293_ = 2u;
+                                            phi_4294_ = 1u;
                                         } else {
-                                            phi_5481_ = 1u;
-                                            phi_5482_ = 0u;
+                                            phi_4293_ = 1u;
+                                            phi_4294_ = 0u;
                                         }
-                                        let _e1847 = phi_5481_;
-                                        let _e1849 = phi_5482_;
-                                        phi_5501_ = _e1847;
-                                        phi_5502_ = _e1849;
+                                        let _e1794 = phi_4293_;
+                                        let _e1796 = phi_4294_;
+                                        phi_4313_ = _e1794;
+                                        phi_4314_ = _e1796;
                                     } else {
-                                        if (_e1811 < 0.0lf) {
-                                            phi_5488_ = -(_e1811);
+                                        if (_e1758 < 0.0lf) {
+                                            phi_4300_ = -(_e1758);
                                         } else {
-                                            phi_5488_ = _e1811;
+                                            phi_4300_ = _e1758;
                                         }
-                                        let _e1827 = phi_5488_;
-                                        if (_e1814 < 0.0lf) {
-                                            phi_5494_ = -(_e1814);
+                                        let _e1774 = phi_4300_;
+                                        if (_e1761 < 0.0lf) {
+                                            phi_4306_ = -(_e1761);
                                         } else {
-                                            phi_5494_ = _e1814;
+                                            phi_4306_ = _e1761;
                                         }
-                                        let _e1831 = phi_5494_;
-                                        if (_e1827 > _e1831) {
-                                            phi_5499_ = 0u;
-                                            phi_5500_ = 2u;
+                                        let _e1778 = phi_4306_;
+                                        if (_e1774 > _e1778) {
+                                            phi_4311_ = 0u;
+                                            phi_4312_ = 2u;
                                         } else {
-                                            phi_5499_ = 1u;
-                                            phi_5500_ = 0u;
+                                            phi_4311_ = 1u;
+                                            phi_4312_ = 0u;
                                         }
-                                        let _e1834 = phi_5499_;
-                                        let _e1836 = phi_5500_;
-                                        phi_5501_ = _e1834;
-                                        phi_5502_ = _e1836;
+                                        let _e1781 = phi_4311_;
+                                        let _e1783 = phi_4312_;
+                                        phi_4313_ = _e1781;
+                                        phi_4314_ = _e1783;
                                     }
-                                    let _e1851 = phi_5501_;
-                                    let _e1853 = phi_5502_;
-                                    let _e1856 = local_4.member[_e1853];
-                                    let _e1859 = local_5.member[_e1851];
-                                    let _e1863 = local_4.member[_e1851];
-                                    let _e1866 = local_5.member[_e1853];
-                                    let _e1868 = ((_e1856 * _e1859) - (_e1863 * _e1866));
-                                    let _e1869 = f64(1f);
-                                    let _e1871 = local_4.member_1;
-                                    let _e1873 = local_5.member_2;
-                                    let _e1876 = local_4.member_2;
-                                    let _e1878 = local_5.member_1;
-                                    let _e1884 = local_4.member_2;
-                                    let _e1886 = local_5.member_2;
-                                    let _e1895 = local_4.member_2;
-                                    let _e1898 = local_5.member_2;
-                                    let _e1902 = (((((_e1871 * _e1873) + (_e1876 * _e1878)) * f64(2.01f)) + ((_e1884 * _e1886) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1869 + _e1895) * (_e1869 + _e1898))));
-                                    if (_e1868 < 0.0lf) {
-                                        phi_5573_ = -(_e1868);
+                                    let _e1798 = phi_4313_;
+                                    let _e1800 = phi_4314_;
+                                    let _e1803 = local_3.member[_e1800];
+                                    let _e1806 = local_4.member[_e1798];
+                                    let _e1810 = local_3.member[_e1798];
+                                    let _e1813 = local_4.member[_e1800];
+                                    let _e1815 = ((_e1803 * _e1806) - (_e1810 * _e1813));
+                                    let _e1816 = f64(1f);
+                                    let _e1818 = local_3.member_1;
+                                    let _e1820 = local_4.member_2;
+                                    let _e1823 = local_3.member_2;
+                                    let _e1825 = local_4.member_1;
+                                    let _e1831 = local_3.member_2;
+                                    let _e1833 = local_4.member_2;
+                                    let _e1842 = local_3.member_2;
+                                    let _e1845 = local_4.member_2;
+                                    let _e1849 = (((((_e1818 * _e1820) + (_e1823 * _e1825)) * f64(2.01f)) + ((_e1831 * _e1833) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1816 + _e1842) * (_e1816 + _e1845))));
+                                    if (_e1815 < 0.0lf) {
+                                        phi_4385_ = -(_e1815);
                                     } else {
-                                        phi_5573_ = _e1868;
+                                        phi_4385_ = _e1815;
                                     }
-                                    let _e1906 = phi_5573_;
-                                    if (_e1906 > _e1902) {
-                                        if (_e1868 < f64(0f)) {
-                                            phi_5585_ = f64(-1f);
+                                    let _e1853 = phi_4385_;
+                                    if (_e1853 > _e1849) {
+                                        if (_e1815 < f64(0f)) {
+                                            phi_4397_ = f64(-1f);
                                         } else {
-                                            phi_5585_ = f64(1f);
+                                            phi_4397_ = f64(1f);
                                         }
-                                        let _e1913 = phi_5585_;
-                                        let _e1916 = local_3.member[_e1853];
-                                        let _e1919 = local_5.member[_e1851];
-                                        let _e1923 = local_3.member[_e1851];
-                                        let _e1926 = local_5.member[_e1853];
-                                        let _e1929 = f64(1f);
-                                        let _e1931 = local_3.member_1;
-                                        let _e1933 = local_5.member_2;
-                                        let _e1936 = local_3.member_2;
-                                        let _e1938 = local_5.member_1;
-                                        let _e1944 = local_3.member_2;
-                                        let _e1946 = local_5.member_2;
-                                        let _e1955 = local_3.member_2;
-                                        let _e1958 = local_5.member_2;
-                                        let _e1962 = (((((_e1931 * _e1933) + (_e1936 * _e1938)) * f64(2.01f)) + ((_e1944 * _e1946) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1929 + _e1955) * (_e1929 + _e1958))));
-                                        let _e1965 = local_4.member[_e1853];
-                                        let _e1968 = local_3.member[_e1851];
-                                        let _e1972 = local_4.member[_e1851];
-                                        let _e1975 = local_3.member[_e1853];
-                                        let _e1978 = f64(1f);
-                                        let _e1980 = local_4.member_1;
-                                        let _e1982 = local_3.member_2;
-                                        let _e1985 = local_4.member_2;
-                                        let _e1987 = local_3.member_1;
-                                        let _e1993 = local_4.member_2;
-                                        let _e1995 = local_3.member_2;
-                                        let _e2004 = local_4.member_2;
-                                        let _e2007 = local_3.member_2;
-                                        let _e2011 = (((((_e1980 * _e1982) + (_e1985 * _e1987)) * f64(2.01f)) + ((_e1993 * _e1995) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1978 + _e2004) * (_e1978 + _e2007))));
-                                        let _e2012 = (_e1868 * _e1913);
-                                        let _e2013 = (((_e1916 * _e1919) - (_e1923 * _e1926)) * _e1913);
-                                        let _e2014 = (((_e1965 * _e1968) - (_e1972 * _e1975)) * _e1913);
-                                        if (_e2012 < 0.0lf) {
-                                            phi_5724_ = -(_e2012);
+                                        let _e1860 = phi_4397_;
+                                        let _e1863 = local_2.member[_e1800];
+                                        let _e1866 = local_4.member[_e1798];
+                                        let _e1870 = local_2.member[_e1798];
+                                        let _e1873 = local_4.member[_e1800];
+                                        let _e1876 = f64(1f);
+                                        let _e1878 = local_2.member_1;
+                                        let _e1880 = local_4.member_2;
+                                        let _e1883 = local_2.member_2;
+                                        let _e1885 = local_4.member_1;
+                                        let _e1891 = local_2.member_2;
+                                        let _e1893 = local_4.member_2;
+                                        let _e1902 = local_2.member_2;
+                                        let _e1905 = local_4.member_2;
+                                        let _e1909 = (((((_e1878 * _e1880) + (_e1883 * _e1885)) * f64(2.01f)) + ((_e1891 * _e1893) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1876 + _e1902) * (_e1876 + _e1905))));
+                                        let _e1912 = local_3.member[_e1800];
+                                        let _e1915 = local_2.member[_e1798];
+                                        let _e1919 = local_3.member[_e1798];
+                                        let _e1922 = local_2.member[_e1800];
+                                        let _e1925 = f64(1f);
+                                        let _e1927 = local_3.member_1;
+                                        let _e1929 = local_2.member_2;
+                                        let _e1932 = local_3.member_2;
+                                        let _e1934 = local_2.member_1;
+                                        let _e1940 = local_3.member_2;
+                                        let _e1942 = local_2.member_2;
+                                        let _e1951 = local_3.member_2;
+                                        let _e1954 = local_2.member_2;
+                                        let _e1958 = (((((_e1927 * _e1929) + (_e1932 * _e1934)) * f64(2.01f)) + ((_e1940 * _e1942) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1925 + _e1951) * (_e1925 + _e1954))));
+                                        let _e1959 = (_e1815 * _e1860);
+                                        let _e1960 = (((_e1863 * _e1866) - (_e1870 * _e1873)) * _e1860);
+                                        let _e1961 = (((_e1912 * _e1915) - (_e1919 * _e1922)) * _e1860);
+                                        if (_e1959 < 0.0lf) {
+                                            phi_4536_ = -(_e1959);
                                         } else {
-                                            phi_5724_ = _e2012;
+                                            phi_4536_ = _e1959;
                                         }
-                                        let _e2018 = phi_5724_;
-                                        if (_e2013 < 0.0lf) {
-                                            phi_5730_ = -(_e2013);
+                                        let _e1965 = phi_4536_;
+                                        if (_e1960 < 0.0lf) {
+                                            phi_4542_ = -(_e1960);
                                         } else {
-                                            phi_5730_ = _e2013;
+                                            phi_4542_ = _e1960;
                                         }
-                                        let _e2022 = phi_5730_;
-                                        if (_e2014 < 0.0lf) {
-                                            phi_5737_ = -(_e2014);
+                                        let _e1969 = phi_4542_;
+                                        if (_e1961 < 0.0lf) {
+                                            phi_4549_ = -(_e1961);
                                         } else {
-                                            phi_5737_ = _e2014;
+                                            phi_4549_ = _e1961;
                                         }
-                                        let _e2027 = phi_5737_;
-                                        let _e2031 = (((_e2018 + _e2022) + _e2027) * (1.1102230246251565e-16lf * f64(4f)));
-                                        local_6[0u].member = _e2013;
-                                        local_6[0u].member_1 = _e1962;
-                                        local_6[1u].member = _e2014;
-                                        local_6[1u].member_1 = _e2011;
-                                        local_6[2u].member = (_e2012 - _e2013);
-                                        local_6[2u].member_1 = ((_e1902 + _e1962) + _e2031);
-                                        local_6[3u].member = (_e2012 - _e2014);
-                                        local_6[3u].member_1 = ((_e1902 + _e2011) + _e2031);
-                                        phi_5781_ = type_19(0u, 4u);
-                                        phi_5784_ = true;
+                                        let _e1974 = phi_4549_;
+                                        let _e1978 = (((_e1965 + _e1969) + _e1974) * (1.1102230246251565e-16lf * f64(4f)));
+                                        local_5[0u].member = _e1960;
+                                        local_5[0u].member_1 = _e1909;
+                                        local_5[1u].member = _e1961;
+                                        local_5[1u].member_1 = _e1958;
+                                        local_5[2u].member = (_e1959 - _e1960);
+                                        local_5[2u].member_1 = ((_e1849 + _e1909) + _e1978);
+                                        local_5[3u].member = (_e1959 - _e1961);
+                                        local_5[3u].member_1 = ((_e1849 + _e1958) + _e1978);
+                                        phi_4593_ = type_19(0u, 4u);
+                                        phi_4596_ = true;
                                         loop {
-                                            let _e2052 = phi_5781_;
-                                            let _e2054 = phi_5784_;
-                                            local_25 = _e2054;
-                                            if (_e2052.member < _e2052.member_1) {
-                                                phi_5782_ = type_19((_e2052.member + 1u), _e2052.member_1);
-                                                phi_5807_ = type_19(1u, _e2052.member);
+                                            let _e1999 = phi_4593_;
+                                            let _e2001 = phi_4596_;
+                                            local_17 = _e2001;
+                                            if (_e1999.member < _e1999.member_1) {
+                                                phi_4594_ = type_19((_e1999.member + 1u), _e1999.member_1);
+                                                phi_4619_ = type_19(1u, _e1999.member);
                                             } else {
-                                                phi_5782_ = _e2052;
-                                                phi_5807_ = type_19(0u, type_19().member_1);
+                                                phi_4594_ = _e1999;
+                                                phi_4619_ = type_19(0u, type_19().member_1);
                                             }
-                                            let _e2066 = phi_5782_;
-                                            let _e2068 = phi_5807_;
-                                            if (bitcast<i32>(_e2068.member) != 0i) {
-                                                let _e2075 = local_6[_e2068.member_1].member;
-                                                let _e2078 = local_6[_e2068.member_1].member_1;
-                                                let _e2080 = (_e2075 < -(_e2078));
-                                                if _e2080 {
-                                                    phi_5834_ = bool();
-                                                    phi_5835_ = false;
+                                            let _e2013 = phi_4594_;
+                                            let _e2015 = phi_4619_;
+                                            if (bitcast<i32>(_e2015.member) != 0i) {
+                                                let _e2022 = local_5[_e2015.member_1].member;
+                                                let _e2025 = local_5[_e2015.member_1].member_1;
+                                                let _e2027 = (_e2022 < -(_e2025));
+                                                if _e2027 {
+                                                    phi_4646_ = bool();
+                                                    phi_4647_ = false;
                                                 } else {
-                                                    phi_5834_ = (_e2054 && (_e2075 > _e2078));
-                                                    phi_5835_ = true;
+                                                    phi_4646_ = (_e2001 && (_e2022 > _e2025));
+                                                    phi_4647_ = true;
                                                 }
-                                                let _e2084 = phi_5834_;
-                                                let _e2086 = phi_5835_;
-                                                phi_5785_ = _e2084;
-                                                phi_5836_ = _e2086;
-                                                phi_5837_ = _e2080;
+                                                let _e2031 = phi_4646_;
+                                                let _e2033 = phi_4647_;
+                                                phi_4597_ = _e2031;
+                                                phi_4648_ = _e2033;
+                                                phi_4649_ = _e2027;
                                             } else {
-                                                phi_5785_ = bool();
-                                                phi_5836_ = false;
-                                                phi_5837_ = false;
+                                                phi_4597_ = bool();
+                                                phi_4648_ = false;
+                                                phi_4649_ = false;
                                             }
-                                            let _e2088 = phi_5785_;
-                                            let _e2090 = phi_5836_;
-                                            let _e2092 = phi_5837_;
-                                            local_24 = _e2092;
+                                            let _e2035 = phi_4597_;
+                                            let _e2037 = phi_4648_;
+                                            let _e2039 = phi_4649_;
+                                            local_16 = _e2039;
                                             continue;
                                             continuing {
-                                                phi_5781_ = _e2066;
-                                                phi_5784_ = _e2088;
-                                                break if !(_e2090);
+                                                phi_4593_ = _e2013;
+                                                phi_4596_ = _e2035;
+                                                break if !(_e2037);
                                             }
                                         }
-                                        let _e2095 = local_24;
-                                        if _e2095 {
-                                            phi_5841_ = false;
+                                        let _e2042 = local_16;
+                                        if _e2042 {
+                                            phi_4653_ = false;
                                         } else {
-                                            phi_5841_ = true;
+                                            phi_4653_ = true;
                                         }
-                                        let _e2097 = phi_5841_;
-                                        if _e2097 {
-                                            let _e2099 = local_25;
-                                            if _e2099 {
-                                                phi_5848_ = 1u;
+                                        let _e2044 = phi_4653_;
+                                        if _e2044 {
+                                            let _e2046 = local_17;
+                                            if _e2046 {
+                                                phi_4660_ = 1u;
                                             } else {
-                                                phi_5848_ = 2u;
+                                                phi_4660_ = 2u;
                                             }
-                                            let _e2101 = phi_5848_;
-                                            phi_5849_ = _e2101;
-                                            phi_5850_ = false;
+                                            let _e2048 = phi_4660_;
+                                            phi_4661_ = _e2048;
+                                            phi_4662_ = false;
                                         } else {
-                                            phi_5849_ = u32();
-                                            phi_5850_ = true;
+                                            phi_4661_ = u32();
+                                            phi_4662_ = true;
                                         }
-                                        let _e2103 = phi_5849_;
-                                        let _e2105 = phi_5850_;
-                                        phi_5851_ = _e2103;
-                                        phi_5852_ = 0u;
-                                        phi_5853_ = _e2105;
+                                        let _e2050 = phi_4661_;
+                                        let _e2052 = phi_4662_;
+                                        phi_4663_ = _e2050;
+                                        phi_4664_ = 0u;
+                                        phi_4665_ = _e2052;
                                     } else {
-                                        phi_5851_ = u32();
-                                        phi_5852_ = 2u;
-                                        phi_5853_ = true;
+                                        phi_4663_ = u32();
+                                        phi_4664_ = 2u;
+                                        phi_4665_ = true;
                                     }
-                                    let _e2107 = phi_5851_;
-                                    let _e2109 = phi_5852_;
-                                    let _e2111 = phi_5853_;
-                                    if _e2111 {
-                                        phi_5857_ = _e2109;
+                                    let _e2054 = phi_4663_;
+                                    let _e2056 = phi_4664_;
+                                    let _e2058 = phi_4665_;
+                                    if _e2058 {
+                                        phi_4669_ = _e2056;
                                     } else {
-                                        phi_5857_ = _e2107;
+                                        phi_4669_ = _e2054;
                                     }
-                                    let _e2113 = phi_5857_;
-                                    let _e2114 = (_e2113 == 0u);
-                                    if _e2114 {
-                                        phi_7401_ = f64();
-                                        phi_7402_ = false;
-                                        phi_7403_ = false;
-                                        phi_7404_ = false;
+                                    let _e2060 = phi_4669_;
+                                    let _e2061 = (_e2060 == 0u);
+                                    if _e2061 {
+                                        phi_5726_ = f64();
+                                        phi_5727_ = false;
+                                        phi_5728_ = false;
+                                        phi_5729_ = false;
                                     } else {
-                                        if (_e2113 == 1u) {
-                                            if _e1387.member_2 {
-                                                if ((_e1387.member_1 - _e1387.member) <= f64(0.0000005f)) {
-                                                    phi_5878_ = false;
+                                        if (_e2060 == 1u) {
+                                            if _e1334.member_2 {
+                                                if ((_e1334.member_1 - _e1334.member) <= f64(0.0000005f)) {
+                                                    phi_4690_ = false;
                                                 } else {
-                                                    phi_5878_ = true;
+                                                    phi_4690_ = true;
                                                 }
-                                                let _e2123 = phi_5878_;
-                                                phi_5879_ = _e2123;
+                                                let _e2070 = phi_4690_;
+                                                phi_4691_ = _e2070;
                                             } else {
-                                                phi_5879_ = true;
+                                                phi_4691_ = true;
                                             }
-                                            let _e2125 = phi_5879_;
-                                            phi_5880_ = _e2125;
+                                            let _e2072 = phi_4691_;
+                                            phi_4692_ = _e2072;
                                         } else {
-                                            phi_5880_ = true;
+                                            phi_4692_ = true;
                                         }
-                                        let _e2127 = phi_5880_;
-                                        if _e2127 {
-                                            let _e2133 = local_20.member[0u];
-                                            let _e2139 = local_20.member_1[0u];
-                                            let _e2145 = local_20.member_2[0u];
-                                            let _e2149 = (_e2133[0] - _e2139[0]);
-                                            let _e2150 = (_e2133[1] - _e2139[1]);
-                                            let _e2151 = (_e2133[2] - _e2139[2]);
-                                            local_1 = array<array<f64, 3>, 4>(_e2133, array<f64, 3>(_e2149, _e2150, _e2151), array<f64, 3>((_e2133[0] - _e2145[0]), (_e2133[1] - _e2145[1]), (_e2133[2] - _e2145[2])), array<f64, 3>((_e2149 - _e2145[0]), (_e2150 - _e2145[1]), (_e2151 - _e2145[2])));
-                                            let _e2164 = local_20.member[1u];
-                                            let _e2170 = local_20.member_1[1u];
-                                            let _e2176 = local_20.member_2[1u];
-                                            let _e2180 = (_e2164[0] - _e2170[0]);
-                                            let _e2181 = (_e2164[1] - _e2170[1]);
-                                            let _e2182 = (_e2164[2] - _e2170[2]);
-                                            local_2 = array<array<f64, 3>, 4>(_e2164, array<f64, 3>(_e2180, _e2181, _e2182), array<f64, 3>((_e2164[0] - _e2176[0]), (_e2164[1] - _e2176[1]), (_e2164[2] - _e2176[2])), array<f64, 3>((_e2180 - _e2176[0]), (_e2181 - _e2176[1]), (_e2182 - _e2176[2])));
-                                            let _e2195 = local_20.member[0u];
-                                            if (_e2195[0] < 0.0lf) {
-                                                phi_6077_ = -(_e2195[0]);
+                                        let _e2074 = phi_4692_;
+                                        if _e2074 {
+                                            let _e2080 = local_12.member[0u];
+                                            let _e2086 = local_12.member_1[0u];
+                                            let _e2092 = local_12.member_2[0u];
+                                            let _e2096 = (_e2080[0] - _e2086[0]);
+                                            let _e2097 = (_e2080[1] - _e2086[1]);
+                                            let _e2098 = (_e2080[2] - _e2086[2]);
+                                            local = array<array<f64, 3>, 4>(_e2080, array<f64, 3>(_e2096, _e2097, _e2098), array<f64, 3>((_e2080[0] - _e2092[0]), (_e2080[1] - _e2092[1]), (_e2080[2] - _e2092[2])), array<f64, 3>((_e2096 - _e2092[0]), (_e2097 - _e2092[1]), (_e2098 - _e2092[2])));
+                                            let _e2111 = local_12.member[1u];
+                                            let _e2117 = local_12.member_1[1u];
+                                            let _e2123 = local_12.member_2[1u];
+                                            let _e2127 = (_e2111[0] - _e2117[0]);
+                                            let _e2128 = (_e2111[1] - _e2117[1]);
+                                            let _e2129 = (_e2111[2] - _e2117[2]);
+                                            local_1 = array<array<f64, 3>, 4>(_e2111, array<f64, 3>(_e2127, _e2128, _e2129), array<f64, 3>((_e2111[0] - _e2123[0]), (_e2111[1] - _e2123[1]), (_e2111[2] - _e2123[2])), array<f64, 3>((_e2127 - _e2123[0]), (_e2128 - _e2123[1]), (_e2129 - _e2123[2])));
+                                            let _e2142 = local_12.member[0u];
+                                            if (_e2142[0] < 0.0lf) {
+                                                phi_4889_ = -(_e2142[0]);
                                             } else {
-                                                phi_6077_ = _e2195[0];
+                                                phi_4889_ = _e2142[0];
                                             }
-                                            let _e2202 = phi_6077_;
-                                            if (_e2195[1] < 0.0lf) {
-                                                phi_6084_ = -(_e2195[1]);
+                                            let _e2149 = phi_4889_;
+                                            if (_e2142[1] < 0.0lf) {
+                                                phi_4896_ = -(_e2142[1]);
                                             } else {
-                                                phi_6084_ = _e2195[1];
+                                                phi_4896_ = _e2142[1];
                                             }
-                                            let _e2206 = phi_6084_;
-                                            if (_e2202 > _e2206) {
-                                                phi_6089_ = _e2202;
+                                            let _e2153 = phi_4896_;
+                                            if (_e2149 > _e2153) {
+                                                phi_4901_ = _e2149;
                                             } else {
-                                                phi_6089_ = _e2206;
+                                                phi_4901_ = _e2153;
                                             }
-                                            let _e2209 = phi_6089_;
-                                            if (_e2195[2] < 0.0lf) {
-                                                phi_6096_ = -(_e2195[2]);
+                                            let _e2156 = phi_4901_;
+                                            if (_e2142[2] < 0.0lf) {
+                                                phi_4908_ = -(_e2142[2]);
                                             } else {
-                                                phi_6096_ = _e2195[2];
+                                                phi_4908_ = _e2142[2];
                                             }
-                                            let _e2213 = phi_6096_;
-                                            if (_e2209 > _e2213) {
-                                                phi_6101_ = _e2209;
+                                            let _e2160 = phi_4908_;
+                                            if (_e2156 > _e2160) {
+                                                phi_4913_ = _e2156;
                                             } else {
-                                                phi_6101_ = _e2213;
+                                                phi_4913_ = _e2160;
                                             }
-                                            let _e2216 = phi_6101_;
-                                            let _e2219 = local_20.member[1u];
-                                            if (_e2219[0] < 0.0lf) {
-                                                phi_6114_ = -(_e2219[0]);
+                                            let _e2163 = phi_4913_;
+                                            let _e2166 = local_12.member[1u];
+                                            if (_e2166[0] < 0.0lf) {
+                                                phi_4926_ = -(_e2166[0]);
                                             } else {
-                                                phi_6114_ = _e2219[0];
+                                                phi_4926_ = _e2166[0];
                                             }
-                                            let _e2226 = phi_6114_;
-                                            if (_e2219[1] < 0.0lf) {
-                                                phi_6121_ = -(_e2219[1]);
+                                            let _e2173 = phi_4926_;
+                                            if (_e2166[1] < 0.0lf) {
+                                                phi_4933_ = -(_e2166[1]);
                                             } else {
-                                                phi_6121_ = _e2219[1];
+                                                phi_4933_ = _e2166[1];
                                             }
-                                            let _e2230 = phi_6121_;
-                                            if (_e2226 > _e2230) {
-                                                phi_6126_ = _e2226;
+                                            let _e2177 = phi_4933_;
+                                            if (_e2173 > _e2177) {
+                                                phi_4938_ = _e2173;
                                             } else {
-                                                phi_6126_ = _e2230;
+                                                phi_4938_ = _e2177;
                                             }
-                                            let _e2233 = phi_6126_;
-                                            if (_e2219[2] < 0.0lf) {
-                                                phi_6133_ = -(_e2219[2]);
+                                            let _e2180 = phi_4938_;
+                                            if (_e2166[2] < 0.0lf) {
+                                                phi_4945_ = -(_e2166[2]);
                                             } else {
-                                                phi_6133_ = _e2219[2];
+                                                phi_4945_ = _e2166[2];
                                             }
-                                            let _e2237 = phi_6133_;
-                                            if (_e2233 > _e2237) {
-                                                phi_6138_ = _e2233;
+                                            let _e2184 = phi_4945_;
+                                            if (_e2180 > _e2184) {
+                                                phi_4950_ = _e2180;
                                             } else {
-                                                phi_6138_ = _e2237;
+                                                phi_4950_ = _e2184;
                                             }
-                                            let _e2240 = phi_6138_;
-                                            if (_e2216 > _e2240) {
-                                                phi_6143_ = _e2216;
+                                            let _e2187 = phi_4950_;
+                                            if (_e2163 > _e2187) {
+                                                phi_4955_ = _e2163;
                                             } else {
-                                                phi_6143_ = _e2240;
+                                                phi_4955_ = _e2187;
                                             }
-                                            let _e2243 = phi_6143_;
-                                            let _e2245 = local_20.member_3;
-                                            let _e2249 = local_20.member_1[0u];
-                                            if (_e2249[0] < 0.0lf) {
-                                                phi_6160_ = -(_e2249[0]);
+                                            let _e2190 = phi_4955_;
+                                            let _e2192 = local_12.member_3;
+                                            let _e2196 = local_12.member_1[0u];
+                                            if (_e2196[0] < 0.0lf) {
+                                                phi_4972_ = -(_e2196[0]);
                                             } else {
-                                                phi_6160_ = _e2249[0];
+                                                phi_4972_ = _e2196[0];
                                             }
-                                            let _e2256 = phi_6160_;
-                                            if (_e2249[1] < 0.0lf) {
-                                                phi_6167_ = -(_e2249[1]);
+                                            let _e2203 = phi_4972_;
+                                            if (_e2196[1] < 0.0lf) {
+                                                phi_4979_ = -(_e2196[1]);
                                             } else {
-                                                phi_6167_ = _e2249[1];
+                                                phi_4979_ = _e2196[1];
                                             }
-                                            let _e2260 = phi_6167_;
-                                            if (_e2256 > _e2260) {
-                                                phi_6172_ = _e2256;
+                                            let _e2207 = phi_4979_;
+                                            if (_e2203 > _e2207) {
+                                                phi_4984_ = _e2203;
                                             } else {
-                                                phi_6172_ = _e2260;
+                                                phi_4984_ = _e2207;
                                             }
-                                            let _e2263 = phi_6172_;
-                                            if (_e2249[2] < 0.0lf) {
-                                                phi_6179_ = -(_e2249[2]);
+                                            let _e2210 = phi_4984_;
+                                            if (_e2196[2] < 0.0lf) {
+                                                phi_4991_ = -(_e2196[2]);
                                             } else {
-                                                phi_6179_ = _e2249[2];
+                                                phi_4991_ = _e2196[2];
                                             }
-                                            let _e2267 = phi_6179_;
-                                            if (_e2263 > _e2267) {
-                                                phi_6184_ = _e2263;
+                                            let _e2214 = phi_4991_;
+                                            if (_e2210 > _e2214) {
+                                                phi_4996_ = _e2210;
                                             } else {
-                                                phi_6184_ = _e2267;
+                                                phi_4996_ = _e2214;
                                             }
-                                            let _e2270 = phi_6184_;
-                                            let _e2273 = local_20.member_1[1u];
-                                            if (_e2273[0] < 0.0lf) {
-                                                phi_6198_ = -(_e2273[0]);
+                                            let _e2217 = phi_4996_;
+                                            let _e2220 = local_12.member_1[1u];
+                                            if (_e2220[0] < 0.0lf) {
+                                                phi_5010_ = -(_e2220[0]);
                                             } else {
-                                                phi_6198_ = _e2273[0];
+                                                phi_5010_ = _e2220[0];
                                             }
-                                            let _e2280 = phi_6198_;
-                                            if (_e2273[1] < 0.0lf) {
-                                                phi_6205_ = -(_e2273[1]);
+                                            let _e2227 = phi_5010_;
+                                            if (_e2220[1] < 0.0lf) {
+                                                phi_5017_ = -(_e2220[1]);
                                             } else {
-                                                phi_6205_ = _e2273[1];
+                                                phi_5017_ = _e2220[1];
                                             }
-                                            let _e2284 = phi_6205_;
-                                            if (_e2280 > _e2284) {
-                                                phi_6210_ = _e2280;
+                                            let _e2231 = phi_5017_;
+                                            if (_e2227 > _e2231) {
+                                                phi_5022_ = _e2227;
                                             } else {
-                                                phi_6210_ = _e2284;
+                                                phi_5022_ = _e2231;
                                             }
-                                            let _e2287 = phi_6210_;
-                                            if (_e2273[2] < 0.0lf) {
-                                                phi_6217_ = -(_e2273[2]);
+                                            let _e2234 = phi_5022_;
+                                            if (_e2220[2] < 0.0lf) {
+                                                phi_5029_ = -(_e2220[2]);
                                             } else {
-                                                phi_6217_ = _e2273[2];
+                                                phi_5029_ = _e2220[2];
                                             }
-                                            let _e2291 = phi_6217_;
-                                            if (_e2287 > _e2291) {
-                                                phi_6222_ = _e2287;
+                                            let _e2238 = phi_5029_;
+                                            if (_e2234 > _e2238) {
+                                                phi_5034_ = _e2234;
                                             } else {
-                                                phi_6222_ = _e2291;
+                                                phi_5034_ = _e2238;
                                             }
-                                            let _e2294 = phi_6222_;
-                                            if (_e2270 > _e2294) {
-                                                phi_6227_ = _e2270;
+                                            let _e2241 = phi_5034_;
+                                            if (_e2217 > _e2241) {
+                                                phi_5039_ = _e2217;
                                             } else {
-                                                phi_6227_ = _e2294;
+                                                phi_5039_ = _e2241;
                                             }
-                                            let _e2297 = phi_6227_;
-                                            let _e2299 = local_20.member_3;
-                                            let _e2303 = local_20.member_2[0u];
-                                            if (_e2303[0] < 0.0lf) {
-                                                phi_6244_ = -(_e2303[0]);
+                                            let _e2244 = phi_5039_;
+                                            let _e2246 = local_12.member_3;
+                                            let _e2250 = local_12.member_2[0u];
+                                            if (_e2250[0] < 0.0lf) {
+                                                phi_5056_ = -(_e2250[0]);
                                             } else {
-                                                phi_6244_ = _e2303[0];
+                                                phi_5056_ = _e2250[0];
                                             }
-                                            let _e2310 = phi_6244_;
-                                            if (_e2303[1] < 0.0lf) {
-                                                phi_6251_ = -(_e2303[1]);
+                                            let _e2257 = phi_5056_;
+                                            if (_e2250[1] < 0.0lf) {
+                                                phi_5063_ = -(_e2250[1]);
                                             } else {
-                                                phi_6251_ = _e2303[1];
+                                                phi_5063_ = _e2250[1];
                                             }
-                                            let _e2314 = phi_6251_;
-                                            if (_e2310 > _e2314) {
-                                                phi_6256_ = _e2310;
+                                            let _e2261 = phi_5063_;
+                                            if (_e2257 > _e2261) {
+                                                phi_5068_ = _e2257;
                                             } else {
-                                                phi_6256_ = _e2314;
+                                                phi_5068_ = _e2261;
                                             }
-                                            let _e2317 = phi_6256_;
-                                            if (_e2303[2] < 0.0lf) {
-                                                phi_6263_ = -(_e2303[2]);
+                                            let _e2264 = phi_5068_;
+                                            if (_e2250[2] < 0.0lf) {
+                                                phi_5075_ = -(_e2250[2]);
                                             } else {
-                                                phi_6263_ = _e2303[2];
+                                                phi_5075_ = _e2250[2];
                                             }
-                                            let _e2321 = phi_6263_;
-                                            if (_e2317 > _e2321) {
-                                                phi_6268_ = _e2317;
+                                            let _e2268 = phi_5075_;
+                                            if (_e2264 > _e2268) {
+                                                phi_5080_ = _e2264;
                                             } else {
-                                                phi_6268_ = _e2321;
+                                                phi_5080_ = _e2268;
                                             }
-                                            let _e2324 = phi_6268_;
-                                            let _e2327 = local_20.member_2[1u];
-                                            if (_e2327[0] < 0.0lf) {
-                                                phi_6282_ = -(_e2327[0]);
+                                            let _e2271 = phi_5080_;
+                                            let _e2274 = local_12.member_2[1u];
+                                            if (_e2274[0] < 0.0lf) {
+                                                phi_5094_ = -(_e2274[0]);
                                             } else {
-                                                phi_6282_ = _e2327[0];
+                                                phi_5094_ = _e2274[0];
                                             }
-                                            let _e2334 = phi_6282_;
-                                            if (_e2327[1] < 0.0lf) {
-                                                phi_6289_ = -(_e2327[1]);
+                                            let _e2281 = phi_5094_;
+                                            if (_e2274[1] < 0.0lf) {
+                                                phi_5101_ = -(_e2274[1]);
                                             } else {
-                                                phi_6289_ = _e2327[1];
+                                                phi_5101_ = _e2274[1];
                                             }
-                                            let _e2338 = phi_6289_;
-                                            if (_e2334 > _e2338) {
-                                                phi_6294_ = _e2334;
+                                            let _e2285 = phi_5101_;
+                                            if (_e2281 > _e2285) {
+                                                phi_5106_ = _e2281;
                                             } else {
-                                                phi_6294_ = _e2338;
+                                                phi_5106_ = _e2285;
                                             }
-                                            let _e2341 = phi_6294_;
-                                            if (_e2327[2] < 0.0lf) {
-                                                phi_6301_ = -(_e2327[2]);
+                                            let _e2288 = phi_5106_;
+                                            if (_e2274[2] < 0.0lf) {
+                                                phi_5113_ = -(_e2274[2]);
                                             } else {
-                                                phi_6301_ = _e2327[2];
+                                                phi_5113_ = _e2274[2];
                                             }
-                                            let _e2345 = phi_6301_;
-                                            if (_e2341 > _e2345) {
-                                                phi_6306_ = _e2341;
+                                            let _e2292 = phi_5113_;
+                                            if (_e2288 > _e2292) {
+                                                phi_5118_ = _e2288;
                                             } else {
-                                                phi_6306_ = _e2345;
+                                                phi_5118_ = _e2292;
                                             }
-                                            let _e2348 = phi_6306_;
-                                            if (_e2324 > _e2348) {
-                                                phi_6311_ = _e2324;
+                                            let _e2295 = phi_5118_;
+                                            if (_e2271 > _e2295) {
+                                                phi_5123_ = _e2271;
                                             } else {
-                                                phi_6311_ = _e2348;
+                                                phi_5123_ = _e2295;
                                             }
-                                            let _e2351 = phi_6311_;
-                                            let _e2353 = local_20.member_3;
-                                            let _e2361 = local_20.member_3;
-                                            phi_6331_ = type_19(0u, 48u);
-                                            phi_6334_ = _e1387.member;
+                                            let _e2298 = phi_5123_;
+                                            let _e2300 = local_12.member_3;
+                                            let _e2308 = local_12.member_3;
+                                            phi_5143_ = type_19(0u, 48u);
+                                            phi_5146_ = _e1334.member;
                                             loop {
-                                                let _e2370 = phi_6331_;
-                                                let _e2372 = phi_6334_;
-                                                local_70 = _e2372;
-                                                local_32 = _e2372;
-                                                local_33 = _e2372;
-                                                local_34 = _e2372;
-                                                local_35 = _e2372;
-                                                if (_e2370.member < _e2370.member_1) {
-                                                    phi_6332_ = type_19((_e2370.member + 1u), _e2370.member_1);
-                                                    phi_6357_ = type_19(1u, _e2370.member);
+                                                let _e2317 = phi_5143_;
+                                                let _e2319 = phi_5146_;
+                                                local_61 = _e2319;
+                                                local_24 = _e2319;
+                                                local_25 = _e2319;
+                                                local_26 = _e2319;
+                                                local_27 = _e2319;
+                                                if (_e2317.member < _e2317.member_1) {
+                                                    phi_5144_ = type_19((_e2317.member + 1u), _e2317.member_1);
+                                                    phi_5169_ = type_19(1u, _e2317.member);
                                                 } else {
-                                                    phi_6332_ = _e2370;
-                                                    phi_6357_ = type_19(0u, type_19().member_1);
+                                                    phi_5144_ = _e2317;
+                                                    phi_5169_ = type_19(0u, type_19().member_1);
                                                 }
-                                                let _e2384 = phi_6332_;
-                                                let _e2386 = phi_6357_;
-                                                if (bitcast<i32>(_e2386.member) != 0i) {
-                                                    let _e2392 = local_20.member[0u];
-                                                    let _e2398 = local_20.member[1u];
-                                                    let _e2408 = (_e2392[0] + ((_e2398[0] - _e2392[0]) * _e2372));
-                                                    let _e2409 = (_e2392[1] + ((_e2398[1] - _e2392[1]) * _e2372));
-                                                    let _e2410 = (_e2392[2] + ((_e2398[2] - _e2392[2]) * _e2372));
-                                                    let _e2413 = local_20.member_1[0u];
-                                                    let _e2419 = local_20.member_1[1u];
-                                                    let _e2429 = (_e2413[0] + ((_e2419[0] - _e2413[0]) * _e2372));
-                                                    let _e2430 = (_e2413[1] + ((_e2419[1] - _e2413[1]) * _e2372));
-                                                    let _e2431 = (_e2413[2] + ((_e2419[2] - _e2413[2]) * _e2372));
-                                                    let _e2434 = local_20.member_2[0u];
-                                                    let _e2440 = local_20.member_2[1u];
-                                                    let _e2450 = (_e2434[0] + ((_e2440[0] - _e2434[0]) * _e2372));
-                                                    let _e2451 = (_e2434[1] + ((_e2440[1] - _e2434[1]) * _e2372));
-                                                    let _e2452 = (_e2434[2] + ((_e2440[2] - _e2434[2]) * _e2372));
-                                                    let _e2457 = (((_e2429 * _e2429) + (_e2430 * _e2430)) + (_e2431 * _e2431));
-                                                    let _e2462 = (((_e2429 * _e2450) + (_e2430 * _e2451)) + (_e2431 * _e2452));
-                                                    let _e2467 = (((_e2450 * _e2450) + (_e2451 * _e2451)) + (_e2452 * _e2452));
-                                                    let _e2472 = (((_e2408 * _e2429) + (_e2409 * _e2430)) + (_e2410 * _e2431));
-                                                    let _e2477 = (((_e2408 * _e2450) + (_e2409 * _e2451)) + (_e2410 * _e2452));
-                                                    let _e2480 = ((_e2457 * _e2467) - (_e2462 * _e2462));
-                                                    let _e2481 = f64(0f);
-                                                    let _e2482 = f64(1f);
-                                                    let _e2486 = (((_e2472 * _e2467) - (_e2477 * _e2462)) / _e2480);
-                                                    let _e2490 = (((_e2477 * _e2457) - (_e2472 * _e2462)) / _e2480);
-                                                    if (_e2486 >= _e2481) {
-                                                        if (_e2490 >= _e2481) {
-                                                            if (_e2486 <= _e2482) {
-                                                                phi_6513_ = (_e2490 <= _e2482);
-                                                                phi_6514_ = false;
-                                                            } else {
-                                                                phi_6513_ = bool();
-                                                                phi_6514_ = true;
-                                                            }
-                                                            let _e2496 = phi_6513_;
-                                                            let _e2498 = phi_6514_;
-                                                            phi_6515_ = _e2496;
-                                                            phi_6516_ = _e2498;
-                                                        } else {
-                                                            phi_6515_ = bool();
-                                                            phi_6516_ = true;
-                                                        }
-                                                        let _e2500 = phi_6515_;
-                                                        let _e2502 = phi_6516_;
-                                                        phi_6517_ = _e2500;
-                                                        phi_6518_ = _e2502;
+                                                let _e2331 = phi_5144_;
+                                                let _e2333 = phi_5169_;
+                                                if (bitcast<i32>(_e2333.member) != 0i) {
+                                                    let _e2339 = local_12.member[0u];
+                                                    let _e2345 = local_12.member[1u];
+                                                    let _e2361 = local_12.member_1[0u];
+                                                    let _e2367 = local_12.member_1[1u];
+                                                    let _e2383 = local_12.member_2[0u];
+                                                    let _e2389 = local_12.member_2[1u];
+                                                    let _e2403 = function_2(array<f64, 3>((_e2339[0] + ((_e2345[0] - _e2339[0]) * _e2319)), (_e2339[1] + ((_e2345[1] - _e2339[1]) * _e2319)), (_e2339[2] + ((_e2345[2] - _e2339[2]) * _e2319))), array<f64, 3>((_e2361[0] + ((_e2367[0] - _e2361[0]) * _e2319)), (_e2361[1] + ((_e2367[1] - _e2361[1]) * _e2319)), (_e2361[2] + ((_e2367[2] - _e2361[2]) * _e2319))), array<f64, 3>((_e2383[0] + ((_e2389[0] - _e2383[0]) * _e2319)), (_e2383[1] + ((_e2389[1] - _e2383[1]) * _e2319)), (_e2383[2] + ((_e2389[2] - _e2383[2]) * _e2319))), 1u);
+                                                    if (_e2403[0] < 0.0lf) {
+                                                        phi_5280_ = -(_e2403[0]);
                                                     } else {
-                                                        phi_6517_ = bool();
-                                                        phi_6518_ = true;
+                                                        phi_5280_ = _e2403[0];
                                                     }
-                                                    let _e2504 = phi_6517_;
-                                                    let _e2506 = phi_6518_;
-                                                    if _e2506 {
-                                                        phi_6522_ = false;
+                                                    let _e2408 = phi_5280_;
+                                                    if (_e2403[1] < 0.0lf) {
+                                                        phi_5287_ = -(_e2403[1]);
                                                     } else {
-                                                        phi_6522_ = _e2504;
+                                                        phi_5287_ = _e2403[1];
                                                     }
-                                                    let _e2508 = phi_6522_;
-                                                    if (_e2480 > _e2481) {
-                                                        if _e2508 {
-                                                            phi_6562_ = array<f64, 3>((_e2408 - ((_e2429 * _e2486) + (_e2450 * _e2490))), (_e2409 - ((_e2430 * _e2486) + (_e2451 * _e2490))), (_e2410 - ((_e2431 * _e2486) + (_e2452 * _e2490))));
-                                                            phi_6563_ = false;
-                                                        } else {
-                                                            phi_6562_ = array<f64, 3>();
-                                                            phi_6563_ = true;
-                                                        }
-                                                        let _e2524 = phi_6562_;
-                                                        let _e2526 = phi_6563_;
-                                                        phi_6564_ = _e2524;
-                                                        phi_6565_ = _e2526;
+                                                    let _e2413 = phi_5287_;
+                                                    if (_e2403[2] < 0.0lf) {
+                                                        phi_5295_ = -(_e2403[2]);
                                                     } else {
-                                                        phi_6564_ = array<f64, 3>();
-                                                        phi_6565_ = true;
+                                                        phi_5295_ = _e2403[2];
                                                     }
-                                                    let _e2528 = phi_6564_;
-                                                    let _e2530 = phi_6565_;
-                                                    if _e2530 {
-                                                        let _e2531 = (_e2408 - _e2429);
-                                                        let _e2532 = (_e2409 - _e2430);
-                                                        let _e2533 = (_e2410 - _e2431);
-                                                        let _e2544 = ((((_e2408 * _e2429) + (_e2409 * _e2430)) + (_e2410 * _e2431)) / (((_e2429 * _e2429) + (_e2430 * _e2430)) + (_e2431 * _e2431)));
-                                                        if (_e2544 > f64(0f)) {
-                                                            if (_e2544 < f64(1f)) {
-                                                                phi_6598_ = _e2544;
-                                                            } else {
-                                                                phi_6598_ = f64(1f);
-                                                            }
-                                                            let _e2552 = phi_6598_;
-                                                            phi_6600_ = _e2552;
-                                                        } else {
-                                                            phi_6600_ = f64(0f);
-                                                        }
-                                                        let _e2554 = phi_6600_;
-                                                        let _e2571 = ((((_e2408 * _e2450) + (_e2409 * _e2451)) + (_e2410 * _e2452)) / (((_e2450 * _e2450) + (_e2451 * _e2451)) + (_e2452 * _e2452)));
-                                                        if (_e2571 > f64(0f)) {
-                                                            if (_e2571 < f64(1f)) {
-                                                                phi_6630_ = _e2571;
-                                                            } else {
-                                                                phi_6630_ = f64(1f);
-                                                            }
-                                                            let _e2579 = phi_6630_;
-                                                            phi_6632_ = _e2579;
-                                                        } else {
-                                                            phi_6632_ = f64(0f);
-                                                        }
-                                                        let _e2581 = phi_6632_;
-                                                        let _e2598 = ((((_e2531 * _e2450) + (_e2532 * _e2451)) + (_e2533 * _e2452)) / (((_e2450 * _e2450) + (_e2451 * _e2451)) + (_e2452 * _e2452)));
-                                                        if (_e2598 > f64(0f)) {
-                                                            if (_e2598 < f64(1f)) {
-                                                                phi_6662_ = _e2598;
-                                                            } else {
-                                                                phi_6662_ = f64(1f);
-                                                            }
-                                                            let _e2606 = phi_6662_;
-                                                            phi_6664_ = _e2606;
-                                                        } else {
-                                                            phi_6664_ = f64(0f);
-                                                        }
-                                                        let _e2608 = phi_6664_;
-                                                        let _e2615 = (_e2408 - _e2450);
-                                                        let _e2616 = (_e2409 - _e2451);
-                                                        let _e2617 = (_e2410 - _e2452);
-                                                        let _e2628 = ((((_e2615 * _e2429) + (_e2616 * _e2430)) + (_e2617 * _e2431)) / (((_e2429 * _e2429) + (_e2430 * _e2430)) + (_e2431 * _e2431)));
-                                                        if (_e2628 > f64(0f)) {
-                                                            if (_e2628 < f64(1f)) {
-                                                                phi_6697_ = _e2628;
-                                                            } else {
-                                                                phi_6697_ = f64(1f);
-                                                            }
-                                                            let _e2636 = phi_6697_;
-                                                            phi_6699_ = _e2636;
-                                                        } else {
-                                                            phi_6699_ = f64(0f);
-                                                        }
-                                                        let _e2638 = phi_6699_;
-                                                        local[0u] = array<f64, 3>((_e2408 - (_e2429 * _e2554)), (_e2409 - (_e2430 * _e2554)), (_e2410 - (_e2431 * _e2554)));
-                                                        local[1u] = array<f64, 3>((_e2408 - (_e2450 * _e2581)), (_e2409 - (_e2451 * _e2581)), (_e2410 - (_e2452 * _e2581)));
-                                                        local[2u] = array<f64, 3>((_e2531 - (_e2450 * _e2608)), (_e2532 - (_e2451 * _e2608)), (_e2533 - (_e2452 * _e2608)));
-                                                        local[3u] = array<f64, 3>((_e2615 - (_e2429 * _e2638)), (_e2616 - (_e2430 * _e2638)), (_e2617 - (_e2431 * _e2638)));
-                                                        let _e2654 = local[0u];
-                                                        phi_6854_ = type_19(1u, 4u);
-                                                        phi_6857_ = array<f64, 3>(_e2654[0], _e2654[1], _e2654[2]);
-                                                        loop {
-                                                            let _e2660 = phi_6854_;
-                                                            let _e2662 = phi_6857_;
-                                                            local_57 = _e2662;
-                                                            if (_e2660.member < _e2660.member_1) {
-                                                                phi_6855_ = type_19((_e2660.member + 1u), _e2660.member_1);
-                                                                phi_6880_ = type_19(1u, _e2660.member);
-                                                            } else {
-                                                                phi_6855_ = _e2660;
-                                                                phi_6880_ = type_19(0u, type_19().member_1);
-                                                            }
-                                                            let _e2674 = phi_6855_;
-                                                            let _e2676 = phi_6880_;
-                                                            let _e2680 = (bitcast<i32>(_e2676.member) != 0i);
-                                                            if _e2680 {
-                                                                let _e2682 = local[_e2676.member_1];
-                                                                let _e2687 = local[_e2676.member_1];
-                                                                if ((((_e2682[0] * _e2687[0]) + (_e2682[1] * _e2687[1])) + (_e2682[2] * _e2687[2])) < (((_e2662[0] * _e2662[0]) + (_e2662[1] * _e2662[1])) + (_e2662[2] * _e2662[2]))) {
-                                                                    let _e2709 = local[_e2676.member_1];
-                                                                    phi_6947_ = array<f64, 3>(_e2709[0], _e2709[1], _e2709[2]);
+                                                    let _e2419 = phi_5295_;
+                                                    let _e2420 = ((_e2408 + _e2413) + _e2419);
+                                                    if (_e2420 > f64(0f)) {
+                                                        if ((bitcast<u64>(_e2420) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                                            let _e2426 = (f64(1f) / _e2420);
+                                                            let _e2428 = (_e2403[0] * _e2426);
+                                                            let _e2430 = (_e2403[1] * _e2426);
+                                                            let _e2432 = (_e2403[2] * _e2426);
+                                                            let _e2437 = (((_e2428 * _e2428) + (_e2430 * _e2430)) + (_e2432 * _e2432));
+                                                            if (_e2437 <= 2.2250738585072014e-308lf) {
+                                                                if (_e2437 > 0.0lf) {
+                                                                    phi_5333_ = (1.464336215552873e-154lf * 2.0lf);
                                                                 } else {
-                                                                    phi_6947_ = _e2662;
+                                                                    phi_5333_ = 0.0lf;
                                                                 }
-                                                                let _e2715 = phi_6947_;
-                                                                phi_6858_ = _e2715;
+                                                                let _e2489 = phi_5333_;
+                                                                phi_5397_ = _e2489;
                                                             } else {
-                                                                phi_6858_ = array<f64, 3>();
-                                                            }
-                                                            let _e2717 = phi_6858_;
-                                                            continue;
-                                                            continuing {
-                                                                phi_6854_ = _e2674;
-                                                                phi_6857_ = _e2717;
-                                                                break if !(_e2680);
-                                                            }
-                                                        }
-                                                        let _e5334 = local_57;
-                                                        phi_6948_ = _e5334;
-                                                    } else {
-                                                        phi_6948_ = _e2528;
-                                                    }
-                                                    let _e2720 = phi_6948_;
-                                                    if (_e2720[0] < 0.0lf) {
-                                                        phi_6955_ = -(_e2720[0]);
-                                                    } else {
-                                                        phi_6955_ = _e2720[0];
-                                                    }
-                                                    let _e2725 = phi_6955_;
-                                                    if (_e2720[1] < 0.0lf) {
-                                                        phi_6962_ = -(_e2720[1]);
-                                                    } else {
-                                                        phi_6962_ = _e2720[1];
-                                                    }
-                                                    let _e2730 = phi_6962_;
-                                                    if (_e2720[2] < 0.0lf) {
-                                                        phi_6970_ = -(_e2720[2]);
-                                                    } else {
-                                                        phi_6970_ = _e2720[2];
-                                                    }
-                                                    let _e2736 = phi_6970_;
-                                                    let _e2737 = ((_e2725 + _e2730) + _e2736);
-                                                    if (_e2737 > f64(0f)) {
-                                                        if ((bitcast<u64>(_e2737) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                                            let _e2743 = (f64(1f) / _e2737);
-                                                            let _e2745 = (_e2720[0] * _e2743);
-                                                            let _e2747 = (_e2720[1] * _e2743);
-                                                            let _e2749 = (_e2720[2] * _e2743);
-                                                            let _e2754 = (((_e2745 * _e2745) + (_e2747 * _e2747)) + (_e2749 * _e2749));
-                                                            if (_e2754 <= 2.2250738585072014e-308lf) {
-                                                                if (_e2754 > 0.0lf) {
-                                                                    phi_7008_ = (1.464336215552873e-154lf * 2.0lf);
-                                                                } else {
-                                                                    phi_7008_ = 0.0lf;
-                                                                }
-                                                                let _e2806 = phi_7008_;
-                                                                phi_7072_ = _e2806;
-                                                            } else {
-                                                                phi_7015_ = type_17(0i, 5i);
-                                                                phi_7018_ = bitcast<f64>(((bitcast<u64>(_e2754) / 2lu) + 2303426169912950784lu));
+                                                                phi_5340_ = type_17(0i, 5i);
+                                                                phi_5343_ = bitcast<f64>(((bitcast<u64>(_e2437) / 2lu) + 2303426169912950784lu));
                                                                 loop {
-                                                                    let _e2761 = phi_7015_;
-                                                                    let _e2763 = phi_7018_;
-                                                                    local_26 = _e2763;
-                                                                    if (_e2761.member < _e2761.member_1) {
-                                                                        let _e2770 = (_e2761.member + 1i);
-                                                                        if ((false == (_e2770 > _e2761.member)) != false) {
-                                                                            phi_7039_ = true;
+                                                                    let _e2444 = phi_5340_;
+                                                                    let _e2446 = phi_5343_;
+                                                                    local_18 = _e2446;
+                                                                    if (_e2444.member < _e2444.member_1) {
+                                                                        let _e2453 = (_e2444.member + 1i);
+                                                                        if ((false == (_e2453 > _e2444.member)) != false) {
+                                                                            phi_5364_ = true;
                                                                         } else {
-                                                                            phi_7039_ = false;
+                                                                            phi_5364_ = false;
                                                                         }
-                                                                        let _e2775 = phi_7039_;
-                                                                        if _e2775 {
-                                                                            phi_7045_ = type_18(0u, type_18().member_1);
+                                                                        let _e2458 = phi_5364_;
+                                                                        if _e2458 {
+                                                                            phi_5370_ = type_18(0u, type_18().member_1);
                                                                         } else {
-                                                                            phi_7045_ = type_18(1u, _e2770);
+                                                                            phi_5370_ = type_18(1u, _e2453);
                                                                         }
-                                                                        let _e2780 = phi_7045_;
-                                                                        phi_7016_ = type_17(_e2780.member_1, _e2761.member_1);
-                                                                        phi_7059_ = type_18(1u, _e2761.member);
+                                                                        let _e2463 = phi_5370_;
+                                                                        phi_5341_ = type_17(_e2463.member_1, _e2444.member_1);
+                                                                        phi_5384_ = type_18(1u, _e2444.member);
                                                                     } else {
-                                                                        phi_7016_ = _e2761;
-                                                                        phi_7059_ = type_18(0u, type_18().member_1);
+                                                                        phi_5341_ = _e2444;
+                                                                        phi_5384_ = type_18(0u, type_18().member_1);
                                                                     }
-                                                                    let _e2786 = phi_7016_;
-                                                                    let _e2788 = phi_7059_;
-                                                                    let _e2791 = (bitcast<i32>(_e2788.member) != 0i);
-                                                                    if _e2791 {
-                                                                        phi_7019_ = (0.5lf * (_e2763 + (_e2754 / _e2763)));
+                                                                    let _e2469 = phi_5341_;
+                                                                    let _e2471 = phi_5384_;
+                                                                    let _e2474 = (bitcast<i32>(_e2471.member) != 0i);
+                                                                    if _e2474 {
+                                                                        phi_5344_ = (0.5lf * (_e2446 + (_e2437 / _e2446)));
                                                                     } else {
-                                                                        phi_7019_ = f64();
+                                                                        phi_5344_ = f64();
                                                                     }
-                                                                    let _e2796 = phi_7019_;
+                                                                    let _e2479 = phi_5344_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_7015_ = _e2786;
-                                                                        phi_7018_ = _e2796;
-                                                                        break if !(_e2791);
+                                                                        phi_5340_ = _e2469;
+                                                                        phi_5343_ = _e2479;
+                                                                        break if !(_e2474);
                                                                     }
                                                                 }
-                                                                let _e2801 = local_26;
-                                                                phi_7072_ = (_e2801 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                                let _e2484 = local_18;
+                                                                phi_5397_ = (_e2484 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                             }
-                                                            let _e2808 = phi_7072_;
-                                                            phi_7085_ = type_19(0u, 4u);
-                                                            phi_7088_ = f64(2f);
+                                                            let _e2491 = phi_5397_;
+                                                            phi_5410_ = type_19(0u, 4u);
+                                                            phi_5413_ = f64(2f);
                                                             loop {
-                                                                let _e2820 = phi_7085_;
-                                                                let _e2822 = phi_7088_;
-                                                                local_28 = _e2822;
-                                                                local_29 = _e2822;
-                                                                local_30 = _e2822;
-                                                                local_60 = _e2822;
-                                                                local_61 = _e2822;
-                                                                if (_e2820.member < _e2820.member_1) {
-                                                                    phi_7086_ = type_19((_e2820.member + 1u), _e2820.member_1);
-                                                                    phi_7111_ = type_19(1u, _e2820.member);
+                                                                let _e2503 = phi_5410_;
+                                                                let _e2505 = phi_5413_;
+                                                                local_20 = _e2505;
+                                                                local_21 = _e2505;
+                                                                local_22 = _e2505;
+                                                                local_51 = _e2505;
+                                                                local_52 = _e2505;
+                                                                if (_e2503.member < _e2503.member_1) {
+                                                                    phi_5411_ = type_19((_e2503.member + 1u), _e2503.member_1);
+                                                                    phi_5436_ = type_19(1u, _e2503.member);
                                                                 } else {
-                                                                    phi_7086_ = _e2820;
-                                                                    phi_7111_ = type_19(0u, type_19().member_1);
+                                                                    phi_5411_ = _e2503;
+                                                                    phi_5436_ = type_19(0u, type_19().member_1);
                                                                 }
-                                                                let _e2834 = phi_7086_;
-                                                                let _e2836 = phi_7111_;
-                                                                if (bitcast<i32>(_e2836.member) != 0i) {
-                                                                    let _e2842 = local_1[_e2836.member_1];
-                                                                    let _e2850 = (((_e2745 * _e2842[0]) + (_e2747 * _e2842[1])) + (_e2749 * _e2842[2]));
-                                                                    let _e2852 = local_2[_e2836.member_1];
-                                                                    let _e2860 = (((_e2745 * _e2852[0]) + (_e2747 * _e2852[1])) + (_e2749 * _e2852[2]));
-                                                                    if (_e2850 < 0.0lf) {
-                                                                        phi_7162_ = -(_e2850);
+                                                                let _e2517 = phi_5411_;
+                                                                let _e2519 = phi_5436_;
+                                                                if (bitcast<i32>(_e2519.member) != 0i) {
+                                                                    let _e2525 = local[_e2519.member_1];
+                                                                    let _e2533 = (((_e2428 * _e2525[0]) + (_e2430 * _e2525[1])) + (_e2432 * _e2525[2]));
+                                                                    let _e2535 = local_1[_e2519.member_1];
+                                                                    let _e2543 = (((_e2428 * _e2535[0]) + (_e2430 * _e2535[1])) + (_e2432 * _e2535[2]));
+                                                                    if (_e2533 < 0.0lf) {
+                                                                        phi_5487_ = -(_e2533);
                                                                     } else {
-                                                                        phi_7162_ = _e2850;
+                                                                        phi_5487_ = _e2533;
                                                                     }
-                                                                    let _e2864 = phi_7162_;
-                                                                    if (_e2860 < 0.0lf) {
-                                                                        phi_7168_ = -(_e2860);
+                                                                    let _e2547 = phi_5487_;
+                                                                    if (_e2543 < 0.0lf) {
+                                                                        phi_5493_ = -(_e2543);
                                                                     } else {
-                                                                        phi_7168_ = _e2860;
+                                                                        phi_5493_ = _e2543;
                                                                     }
-                                                                    let _e2868 = phi_7168_;
-                                                                    let _e2873 = (((((((((_e2243 + _e2245) + (_e2297 + _e2299)) + (_e2351 + _e2353)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2361 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((f64(0f) * _e2808) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e2864 + _e2868) * (1.1102230246251565e-16lf * f64(8f))));
-                                                                    if (_e2850 > _e2873) {
-                                                                        if (_e2860 > _e2873) {
-                                                                            phi_7182_ = false;
+                                                                    let _e2551 = phi_5493_;
+                                                                    let _e2556 = (((((((((_e2190 + _e2192) + (_e2244 + _e2246)) + (_e2298 + _e2300)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2308 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((f64(0f) * _e2491) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e2547 + _e2551) * (1.1102230246251565e-16lf * f64(8f))));
+                                                                    if (_e2533 > _e2556) {
+                                                                        if (_e2543 > _e2556) {
+                                                                            phi_5507_ = false;
                                                                         } else {
-                                                                            phi_7182_ = true;
+                                                                            phi_5507_ = true;
                                                                         }
-                                                                        let _e2877 = phi_7182_;
-                                                                        phi_7183_ = _e2877;
+                                                                        let _e2560 = phi_5507_;
+                                                                        phi_5508_ = _e2560;
                                                                     } else {
-                                                                        phi_7183_ = true;
+                                                                        phi_5508_ = true;
                                                                     }
-                                                                    let _e2879 = phi_7183_;
-                                                                    if _e2879 {
-                                                                        if ((_e2850 + ((_e2860 - _e2850) * _e2372)) > _e2873) {
-                                                                            if (_e2860 < _e2850) {
-                                                                                let _e2888 = ((_e2850 - _e2860) <= (f64(0.25f) / 2.2250738585072014e-308lf));
-                                                                                if _e2888 {
-                                                                                    let _e2896 = (((_e2850 - _e2873) / (_e2850 - _e2860)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                                    if (_e2822 < _e2896) {
-                                                                                        phi_7217_ = _e2822;
+                                                                    let _e2562 = phi_5508_;
+                                                                    if _e2562 {
+                                                                        if ((_e2533 + ((_e2543 - _e2533) * _e2319)) > _e2556) {
+                                                                            if (_e2543 < _e2533) {
+                                                                                let _e2571 = ((_e2533 - _e2543) <= (f64(0.25f) / 2.2250738585072014e-308lf));
+                                                                                if _e2571 {
+                                                                                    let _e2579 = (((_e2533 - _e2556) / (_e2533 - _e2543)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                                    if (_e2505 < _e2579) {
+                                                                                        phi_5542_ = _e2505;
                                                                                     } else {
-                                                                                        phi_7217_ = _e2896;
+                                                                                        phi_5542_ = _e2579;
                                                                                     }
-                                                                                    let _e2899 = phi_7217_;
-                                                                                    phi_7218_ = _e2899;
+                                                                                    let _e2582 = phi_5542_;
+                                                                                    phi_5543_ = _e2582;
                                                                                 } else {
-                                                                                    phi_7218_ = f64();
+                                                                                    phi_5543_ = f64();
                                                                                 }
-                                                                                let _e2901 = phi_7218_;
-                                                                                phi_7219_ = _e2901;
-                                                                                phi_7220_ = _e2888;
+                                                                                let _e2584 = phi_5543_;
+                                                                                phi_5544_ = _e2584;
+                                                                                phi_5545_ = _e2571;
                                                                             } else {
-                                                                                phi_7219_ = _e2822;
-                                                                                phi_7220_ = true;
+                                                                                phi_5544_ = _e2505;
+                                                                                phi_5545_ = true;
                                                                             }
-                                                                            let _e2903 = phi_7219_;
-                                                                            let _e2905 = phi_7220_;
-                                                                            if _e2905 {
-                                                                                phi_7224_ = false;
+                                                                            let _e2586 = phi_5544_;
+                                                                            let _e2588 = phi_5545_;
+                                                                            if _e2588 {
+                                                                                phi_5549_ = false;
                                                                             } else {
-                                                                                phi_7224_ = true;
+                                                                                phi_5549_ = true;
                                                                             }
-                                                                            let _e2907 = phi_7224_;
-                                                                            phi_7225_ = _e2903;
-                                                                            phi_7226_ = _e2905;
-                                                                            phi_7227_ = _e2907;
-                                                                            phi_7228_ = false;
+                                                                            let _e2590 = phi_5549_;
+                                                                            phi_5550_ = _e2586;
+                                                                            phi_5551_ = _e2588;
+                                                                            phi_5552_ = _e2590;
+                                                                            phi_5553_ = false;
                                                                         } else {
-                                                                            phi_7225_ = f64();
-                                                                            phi_7226_ = false;
-                                                                            phi_7227_ = false;
-                                                                            phi_7228_ = true;
+                                                                            phi_5550_ = f64();
+                                                                            phi_5551_ = false;
+                                                                            phi_5552_ = false;
+                                                                            phi_5553_ = true;
                                                                         }
-                                                                        let _e2909 = phi_7225_;
-                                                                        let _e2911 = phi_7226_;
-                                                                        let _e2913 = phi_7227_;
-                                                                        let _e2915 = phi_7228_;
-                                                                        phi_7229_ = _e2909;
-                                                                        phi_7230_ = _e2911;
-                                                                        phi_7231_ = _e2913;
-                                                                        phi_7232_ = _e2915;
+                                                                        let _e2592 = phi_5550_;
+                                                                        let _e2594 = phi_5551_;
+                                                                        let _e2596 = phi_5552_;
+                                                                        let _e2598 = phi_5553_;
+                                                                        phi_5554_ = _e2592;
+                                                                        phi_5555_ = _e2594;
+                                                                        phi_5556_ = _e2596;
+                                                                        phi_5557_ = _e2598;
                                                                     } else {
-                                                                        phi_7229_ = _e2822;
-                                                                        phi_7230_ = true;
-                                                                        phi_7231_ = false;
-                                                                        phi_7232_ = false;
+                                                                        phi_5554_ = _e2505;
+                                                                        phi_5555_ = true;
+                                                                        phi_5556_ = false;
+                                                                        phi_5557_ = false;
                                                                     }
-                                                                    let _e2917 = phi_7229_;
-                                                                    let _e2919 = phi_7230_;
-                                                                    let _e2921 = phi_7231_;
-                                                                    let _e2923 = phi_7232_;
-                                                                    phi_7089_ = _e2917;
-                                                                    phi_7233_ = _e2919;
-                                                                    phi_7234_ = false;
-                                                                    phi_7235_ = _e2921;
-                                                                    phi_7236_ = _e2923;
+                                                                    let _e2600 = phi_5554_;
+                                                                    let _e2602 = phi_5555_;
+                                                                    let _e2604 = phi_5556_;
+                                                                    let _e2606 = phi_5557_;
+                                                                    phi_5414_ = _e2600;
+                                                                    phi_5558_ = _e2602;
+                                                                    phi_5559_ = false;
+                                                                    phi_5560_ = _e2604;
+                                                                    phi_5561_ = _e2606;
                                                                 } else {
-                                                                    phi_7089_ = f64();
-                                                                    phi_7233_ = false;
-                                                                    phi_7234_ = true;
-                                                                    phi_7235_ = false;
-                                                                    phi_7236_ = false;
+                                                                    phi_5414_ = f64();
+                                                                    phi_5558_ = false;
+                                                                    phi_5559_ = true;
+                                                                    phi_5560_ = false;
+                                                                    phi_5561_ = false;
                                                                 }
-                                                                let _e2925 = phi_7089_;
-                                                                let _e2927 = phi_7233_;
-                                                                let _e2929 = phi_7234_;
-                                                                let _e2931 = phi_7235_;
-                                                                let _e2933 = phi_7236_;
-                                                                local_27 = _e2929;
-                                                                local_58 = _e2931;
-                                                                local_59 = _e2933;
+                                                                let _e2608 = phi_5414_;
+                                                                let _e2610 = phi_5558_;
+                                                                let _e2612 = phi_5559_;
+                                                                let _e2614 = phi_5560_;
+                                                                let _e2616 = phi_5561_;
+                                                                local_19 = _e2612;
+                                                                local_49 = _e2614;
+                                                                local_50 = _e2616;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_7085_ = _e2834;
-                                                                    phi_7088_ = _e2925;
-                                                                    break if !(_e2927);
+                                                                    phi_5410_ = _e2517;
+                                                                    phi_5413_ = _e2608;
+                                                                    break if !(_e2610);
                                                                 }
                                                             }
-                                                            let _e2936 = local_27;
-                                                            if _e2936 {
-                                                                let _e2938 = local_28;
-                                                                let _e2939 = (_e2938 > _e1387.member_1);
-                                                                if _e2939 {
-                                                                    phi_7258_ = false;
-                                                                    phi_7259_ = false;
-                                                                    phi_7260_ = false;
+                                                            let _e2619 = local_19;
+                                                            if _e2619 {
+                                                                let _e2621 = local_20;
+                                                                let _e2622 = (_e2621 > _e1334.member_1);
+                                                                if _e2622 {
+                                                                    phi_5583_ = false;
+                                                                    phi_5584_ = false;
+                                                                    phi_5585_ = false;
                                                                 } else {
-                                                                    let _e2941 = local_29;
-                                                                    if (_e2941 > _e2372) {
-                                                                        let _e2944 = local_30;
-                                                                        let _e2947 = ((_e2944 - _e2372) < f64(0.00000000023283064f));
-                                                                        if _e2947 {
-                                                                            phi_7254_ = false;
+                                                                    let _e2624 = local_21;
+                                                                    if (_e2624 > _e2319) {
+                                                                        let _e2627 = local_22;
+                                                                        let _e2630 = ((_e2627 - _e2319) < f64(0.00000000023283064f));
+                                                                        if _e2630 {
+                                                                            phi_5579_ = false;
                                                                         } else {
-                                                                            phi_7254_ = true;
+                                                                            phi_5579_ = true;
                                                                         }
-                                                                        let _e2949 = phi_7254_;
-                                                                        phi_7255_ = _e2949;
-                                                                        phi_7256_ = _e2947;
-                                                                        phi_7257_ = false;
+                                                                        let _e2632 = phi_5579_;
+                                                                        phi_5580_ = _e2632;
+                                                                        phi_5581_ = _e2630;
+                                                                        phi_5582_ = false;
                                                                     } else {
-                                                                        phi_7255_ = false;
-                                                                        phi_7256_ = false;
-                                                                        phi_7257_ = true;
+                                                                        phi_5580_ = false;
+                                                                        phi_5581_ = false;
+                                                                        phi_5582_ = true;
                                                                     }
-                                                                    let _e2951 = phi_7255_;
-                                                                    let _e2953 = phi_7256_;
-                                                                    let _e2955 = phi_7257_;
-                                                                    phi_7258_ = _e2951;
-                                                                    phi_7259_ = _e2953;
-                                                                    phi_7260_ = _e2955;
+                                                                    let _e2634 = phi_5580_;
+                                                                    let _e2636 = phi_5581_;
+                                                                    let _e2638 = phi_5582_;
+                                                                    phi_5583_ = _e2634;
+                                                                    phi_5584_ = _e2636;
+                                                                    phi_5585_ = _e2638;
                                                                 }
-                                                                let _e2957 = phi_7258_;
-                                                                let _e2959 = phi_7259_;
-                                                                let _e2961 = phi_7260_;
-                                                                phi_7261_ = _e2957;
-                                                                phi_7262_ = _e2939;
-                                                                phi_7263_ = _e2959;
-                                                                phi_7264_ = _e2961;
-                                                                phi_7265_ = false;
-                                                                phi_7266_ = false;
+                                                                let _e2640 = phi_5583_;
+                                                                let _e2642 = phi_5584_;
+                                                                let _e2644 = phi_5585_;
+                                                                phi_5586_ = _e2640;
+                                                                phi_5587_ = _e2622;
+                                                                phi_5588_ = _e2642;
+                                                                phi_5589_ = _e2644;
+                                                                phi_5590_ = false;
+                                                                phi_5591_ = false;
                                                             } else {
-                                                                phi_7261_ = false;
-                                                                phi_7262_ = false;
-                                                                phi_7263_ = false;
-                                                                phi_7264_ = false;
-                                                                let _e5391 = local_58;
-                                                                phi_7265_ = _e5391;
-                                                                let _e5394 = local_59;
-                                                                phi_7266_ = _e5394;
+                                                                phi_5586_ = false;
+                                                                phi_5587_ = false;
+                                                                phi_5588_ = false;
+                                                                phi_5589_ = false;
+                                                                let _e4510 = local_49;
+                                                                phi_5590_ = _e4510;
+                                                                let _e4513 = local_50;
+                                                                phi_5591_ = _e4513;
                                                             }
-                                                            let _e2963 = phi_7261_;
-                                                            let _e2965 = phi_7262_;
-                                                            let _e2967 = phi_7263_;
-                                                            let _e2969 = phi_7264_;
-                                                            let _e2971 = phi_7265_;
-                                                            let _e2973 = phi_7266_;
-                                                            let _e5397 = local_60;
-                                                            phi_7267_ = _e5397;
-                                                            let _e5400 = local_61;
-                                                            phi_7268_ = _e5400;
-                                                            phi_7269_ = _e2963;
-                                                            phi_7270_ = _e2965;
-                                                            phi_7271_ = _e2967;
-                                                            phi_7272_ = _e2969;
-                                                            phi_7273_ = _e2971;
-                                                            phi_7274_ = _e2973;
-                                                            phi_7275_ = false;
+                                                            let _e2646 = phi_5586_;
+                                                            let _e2648 = phi_5587_;
+                                                            let _e2650 = phi_5588_;
+                                                            let _e2652 = phi_5589_;
+                                                            let _e2654 = phi_5590_;
+                                                            let _e2656 = phi_5591_;
+                                                            let _e4516 = local_51;
+                                                            phi_5592_ = _e4516;
+                                                            let _e4519 = local_52;
+                                                            phi_5593_ = _e4519;
+                                                            phi_5594_ = _e2646;
+                                                            phi_5595_ = _e2648;
+                                                            phi_5596_ = _e2650;
+                                                            phi_5597_ = _e2652;
+                                                            phi_5598_ = _e2654;
+                                                            phi_5599_ = _e2656;
+                                                            phi_5600_ = false;
                                                         } else {
-                                                            phi_7267_ = f64();
-                                                            phi_7268_ = f64();
-                                                            phi_7269_ = false;
-                                                            phi_7270_ = false;
-                                                            phi_7271_ = false;
-                                                            phi_7272_ = false;
-                                                            phi_7273_ = false;
-                                                            phi_7274_ = false;
-                                                            phi_7275_ = true;
+                                                            phi_5592_ = f64();
+                                                            phi_5593_ = f64();
+                                                            phi_5594_ = false;
+                                                            phi_5595_ = false;
+                                                            phi_5596_ = false;
+                                                            phi_5597_ = false;
+                                                            phi_5598_ = false;
+                                                            phi_5599_ = false;
+                                                            phi_5600_ = true;
                                                         }
-                                                        let _e2975 = phi_7267_;
-                                                        let _e2977 = phi_7268_;
-                                                        let _e2979 = phi_7269_;
-                                                        let _e2981 = phi_7270_;
-                                                        let _e2983 = phi_7271_;
-                                                        let _e2985 = phi_7272_;
-                                                        let _e2987 = phi_7273_;
-                                                        let _e2989 = phi_7274_;
-                                                        let _e2991 = phi_7275_;
-                                                        phi_7276_ = _e2975;
-                                                        phi_7277_ = _e2977;
-                                                        phi_7278_ = _e2979;
-                                                        phi_7279_ = _e2981;
-                                                        phi_7280_ = _e2983;
-                                                        phi_7281_ = _e2985;
-                                                        phi_7282_ = _e2987;
-                                                        phi_7283_ = _e2989;
-                                                        phi_7284_ = _e2991;
-                                                        phi_7285_ = false;
+                                                        let _e2658 = phi_5592_;
+                                                        let _e2660 = phi_5593_;
+                                                        let _e2662 = phi_5594_;
+                                                        let _e2664 = phi_5595_;
+                                                        let _e2666 = phi_5596_;
+                                                        let _e2668 = phi_5597_;
+                                                        let _e2670 = phi_5598_;
+                                                        let _e2672 = phi_5599_;
+                                                        let _e2674 = phi_5600_;
+                                                        phi_5601_ = _e2658;
+                                                        phi_5602_ = _e2660;
+                                                        phi_5603_ = _e2662;
+                                                        phi_5604_ = _e2664;
+                                                        phi_5605_ = _e2666;
+                                                        phi_5606_ = _e2668;
+                                                        phi_5607_ = _e2670;
+                                                        phi_5608_ = _e2672;
+                                                        phi_5609_ = _e2674;
+                                                        phi_5610_ = false;
                                                     } else {
-                                                        phi_7276_ = f64();
-                                                        phi_7277_ = f64();
-                                                        phi_7278_ = false;
-                                                        phi_7279_ = false;
-                                                        phi_7280_ = false;
-                                                        phi_7281_ = false;
-                                                        phi_7282_ = false;
-                                                        phi_7283_ = false;
-                                                        phi_7284_ = false;
-                                                        phi_7285_ = true;
+                                                        phi_5601_ = f64();
+                                                        phi_5602_ = f64();
+                                                        phi_5603_ = false;
+                                                        phi_5604_ = false;
+                                                        phi_5605_ = false;
+                                                        phi_5606_ = false;
+                                                        phi_5607_ = false;
+                                                        phi_5608_ = false;
+                                                        phi_5609_ = false;
+                                                        phi_5610_ = true;
                                                     }
-                                                    let _e2993 = phi_7276_;
-                                                    let _e2995 = phi_7277_;
-                                                    let _e2997 = phi_7278_;
-                                                    let _e2999 = phi_7279_;
-                                                    let _e3001 = phi_7280_;
-                                                    let _e3003 = phi_7281_;
-                                                    let _e3005 = phi_7282_;
-                                                    let _e3007 = phi_7283_;
-                                                    let _e3009 = phi_7284_;
-                                                    let _e3011 = phi_7285_;
-                                                    phi_7286_ = _e2993;
-                                                    phi_6335_ = _e2995;
-                                                    phi_7287_ = _e2997;
-                                                    phi_7288_ = _e2999;
-                                                    phi_7289_ = _e3001;
-                                                    phi_7290_ = false;
-                                                    phi_7291_ = _e3003;
-                                                    phi_7292_ = _e3005;
-                                                    phi_7293_ = _e3007;
-                                                    phi_7294_ = _e3009;
-                                                    phi_7295_ = _e3011;
+                                                    let _e2676 = phi_5601_;
+                                                    let _e2678 = phi_5602_;
+                                                    let _e2680 = phi_5603_;
+                                                    let _e2682 = phi_5604_;
+                                                    let _e2684 = phi_5605_;
+                                                    let _e2686 = phi_5606_;
+                                                    let _e2688 = phi_5607_;
+                                                    let _e2690 = phi_5608_;
+                                                    let _e2692 = phi_5609_;
+                                                    let _e2694 = phi_5610_;
+                                                    phi_5611_ = _e2676;
+                                                    phi_5147_ = _e2678;
+                                                    phi_5612_ = _e2680;
+                                                    phi_5613_ = _e2682;
+                                                    phi_5614_ = _e2684;
+                                                    phi_5615_ = false;
+                                                    phi_5616_ = _e2686;
+                                                    phi_5617_ = _e2688;
+                                                    phi_5618_ = _e2690;
+                                                    phi_5619_ = _e2692;
+                                                    phi_5620_ = _e2694;
                                                 } else {
-                                                    phi_7286_ = f64();
-                                                    phi_6335_ = f64();
-                                                    phi_7287_ = false;
-                                                    phi_7288_ = false;
-                                                    phi_7289_ = false;
-                                                    phi_7290_ = true;
-                                                    phi_7291_ = false;
-                                                    phi_7292_ = false;
-                                                    phi_7293_ = false;
-                                                    phi_7294_ = false;
-                                                    phi_7295_ = false;
+                                                    phi_5611_ = f64();
+                                                    phi_5147_ = f64();
+                                                    phi_5612_ = false;
+                                                    phi_5613_ = false;
+                                                    phi_5614_ = false;
+                                                    phi_5615_ = true;
+                                                    phi_5616_ = false;
+                                                    phi_5617_ = false;
+                                                    phi_5618_ = false;
+                                                    phi_5619_ = false;
+                                                    phi_5620_ = false;
                                                 }
-                                                let _e3013 = phi_7286_;
-                                                let _e3015 = phi_6335_;
-                                                let _e3017 = phi_7287_;
-                                                let _e3019 = phi_7288_;
-                                                let _e3021 = phi_7289_;
-                                                let _e3023 = phi_7290_;
-                                                let _e3025 = phi_7291_;
-                                                let _e3027 = phi_7292_;
-                                                let _e3029 = phi_7293_;
-                                                let _e3031 = phi_7294_;
-                                                let _e3033 = phi_7295_;
-                                                local_31 = _e3019;
-                                                local_62 = _e3021;
-                                                local_63 = _e3023;
-                                                local_64 = _e3025;
-                                                local_65 = _e3027;
-                                                local_66 = _e3029;
-                                                local_67 = _e3031;
-                                                local_68 = _e3033;
-                                                local_69 = _e3013;
-                                                local_71 = _e3019;
+                                                let _e2696 = phi_5611_;
+                                                let _e2698 = phi_5147_;
+                                                let _e2700 = phi_5612_;
+                                                let _e2702 = phi_5613_;
+                                                let _e2704 = phi_5614_;
+                                                let _e2706 = phi_5615_;
+                                                let _e2708 = phi_5616_;
+                                                let _e2710 = phi_5617_;
+                                                let _e2712 = phi_5618_;
+                                                let _e2714 = phi_5619_;
+                                                let _e2716 = phi_5620_;
+                                                local_23 = _e2702;
+                                                local_53 = _e2704;
+                                                local_54 = _e2706;
+                                                local_55 = _e2708;
+                                                local_56 = _e2710;
+                                                local_57 = _e2712;
+                                                local_58 = _e2714;
+                                                local_59 = _e2716;
+                                                local_60 = _e2696;
+                                                local_62 = _e2702;
                                                 continue;
                                                 continuing {
-                                                    phi_6331_ = _e2384;
-                                                    phi_6334_ = _e3015;
-                                                    break if !(_e3017);
+                                                    phi_5143_ = _e2331;
+                                                    phi_5146_ = _e2698;
+                                                    break if !(_e2700);
                                                 }
                                             }
-                                            let _e3036 = local_31;
-                                            if _e3036 {
-                                                phi_7300_ = type_40(0u, type_40().member_1);
-                                                phi_7301_ = false;
-                                                phi_7302_ = false;
-                                                phi_7303_ = false;
-                                                phi_7304_ = false;
-                                                phi_7305_ = false;
-                                                phi_7306_ = false;
-                                                phi_7307_ = false;
+                                            let _e2719 = local_23;
+                                            if _e2719 {
+                                                phi_5625_ = type_40(0u, type_40().member_1);
+                                                phi_5626_ = false;
+                                                phi_5627_ = false;
+                                                phi_5628_ = false;
+                                                phi_5629_ = false;
+                                                phi_5630_ = false;
+                                                phi_5631_ = false;
+                                                phi_5632_ = false;
                                             } else {
-                                                phi_7300_ = type_40();
-                                                let _e5433 = local_62;
-                                                phi_7301_ = _e5433;
-                                                let _e5436 = local_63;
-                                                phi_7302_ = _e5436;
-                                                let _e5439 = local_64;
-                                                phi_7303_ = _e5439;
-                                                let _e5442 = local_65;
-                                                phi_7304_ = _e5442;
-                                                let _e5445 = local_66;
-                                                phi_7305_ = _e5445;
-                                                let _e5448 = local_67;
-                                                phi_7306_ = _e5448;
-                                                let _e5451 = local_68;
-                                                phi_7307_ = _e5451;
+                                                phi_5625_ = type_40();
+                                                let _e4552 = local_53;
+                                                phi_5626_ = _e4552;
+                                                let _e4555 = local_54;
+                                                phi_5627_ = _e4555;
+                                                let _e4558 = local_55;
+                                                phi_5628_ = _e4558;
+                                                let _e4561 = local_56;
+                                                phi_5629_ = _e4561;
+                                                let _e4564 = local_57;
+                                                phi_5630_ = _e4564;
+                                                let _e4567 = local_58;
+                                                phi_5631_ = _e4567;
+                                                let _e4570 = local_59;
+                                                phi_5632_ = _e4570;
                                             }
-                                            let _e3040 = phi_7300_;
-                                            let _e3042 = phi_7301_;
-                                            let _e3044 = phi_7302_;
-                                            let _e3046 = phi_7303_;
-                                            let _e3048 = phi_7304_;
-                                            let _e3050 = phi_7305_;
-                                            let _e3052 = phi_7306_;
-                                            let _e3054 = phi_7307_;
-                                            if _e3042 {
-                                                let _e5454 = local_69;
-                                                phi_7311_ = _e5454;
-                                                phi_7312_ = true;
-                                                phi_7313_ = false;
-                                                phi_7314_ = false;
-                                                phi_7315_ = false;
-                                                phi_7316_ = false;
-                                                phi_7317_ = false;
-                                                phi_7318_ = false;
+                                            let _e2723 = phi_5625_;
+                                            let _e2725 = phi_5626_;
+                                            let _e2727 = phi_5627_;
+                                            let _e2729 = phi_5628_;
+                                            let _e2731 = phi_5629_;
+                                            let _e2733 = phi_5630_;
+                                            let _e2735 = phi_5631_;
+                                            let _e2737 = phi_5632_;
+                                            if _e2725 {
+                                                let _e4573 = local_60;
+                                                phi_5636_ = _e4573;
+                                                phi_5637_ = true;
+                                                phi_5638_ = false;
+                                                phi_5639_ = false;
+                                                phi_5640_ = false;
+                                                phi_5641_ = false;
+                                                phi_5642_ = false;
+                                                phi_5643_ = false;
                                             } else {
-                                                let _e5456 = local_70;
-                                                phi_7311_ = _e5456;
-                                                phi_7312_ = _e3044;
-                                                phi_7313_ = _e3046;
-                                                phi_7314_ = _e3048;
-                                                phi_7315_ = _e3050;
-                                                let _e5463 = local_71;
-                                                phi_7316_ = _e5463;
-                                                phi_7317_ = _e3052;
-                                                phi_7318_ = _e3054;
+                                                let _e4575 = local_61;
+                                                phi_5636_ = _e4575;
+                                                phi_5637_ = _e2727;
+                                                phi_5638_ = _e2729;
+                                                phi_5639_ = _e2731;
+                                                phi_5640_ = _e2733;
+                                                let _e4582 = local_62;
+                                                phi_5641_ = _e4582;
+                                                phi_5642_ = _e2735;
+                                                phi_5643_ = _e2737;
                                             }
-                                            let _e3056 = phi_7311_;
-                                            let _e3058 = phi_7312_;
-                                            let _e3060 = phi_7313_;
-                                            let _e3062 = phi_7314_;
-                                            let _e3064 = phi_7315_;
-                                            let _e3066 = phi_7316_;
-                                            let _e3068 = phi_7317_;
-                                            let _e3070 = phi_7318_;
-                                            if _e3058 {
-                                                phi_7323_ = type_40(1u, _e3056);
-                                                phi_7324_ = false;
-                                                phi_7325_ = false;
-                                                phi_7326_ = false;
-                                                phi_7327_ = false;
-                                                phi_7328_ = false;
-                                                phi_7329_ = false;
+                                            let _e2739 = phi_5636_;
+                                            let _e2741 = phi_5637_;
+                                            let _e2743 = phi_5638_;
+                                            let _e2745 = phi_5639_;
+                                            let _e2747 = phi_5640_;
+                                            let _e2749 = phi_5641_;
+                                            let _e2751 = phi_5642_;
+                                            let _e2753 = phi_5643_;
+                                            if _e2741 {
+                                                phi_5648_ = type_40(1u, _e2739);
+                                                phi_5649_ = false;
+                                                phi_5650_ = false;
+                                                phi_5651_ = false;
+                                                phi_5652_ = false;
+                                                phi_5653_ = false;
+                                                phi_5654_ = false;
                                             } else {
-                                                phi_7323_ = type_40();
-                                                phi_7324_ = _e3060;
-                                                phi_7325_ = _e3062;
-                                                phi_7326_ = _e3064;
-                                                phi_7327_ = _e3066;
-                                                phi_7328_ = _e3068;
-                                                phi_7329_ = _e3070;
+                                                phi_5648_ = type_40();
+                                                phi_5649_ = _e2743;
+                                                phi_5650_ = _e2745;
+                                                phi_5651_ = _e2747;
+                                                phi_5652_ = _e2749;
+                                                phi_5653_ = _e2751;
+                                                phi_5654_ = _e2753;
                                             }
-                                            let _e3073 = phi_7323_;
-                                            let _e3075 = phi_7324_;
-                                            let _e3077 = phi_7325_;
-                                            let _e3079 = phi_7326_;
-                                            let _e3081 = phi_7327_;
-                                            let _e3083 = phi_7328_;
-                                            let _e3085 = phi_7329_;
-                                            if _e3075 {
-                                                let _e3087 = local_32;
-                                                phi_7334_ = type_40(1u, _e3087);
-                                                phi_7335_ = false;
-                                                phi_7336_ = false;
-                                                phi_7337_ = true;
-                                                phi_7338_ = false;
-                                                phi_7339_ = false;
+                                            let _e2756 = phi_5648_;
+                                            let _e2758 = phi_5649_;
+                                            let _e2760 = phi_5650_;
+                                            let _e2762 = phi_5651_;
+                                            let _e2764 = phi_5652_;
+                                            let _e2766 = phi_5653_;
+                                            let _e2768 = phi_5654_;
+                                            if _e2758 {
+                                                let _e2770 = local_24;
+                                                phi_5659_ = type_40(1u, _e2770);
+                                                phi_5660_ = false;
+                                                phi_5661_ = false;
+                                                phi_5662_ = true;
+                                                phi_5663_ = false;
+                                                phi_5664_ = false;
                                             } else {
-                                                phi_7334_ = _e3040;
-                                                phi_7335_ = _e3077;
-                                                phi_7336_ = _e3079;
-                                                phi_7337_ = _e3081;
-                                                phi_7338_ = _e3083;
-                                                phi_7339_ = _e3085;
+                                                phi_5659_ = _e2723;
+                                                phi_5660_ = _e2760;
+                                                phi_5661_ = _e2762;
+                                                phi_5662_ = _e2764;
+                                                phi_5663_ = _e2766;
+                                                phi_5664_ = _e2768;
                                             }
-                                            let _e3090 = phi_7334_;
-                                            let _e3092 = phi_7335_;
-                                            let _e3094 = phi_7336_;
-                                            let _e3096 = phi_7337_;
-                                            let _e3098 = phi_7338_;
-                                            let _e3100 = phi_7339_;
-                                            if _e3092 {
-                                                let _e3102 = local_33;
-                                                phi_7344_ = type_40(1u, _e3102);
-                                                phi_7345_ = false;
-                                                phi_7346_ = false;
-                                                phi_7347_ = false;
-                                                phi_7348_ = false;
+                                            let _e2773 = phi_5659_;
+                                            let _e2775 = phi_5660_;
+                                            let _e2777 = phi_5661_;
+                                            let _e2779 = phi_5662_;
+                                            let _e2781 = phi_5663_;
+                                            let _e2783 = phi_5664_;
+                                            if _e2775 {
+                                                let _e2785 = local_25;
+                                                phi_5669_ = type_40(1u, _e2785);
+                                                phi_5670_ = false;
+                                                phi_5671_ = false;
+                                                phi_5672_ = false;
+                                                phi_5673_ = false;
                                             } else {
-                                                phi_7344_ = type_40();
-                                                phi_7345_ = _e3094;
-                                                phi_7346_ = _e3096;
-                                                phi_7347_ = _e3098;
-                                                phi_7348_ = _e3100;
+                                                phi_5669_ = type_40();
+                                                phi_5670_ = _e2777;
+                                                phi_5671_ = _e2779;
+                                                phi_5672_ = _e2781;
+                                                phi_5673_ = _e2783;
                                             }
-                                            let _e3105 = phi_7344_;
-                                            let _e3107 = phi_7345_;
-                                            let _e3109 = phi_7346_;
-                                            let _e3111 = phi_7347_;
-                                            let _e3113 = phi_7348_;
-                                            if _e3107 {
-                                                let _e3115 = local_34;
-                                                phi_7353_ = type_40(1u, _e3115);
-                                                phi_7354_ = true;
-                                                phi_7355_ = false;
-                                                phi_7356_ = false;
-                                                phi_7357_ = false;
+                                            let _e2788 = phi_5669_;
+                                            let _e2790 = phi_5670_;
+                                            let _e2792 = phi_5671_;
+                                            let _e2794 = phi_5672_;
+                                            let _e2796 = phi_5673_;
+                                            if _e2790 {
+                                                let _e2798 = local_26;
+                                                phi_5678_ = type_40(1u, _e2798);
+                                                phi_5679_ = true;
+                                                phi_5680_ = false;
+                                                phi_5681_ = false;
+                                                phi_5682_ = false;
                                             } else {
-                                                phi_7353_ = _e3105;
-                                                phi_7354_ = _e3092;
-                                                phi_7355_ = _e3109;
-                                                phi_7356_ = _e3111;
-                                                phi_7357_ = _e3113;
+                                                phi_5678_ = _e2788;
+                                                phi_5679_ = _e2775;
+                                                phi_5680_ = _e2792;
+                                                phi_5681_ = _e2794;
+                                                phi_5682_ = _e2796;
                                             }
-                                            let _e3118 = phi_7353_;
-                                            let _e3120 = phi_7354_;
-                                            let _e3122 = phi_7355_;
-                                            let _e3124 = phi_7356_;
-                                            let _e3126 = phi_7357_;
-                                            if _e3120 {
-                                                phi_7361_ = _e3118;
-                                                phi_7362_ = true;
-                                                phi_7363_ = false;
-                                                phi_7364_ = false;
+                                            let _e2801 = phi_5678_;
+                                            let _e2803 = phi_5679_;
+                                            let _e2805 = phi_5680_;
+                                            let _e2807 = phi_5681_;
+                                            let _e2809 = phi_5682_;
+                                            if _e2803 {
+                                                phi_5686_ = _e2801;
+                                                phi_5687_ = true;
+                                                phi_5688_ = false;
+                                                phi_5689_ = false;
                                             } else {
-                                                phi_7361_ = _e3090;
-                                                phi_7362_ = _e3122;
-                                                phi_7363_ = _e3124;
-                                                phi_7364_ = _e3126;
+                                                phi_5686_ = _e2773;
+                                                phi_5687_ = _e2805;
+                                                phi_5688_ = _e2807;
+                                                phi_5689_ = _e2809;
                                             }
-                                            let _e3128 = phi_7361_;
-                                            let _e3130 = phi_7362_;
-                                            let _e3132 = phi_7363_;
-                                            let _e3134 = phi_7364_;
-                                            if _e3130 {
-                                                phi_7368_ = false;
-                                                phi_7369_ = false;
+                                            let _e2811 = phi_5686_;
+                                            let _e2813 = phi_5687_;
+                                            let _e2815 = phi_5688_;
+                                            let _e2817 = phi_5689_;
+                                            if _e2813 {
+                                                phi_5693_ = false;
+                                                phi_5694_ = false;
                                             } else {
-                                                phi_7368_ = _e3132;
-                                                phi_7369_ = _e3134;
+                                                phi_5693_ = _e2815;
+                                                phi_5694_ = _e2817;
                                             }
-                                            let _e3136 = phi_7368_;
-                                            let _e3138 = phi_7369_;
-                                            if _e3136 {
-                                                phi_7373_ = false;
-                                                phi_7374_ = false;
+                                            let _e2819 = phi_5693_;
+                                            let _e2821 = phi_5694_;
+                                            if _e2819 {
+                                                phi_5698_ = false;
+                                                phi_5699_ = false;
                                             } else {
-                                                phi_7373_ = _e3138;
-                                                phi_7374_ = _e3130;
+                                                phi_5698_ = _e2821;
+                                                phi_5699_ = _e2813;
                                             }
-                                            let _e3140 = phi_7373_;
-                                            let _e3142 = phi_7374_;
-                                            if _e3140 {
-                                                phi_7378_ = true;
-                                                phi_7379_ = false;
+                                            let _e2823 = phi_5698_;
+                                            let _e2825 = phi_5699_;
+                                            if _e2823 {
+                                                phi_5703_ = true;
+                                                phi_5704_ = false;
                                             } else {
-                                                phi_7378_ = _e3136;
-                                                phi_7379_ = _e3142;
+                                                phi_5703_ = _e2819;
+                                                phi_5704_ = _e2825;
                                             }
-                                            let _e3144 = phi_7378_;
-                                            let _e3146 = phi_7379_;
-                                            if _e3144 {
-                                                let _e3148 = local_35;
-                                                phi_7384_ = type_40(1u, _e3148);
-                                                phi_7385_ = true;
+                                            let _e2827 = phi_5703_;
+                                            let _e2829 = phi_5704_;
+                                            if _e2827 {
+                                                let _e2831 = local_27;
+                                                phi_5709_ = type_40(1u, _e2831);
+                                                phi_5710_ = true;
                                             } else {
-                                                phi_7384_ = _e3128;
-                                                phi_7385_ = _e3146;
+                                                phi_5709_ = _e2811;
+                                                phi_5710_ = _e2829;
                                             }
-                                            let _e3151 = phi_7384_;
-                                            let _e3153 = phi_7385_;
-                                            if _e3153 {
-                                                phi_7389_ = _e3151;
+                                            let _e2834 = phi_5709_;
+                                            let _e2836 = phi_5710_;
+                                            if _e2836 {
+                                                phi_5714_ = _e2834;
                                             } else {
-                                                phi_7389_ = _e3073;
+                                                phi_5714_ = _e2756;
                                             }
-                                            let _e3155 = phi_7389_;
-                                            let _e3158 = (_e3155.member != 0u);
-                                            if _e3158 {
-                                                phi_7396_ = false;
+                                            let _e2838 = phi_5714_;
+                                            let _e2841 = (_e2838.member != 0u);
+                                            if _e2841 {
+                                                phi_5721_ = false;
                                             } else {
-                                                phi_7396_ = true;
+                                                phi_5721_ = true;
                                             }
-                                            let _e3160 = phi_7396_;
-                                            phi_7397_ = _e3155.member_1;
-                                            phi_7398_ = _e3160;
-                                            phi_7399_ = _e3158;
-                                            phi_7400_ = false;
+                                            let _e2843 = phi_5721_;
+                                            phi_5722_ = _e2838.member_1;
+                                            phi_5723_ = _e2843;
+                                            phi_5724_ = _e2841;
+                                            phi_5725_ = false;
                                         } else {
-                                            phi_7397_ = f64();
-                                            phi_7398_ = false;
-                                            phi_7399_ = false;
-                                            phi_7400_ = true;
+                                            phi_5722_ = f64();
+                                            phi_5723_ = false;
+                                            phi_5724_ = false;
+                                            phi_5725_ = true;
                                         }
-                                        let _e3162 = phi_7397_;
-                                        let _e3164 = phi_7398_;
-                                        let _e3166 = phi_7399_;
-                                        let _e3168 = phi_7400_;
-                                        phi_7401_ = _e3162;
-                                        phi_7402_ = _e3164;
-                                        phi_7403_ = _e3166;
-                                        phi_7404_ = _e3168;
+                                        let _e2845 = phi_5722_;
+                                        let _e2847 = phi_5723_;
+                                        let _e2849 = phi_5724_;
+                                        let _e2851 = phi_5725_;
+                                        phi_5726_ = _e2845;
+                                        phi_5727_ = _e2847;
+                                        phi_5728_ = _e2849;
+                                        phi_5729_ = _e2851;
                                     }
-                                    let _e3170 = phi_7401_;
-                                    let _e3172 = phi_7402_;
-                                    let _e3174 = phi_7403_;
-                                    let _e3176 = phi_7404_;
-                                    phi_7405_ = _e3170;
-                                    phi_7406_ = _e2114;
-                                    phi_7407_ = _e3172;
-                                    phi_7408_ = _e3174;
-                                    phi_7409_ = _e3176;
+                                    let _e2853 = phi_5726_;
+                                    let _e2855 = phi_5727_;
+                                    let _e2857 = phi_5728_;
+                                    let _e2859 = phi_5729_;
+                                    phi_5730_ = _e2853;
+                                    phi_5731_ = _e2061;
+                                    phi_5732_ = _e2855;
+                                    phi_5733_ = _e2857;
+                                    phi_5734_ = _e2859;
                                 }
-                                let _e3178 = phi_7405_;
-                                let _e3180 = phi_7406_;
-                                let _e3182 = phi_7407_;
-                                let _e3184 = phi_7408_;
-                                let _e3186 = phi_7409_;
-                                if _e3180 {
-                                    phi_7413_ = true;
-                                    phi_7414_ = false;
-                                    phi_7415_ = false;
+                                let _e2861 = phi_5730_;
+                                let _e2863 = phi_5731_;
+                                let _e2865 = phi_5732_;
+                                let _e2867 = phi_5733_;
+                                let _e2869 = phi_5734_;
+                                if _e2863 {
+                                    phi_5738_ = true;
+                                    phi_5739_ = false;
+                                    phi_5740_ = false;
                                 } else {
-                                    phi_7413_ = _e3182;
-                                    phi_7414_ = _e3184;
-                                    phi_7415_ = _e3186;
+                                    phi_5738_ = _e2865;
+                                    phi_5739_ = _e2867;
+                                    phi_5740_ = _e2869;
                                 }
-                                let _e3188 = phi_7413_;
-                                let _e3190 = phi_7414_;
-                                let _e3192 = phi_7415_;
-                                phi_7416_ = _e3178;
-                                phi_7417_ = _e1387;
-                                phi_7418_ = _e3188;
-                                phi_7419_ = false;
-                                phi_7420_ = _e3190;
-                                phi_7421_ = _e3192;
+                                let _e2871 = phi_5738_;
+                                let _e2873 = phi_5739_;
+                                let _e2875 = phi_5740_;
+                                phi_5741_ = _e2861;
+                                phi_5742_ = _e1334;
+                                phi_5743_ = _e2871;
+                                phi_5744_ = false;
+                                phi_5745_ = _e2873;
+                                phi_5746_ = _e2875;
                             } else {
-                                phi_7416_ = f64();
-                                phi_7417_ = type_41();
-                                phi_7418_ = false;
-                                phi_7419_ = true;
-                                phi_7420_ = false;
-                                phi_7421_ = false;
+                                phi_5741_ = f64();
+                                phi_5742_ = type_41();
+                                phi_5743_ = false;
+                                phi_5744_ = true;
+                                phi_5745_ = false;
+                                phi_5746_ = false;
                             }
-                            let _e3194 = phi_7416_;
-                            let _e3196 = phi_7417_;
-                            let _e3198 = phi_7418_;
-                            let _e3200 = phi_7419_;
-                            let _e3202 = phi_7420_;
-                            let _e3204 = phi_7421_;
-                            local_36 = _e3200;
-                            local_72 = _e3202;
-                            local_73 = _e3204;
-                            local_37 = _e3194;
-                            local_38 = _e3196;
+                            let _e2877 = phi_5741_;
+                            let _e2879 = phi_5742_;
+                            let _e2881 = phi_5743_;
+                            let _e2883 = phi_5744_;
+                            let _e2885 = phi_5745_;
+                            let _e2887 = phi_5746_;
+                            local_28 = _e2883;
+                            local_63 = _e2885;
+                            local_64 = _e2887;
+                            local_29 = _e2877;
+                            local_30 = _e2879;
                             continue;
                             continuing {
-                                phi_4370_ = _e1074;
-                                break if !(_e3198);
+                                phi_3182_ = _e1021;
+                                break if !(_e2881);
                             }
                         }
-                        let _e3207 = local_36;
-                        if _e3207 {
-                            phi_7426_ = type_40(0u, type_40().member_1);
-                            phi_7427_ = false;
-                            phi_7428_ = false;
+                        let _e2890 = local_28;
+                        if _e2890 {
+                            phi_5751_ = type_40(0u, type_40().member_1);
+                            phi_5752_ = false;
+                            phi_5753_ = false;
                         } else {
-                            phi_7426_ = type_40();
-                            let _e5533 = local_72;
-                            phi_7427_ = _e5533;
-                            let _e5536 = local_73;
-                            phi_7428_ = _e5536;
+                            phi_5751_ = type_40();
+                            let _e4652 = local_63;
+                            phi_5752_ = _e4652;
+                            let _e4655 = local_64;
+                            phi_5753_ = _e4655;
                         }
-                        let _e3211 = phi_7426_;
-                        let _e3213 = phi_7427_;
-                        let _e3215 = phi_7428_;
-                        if _e3213 {
-                            let _e3217 = local_37;
-                            phi_7433_ = type_40(2u, _e3217);
-                            phi_7434_ = false;
+                        let _e2894 = phi_5751_;
+                        let _e2896 = phi_5752_;
+                        let _e2898 = phi_5753_;
+                        if _e2896 {
+                            let _e2900 = local_29;
+                            phi_5758_ = type_40(2u, _e2900);
+                            phi_5759_ = false;
                         } else {
-                            phi_7433_ = type_40();
-                            phi_7434_ = _e3215;
+                            phi_5758_ = type_40();
+                            phi_5759_ = _e2898;
                         }
-                        let _e3220 = phi_7433_;
-                        let _e3222 = phi_7434_;
-                        if _e3222 {
-                            let _e3224 = local_38;
-                            phi_7440_ = type_40(1u, _e3224.member);
-                            phi_7441_ = true;
+                        let _e2903 = phi_5758_;
+                        let _e2905 = phi_5759_;
+                        if _e2905 {
+                            let _e2907 = local_30;
+                            phi_5765_ = type_40(1u, _e2907.member);
+                            phi_5766_ = true;
                         } else {
-                            phi_7440_ = _e3220;
-                            phi_7441_ = _e3213;
+                            phi_5765_ = _e2903;
+                            phi_5766_ = _e2896;
                         }
-                        let _e3228 = phi_7440_;
-                        let _e3230 = phi_7441_;
-                        if _e3230 {
-                            phi_7445_ = _e3228;
+                        let _e2911 = phi_5765_;
+                        let _e2913 = phi_5766_;
+                        if _e2913 {
+                            phi_5770_ = _e2911;
                         } else {
-                            phi_7445_ = _e3211;
+                            phi_5770_ = _e2894;
                         }
-                        let _e3232 = phi_7445_;
-                        phi_7449_ = _e3232;
+                        let _e2915 = phi_5770_;
+                        phi_5774_ = _e2915;
                     }
-                    let _e4905 = phi_7449_;
-                    phi_7450_ = _e4905;
+                    let _e4060 = phi_5774_;
+                    phi_5775_ = _e4060;
                 }
-                let _e4909 = phi_7450_;
-                switch bitcast<i32>(_e4909.member) {
+                let _e4064 = phi_5775_;
+                switch bitcast<i32>(_e4064.member) {
                     case 0: {
-                        phi_7463_ = type_31(0u, array<u32, 2>(0u, 0u), false);
+                        phi_5788_ = type_30(0u, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e4915 = function_(_e4909.member_1);
-                        phi_7463_ = type_31(0u, _e4915, true);
+                        let _e4070 = function_(_e4064.member_1);
+                        phi_5788_ = type_30(0u, _e4070, true);
                         break;
                     }
                     case 2: {
-                        let _e4913 = function_(_e4909.member_1);
-                        phi_7463_ = type_31(1u, _e4913, true);
+                        let _e4068 = function_(_e4064.member_1);
+                        phi_5788_ = type_30(1u, _e4068, true);
                         break;
                     }
                     default: {
-                        phi_7463_ = type_31();
+                        phi_5788_ = type_30();
                         break;
                     }
                 }
-                let _e4918 = phi_7463_;
-                if _e4918.member_2 {
-                    let _e4925 = (_e4918.member_1[1] >> bitcast<u32>(20i));
-                    if (_e4925 <= 896u) {
-                        phi_7486_ = 0u;
+                let _e4073 = phi_5788_;
+                if _e4073.member_2 {
+                    let _e4080 = (_e4073.member_1[1] >> bitcast<u32>(20i));
+                    if (_e4080 <= 896u) {
+                        phi_5811_ = 0u;
                     } else {
-                        phi_7486_ = ((((_e4925 - 896u) << bitcast<u32>(23i)) | ((_e4918.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e4918.member_1[0] >> bitcast<u32>(29i)));
+                        phi_5811_ = ((((_e4080 - 896u) << bitcast<u32>(23i)) | ((_e4073.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e4073.member_1[0] >> bitcast<u32>(29i)));
                     }
-                    let _e4940 = phi_7486_;
-                    let _e4942 = atomicMin((&earliest.member[0u]), _e4940);
+                    let _e4095 = phi_5811_;
+                    let _e4097 = atomicMin((&earliest.member[0u]), _e4095);
                 }
-                phi_7490_ = type_30(_e179, _e4918.member, _e185, _e188, _e4918.member_1);
-                phi_7491_ = _e4918.member_2;
+                phi_5815_ = type_29(_e168, _e4073.member, _e174, _e177, _e4073.member_1);
+                phi_5816_ = _e4073.member_2;
             } else {
-                phi_7490_ = type_30(_e179, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
-                phi_7491_ = false;
+                phi_5815_ = type_29(_e168, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
+                phi_5816_ = false;
             }
-            let _e4944 = phi_7490_;
-            let _e4946 = phi_7491_;
-            let _e4948 = params.member.member_1;
-            if ((_e4948 & 16u) != 0u) {
-                if (_e112 == 0u) {
+            let _e4099 = phi_5815_;
+            let _e4101 = phi_5816_;
+            let _e4103 = params.member.member_1;
+            if ((_e4103 & 16u) != 0u) {
+                if (_e101 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e4946 {
-                    let _e4954 = atomicAdd((&counters[0u]), 1u);
-                    phi_7509_ = _e4954;
+                if _e4101 {
+                    let _e4109 = atomicAdd((&counters[0u]), 1u);
+                    phi_5834_ = _e4109;
                 } else {
-                    phi_7509_ = 0u;
+                    phi_5834_ = 0u;
                 }
-                let _e4956 = phi_7509_;
+                let _e4111 = phi_5834_;
                 workgroupBarrier();
-                if (_e112 == 0u) {
-                    let _e4959 = atomicLoad((&counters[0u]));
-                    if (_e4959 > 0u) {
-                        let _e4962 = atomicAdd((&contacts.member[0u]), _e4959);
-                        atomicStore((&counters[1u]), _e4962);
+                if (_e101 == 0u) {
+                    let _e4114 = atomicLoad((&counters[0u]));
+                    if (_e4114 > 0u) {
+                        let _e4117 = atomicAdd((&contacts.member[0u]), _e4114);
+                        atomicStore((&counters[1u]), _e4117);
                     }
                 }
                 workgroupBarrier();
-                let _e4965 = atomicLoad((&counters[1u]));
-                let _e4966 = (_e4965 + _e4956);
-                if _e4946 {
-                    let _e4968 = params.member.member_16;
-                    if (_e4966 < _e4968) {
-                        let _e4970 = (6u * _e4966);
-                        atomicStore((&contacts.member[(4u + _e4970)]), _e4944.member);
-                        atomicStore((&contacts.member[(_e4970 + 5u)]), _e4944.member_1);
-                        atomicStore((&contacts.member[(_e4970 + 6u)]), _e4944.member_2);
-                        atomicStore((&contacts.member[(_e4970 + 7u)]), _e4944.member_3);
-                        atomicStore((&contacts.member[(_e4970 + 8u)]), _e4944.member_4[0]);
-                        atomicStore((&contacts.member[(_e4970 + 9u)]), _e4944.member_4[1]);
+                let _e4120 = atomicLoad((&counters[1u]));
+                let _e4121 = (_e4120 + _e4111);
+                if _e4101 {
+                    let _e4123 = params.member.member_16;
+                    if (_e4121 < _e4123) {
+                        let _e4125 = (6u * _e4121);
+                        atomicStore((&contacts.member[(4u + _e4125)]), _e4099.member);
+                        atomicStore((&contacts.member[(_e4125 + 5u)]), _e4099.member_1);
+                        atomicStore((&contacts.member[(_e4125 + 6u)]), _e4099.member_2);
+                        atomicStore((&contacts.member[(_e4125 + 7u)]), _e4099.member_3);
+                        atomicStore((&contacts.member[(_e4125 + 8u)]), _e4099.member_4[0]);
+                        atomicStore((&contacts.member[(_e4125 + 9u)]), _e4099.member_4[1]);
                     }
                 }
             }
         }
         continue;
         continuing {
-            phi_273_ = _e167;
-            break if !(_e173);
+            phi_266_ = _e156;
+            break if !(_e162);
         }
     }
     return;
@@ -5578,5 +5153,5 @@ fn function_1(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
 
 @compute @workgroup_size(64, 1, 1) 
 fn decide_edge_edge_wide(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    function_1(id, n, lane);
+    function_4(id, n, lane);
 }

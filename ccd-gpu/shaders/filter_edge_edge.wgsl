@@ -1,9 +1,4 @@
-struct type_4 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
-}
-
-struct type_10 {
+struct type_8 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -27,12 +22,17 @@ struct type_10 {
     member_20: array<array<u32, 4>, 8>,
 }
 
+struct type_9 {
+    member: type_8,
+}
+
 struct type_11 {
-    member: type_10,
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
 }
 
 struct type_13 {
-    member: array<type_4>,
+    member: array<type_11>,
 }
 
 struct type_15 {
@@ -66,24 +66,24 @@ struct type_29 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-struct type_35 {
+struct type_34 {
     member: array<array<f32, 3>, 2>,
     member_1: array<array<f32, 3>, 2>,
     member_2: array<array<f32, 3>, 2>,
     member_3: f32,
 }
 
-struct type_40 {
+struct type_38 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_11;
+var<storage> params: type_9;
 @group(0) @binding(1) 
 var<storage> nodes: type_13;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
-var<workgroup> columns: array<type_4, 128>;
+var<workgroup> columns: array<type_11, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
 @group(0) @binding(2) 
@@ -97,622 +97,669 @@ var<storage> paths: type_26;
 @group(0) @binding(6) 
 var<storage> input: type_15;
 @group(0) @binding(7) 
-var<storage, read_write> output: type_40;
+var<storage, read_write> output: type_38;
 
-fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: array<array<f32, 3>, 4>;
-    var local_1: array<array<f32, 3>, 4>;
-    var local_2: array<array<f32, 3>, 4>;
-    var local_3: array<array<f32, 3>, 4>;
-    var local_4: array<type_35, 2>;
-    var local_5: array<array<f32, 3>, 4>;
-    var local_6: array<array<f32, 3>, 4>;
-    var local_7: type_35;
-    var local_8: array<array<u32, 2>, 6>;
-    var local_9: array<array<u32, 2>, 6>;
-    var local_10: array<array<u32, 2>, 6>;
-    var local_11: array<array<u32, 2>, 6>;
-    var local_12: array<array<u32, 2>, 6>;
-    var local_13: array<array<u32, 2>, 6>;
-    var local_14: array<array<u32, 2>, 6>;
-    var local_15: array<array<u32, 2>, 6>;
-    var local_16: array<array<u32, 2>, 6>;
-    var local_17: array<array<u32, 2>, 6>;
-    var local_18: array<array<u32, 2>, 6>;
-    var local_19: array<array<u32, 2>, 6>;
-    var local_20: array<array<u32, 2>, 6>;
-    var local_21: array<array<u32, 2>, 6>;
-    var local_22: array<array<u32, 2>, 6>;
-    var local_23: array<array<u32, 2>, 6>;
-    var local_24: type_16;
-    var local_25: type_16;
-    var local_26: type_16;
-    var local_27: type_16;
-    var phi_233_: u32;
-    var phi_271_: u32;
-    var phi_272_: u32;
-    var phi_279_: u32;
-    var phi_295_: u32;
-    var phi_316_: u32;
-    var phi_317_: u32;
-    var phi_320_: type_21;
-    var phi_321_: type_21;
-    var phi_344_: type_21;
-    var phi_382_: u32;
-    var phi_383_: u32;
-    var phi_390_: u32;
-    var phi_400_: u32;
-    var phi_479_: array<u32, 2>;
-    var phi_673_: bool;
-    var phi_674_: bool;
-    var phi_678_: type_4;
-    var phi_691_: type_21;
-    var phi_694_: u32;
-    var phi_692_: type_21;
-    var phi_717_: type_21;
+fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
+    var phi_171_: bool;
+    var phi_172_: bool;
+    var phi_176_: array<u32, 2>;
+
+    if (param[1] > param_1[1]) {
+        phi_172_ = true;
+    } else {
+        if (param[1] == param_1[1]) {
+            phi_171_ = (param[0] > param_1[0]);
+        } else {
+            phi_171_ = false;
+        }
+        let _e14 = phi_171_;
+        phi_172_ = _e14;
+    }
+    let _e16 = phi_172_;
+    if _e16 {
+        phi_176_ = param_1;
+    } else {
+        phi_176_ = param;
+    }
+    let _e18 = phi_176_;
+    return _e18;
+}
+
+fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
+    var phi_195_: bool;
+    var phi_196_: bool;
+    var phi_200_: array<u32, 2>;
+
+    if (param_3[1] > param_2[1]) {
+        phi_196_ = true;
+    } else {
+        if (param_3[1] == param_2[1]) {
+            phi_195_ = (param_3[0] > param_2[0]);
+        } else {
+            phi_195_ = false;
+        }
+        let _e14 = phi_195_;
+        phi_196_ = _e14;
+    }
+    let _e16 = phi_196_;
+    if _e16 {
+        phi_200_ = param_3;
+    } else {
+        phi_200_ = param_2;
+    }
+    let _e18 = phi_200_;
+    return _e18;
+}
+
+fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
+    var phi_219_: bool;
+    var phi_220_: bool;
+    var phi_224_: array<u32, 2>;
+
+    if (param_4[1] > param_5[1]) {
+        phi_220_ = true;
+    } else {
+        if (param_4[1] == param_5[1]) {
+            phi_219_ = (param_4[0] > param_5[0]);
+        } else {
+            phi_219_ = false;
+        }
+        let _e14 = phi_219_;
+        phi_220_ = _e14;
+    }
+    let _e16 = phi_220_;
+    if _e16 {
+        phi_224_ = param_5;
+    } else {
+        phi_224_ = param_4;
+    }
+    let _e18 = phi_224_;
+    return _e18;
+}
+
+fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
+    var phi_243_: bool;
+    var phi_244_: bool;
+    var phi_248_: array<u32, 2>;
+
+    if (param_7[1] > param_6[1]) {
+        phi_244_ = true;
+    } else {
+        if (param_7[1] == param_6[1]) {
+            phi_243_ = (param_7[0] > param_6[0]);
+        } else {
+            phi_243_ = false;
+        }
+        let _e14 = phi_243_;
+        phi_244_ = _e14;
+    }
+    let _e16 = phi_244_;
+    if _e16 {
+        phi_248_ = param_7;
+    } else {
+        phi_248_ = param_6;
+    }
+    let _e18 = phi_248_;
+    return _e18;
+}
+
+fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
+    var phi_267_: bool;
+    var phi_268_: bool;
+    var phi_272_: array<u32, 2>;
+
+    if (param_8[1] > param_9[1]) {
+        phi_268_ = true;
+    } else {
+        if (param_8[1] == param_9[1]) {
+            phi_267_ = (param_8[0] > param_9[0]);
+        } else {
+            phi_267_ = false;
+        }
+        let _e14 = phi_267_;
+        phi_268_ = _e14;
+    }
+    let _e16 = phi_268_;
+    if _e16 {
+        phi_272_ = param_9;
+    } else {
+        phi_272_ = param_8;
+    }
+    let _e18 = phi_272_;
+    return _e18;
+}
+
+fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
+    var phi_291_: bool;
+    var phi_292_: bool;
+    var phi_296_: array<u32, 2>;
+
+    if (param_11[1] > param_10[1]) {
+        phi_292_ = true;
+    } else {
+        if (param_11[1] == param_10[1]) {
+            phi_291_ = (param_11[0] > param_10[0]);
+        } else {
+            phi_291_ = false;
+        }
+        let _e14 = phi_291_;
+        phi_292_ = _e14;
+    }
+    let _e16 = phi_292_;
+    if _e16 {
+        phi_296_ = param_11;
+    } else {
+        phi_296_ = param_10;
+    }
+    let _e18 = phi_296_;
+    return _e18;
+}
+
+fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
+    var local: type_34;
+    var local_1: type_34;
+    var local_2: type_34;
+    var phi_342_: u32;
+    var phi_380_: u32;
+    var phi_381_: u32;
+    var phi_388_: u32;
+    var phi_404_: u32;
+    var phi_425_: u32;
+    var phi_426_: u32;
+    var phi_429_: type_21;
+    var phi_430_: type_21;
+    var phi_453_: type_21;
+    var phi_491_: u32;
+    var phi_492_: u32;
+    var phi_499_: u32;
+    var phi_509_: u32;
+    var phi_588_: array<u32, 2>;
+    var phi_782_: bool;
     var phi_783_: bool;
-    var phi_784_: bool;
-    var phi_785_: bool;
-    var phi_789_: bool;
-    var phi_807_: u32;
-    var phi_808_: u32;
-    var phi_809_: u32;
-    var phi_695_: u32;
-    var phi_812_: type_21;
-    var phi_815_: u32;
-    var phi_813_: type_21;
-    var phi_838_: type_21;
-    var phi_984_: bool;
-    var phi_985_: bool;
-    var phi_986_: bool;
-    var phi_987_: bool;
-    var phi_988_: bool;
-    var phi_992_: bool;
-    var phi_948_: bool;
-    var phi_949_: bool;
-    var phi_950_: bool;
-    var phi_954_: bool;
-    var phi_993_: bool;
-    var phi_997_: bool;
-    var phi_998_: bool;
-    var phi_1044_: bool;
-    var phi_1054_: bool;
-    var phi_1055_: bool;
-    var phi_1059_: bool;
-    var phi_1060_: bool;
-    var phi_1109_: type_21;
-    var phi_1112_: bool;
-    var phi_1110_: type_21;
-    var phi_1135_: type_21;
-    var phi_1192_: type_21;
-    var phi_1195_: array<u32, 2>;
-    var phi_1193_: type_21;
-    var phi_1218_: type_21;
-    var phi_1293_: bool;
-    var phi_1294_: bool;
-    var phi_1298_: array<u32, 2>;
-    var phi_1196_: array<u32, 2>;
-    var phi_1349_: type_21;
-    var phi_1352_: array<u32, 2>;
-    var phi_1350_: type_21;
-    var phi_1375_: type_21;
-    var phi_1451_: bool;
-    var phi_1452_: bool;
-    var phi_1456_: array<u32, 2>;
-    var phi_1353_: array<u32, 2>;
-    var local_28: array<u32, 2>;
-    var local_29: array<u32, 2>;
-    var local_30: array<u32, 2>;
-    var local_31: array<u32, 2>;
-    var local_32: array<u32, 2>;
-    var local_33: array<u32, 2>;
-    var phi_1472_: bool;
-    var phi_1473_: bool;
-    var phi_1524_: type_21;
-    var phi_1527_: array<u32, 2>;
-    var phi_1525_: type_21;
-    var phi_1550_: type_21;
-    var phi_1625_: bool;
-    var phi_1626_: bool;
-    var phi_1630_: array<u32, 2>;
-    var phi_1528_: array<u32, 2>;
-    var phi_1681_: type_21;
-    var phi_1684_: array<u32, 2>;
-    var phi_1682_: type_21;
-    var phi_1707_: type_21;
-    var phi_1783_: bool;
-    var phi_1784_: bool;
-    var phi_1788_: array<u32, 2>;
-    var phi_1685_: array<u32, 2>;
-    var local_34: array<u32, 2>;
-    var local_35: array<u32, 2>;
-    var local_36: array<u32, 2>;
-    var local_37: array<u32, 2>;
-    var local_38: array<u32, 2>;
-    var local_39: array<u32, 2>;
-    var phi_1804_: bool;
-    var phi_1805_: bool;
-    var phi_1113_: bool;
-    var phi_1809_: bool;
-    var phi_1810_: bool;
-    var phi_1811_: bool;
-    var phi_1815_: bool;
-    var phi_1816_: bool;
-    var phi_1817_: bool;
-    var phi_1818_: bool;
-    var phi_1819_: bool;
-    var phi_1823_: bool;
+    var phi_787_: type_11;
+    var phi_800_: type_21;
+    var phi_803_: u32;
+    var phi_801_: type_21;
+    var phi_826_: type_21;
+    var phi_892_: bool;
+    var phi_893_: bool;
+    var phi_894_: bool;
+    var phi_898_: bool;
+    var phi_916_: u32;
+    var phi_917_: u32;
+    var phi_918_: u32;
+    var phi_804_: u32;
+    var phi_921_: type_21;
+    var phi_924_: u32;
+    var phi_922_: type_21;
+    var phi_947_: type_21;
+    var phi_1065_: bool;
+    var phi_1066_: bool;
+    var phi_1067_: bool;
+    var phi_1068_: bool;
+    var phi_1069_: bool;
+    var phi_1073_: bool;
+    var phi_1037_: bool;
+    var phi_1038_: bool;
+    var phi_1039_: bool;
+    var phi_1043_: bool;
+    var phi_1074_: bool;
+    var phi_1078_: bool;
+    var phi_1079_: bool;
+    var phi_1123_: bool;
+    var phi_1133_: bool;
+    var phi_1134_: bool;
+    var phi_1138_: bool;
+    var phi_1139_: bool;
+    var phi_1275_: bool;
+    var phi_1276_: bool;
+    var phi_1369_: bool;
+    var phi_1370_: bool;
+    var phi_1464_: bool;
+    var phi_1465_: bool;
+    var phi_1558_: bool;
+    var phi_1559_: bool;
+    var phi_1654_: bool;
+    var phi_1655_: bool;
+    var phi_1748_: bool;
+    var phi_1749_: bool;
+    var phi_1753_: bool;
+    var phi_1754_: bool;
+    var phi_1755_: bool;
+    var phi_1759_: bool;
+    var phi_1760_: bool;
+    var phi_1761_: bool;
+    var phi_1762_: bool;
+    var phi_1763_: bool;
+    var phi_1767_: bool;
+    var phi_1785_: type_21;
+    var phi_1830_: u32;
+    var phi_1831_: bool;
+    var phi_925_: u32;
+    var phi_1832_: bool;
+    var phi_1839_: u32;
+    var phi_1842_: type_21;
     var phi_1843_: type_21;
-    var phi_1888_: u32;
-    var phi_1889_: bool;
-    var phi_816_: u32;
-    var phi_1890_: bool;
-    var phi_1897_: u32;
-    var phi_1900_: type_21;
-    var phi_1901_: type_21;
-    var phi_1924_: type_21;
-    var phi_2078_: bool;
-    var phi_2079_: bool;
-    var phi_2080_: bool;
-    var phi_2081_: bool;
-    var phi_2082_: bool;
-    var phi_2086_: bool;
-    var phi_2042_: bool;
-    var phi_2043_: bool;
-    var phi_2044_: bool;
-    var phi_2048_: bool;
-    var phi_2087_: bool;
-    var phi_2091_: bool;
-    var phi_2092_: bool;
-    var phi_2138_: bool;
-    var phi_2148_: bool;
-    var phi_2149_: bool;
-    var phi_2153_: bool;
-    var phi_2154_: bool;
-    var phi_2203_: type_21;
-    var phi_2206_: bool;
-    var phi_2204_: type_21;
-    var phi_2229_: type_21;
-    var phi_2286_: type_21;
-    var phi_2289_: array<u32, 2>;
-    var phi_2287_: type_21;
-    var phi_2312_: type_21;
-    var phi_2387_: bool;
-    var phi_2388_: bool;
-    var phi_2392_: array<u32, 2>;
-    var phi_2290_: array<u32, 2>;
-    var phi_2443_: type_21;
-    var phi_2446_: array<u32, 2>;
-    var phi_2444_: type_21;
-    var phi_2469_: type_21;
-    var phi_2545_: bool;
-    var phi_2546_: bool;
-    var phi_2550_: array<u32, 2>;
-    var phi_2447_: array<u32, 2>;
-    var local_40: array<u32, 2>;
-    var local_41: array<u32, 2>;
-    var local_42: array<u32, 2>;
-    var local_43: array<u32, 2>;
-    var local_44: array<u32, 2>;
-    var local_45: array<u32, 2>;
-    var phi_2566_: bool;
-    var phi_2567_: bool;
-    var phi_2618_: type_21;
-    var phi_2621_: array<u32, 2>;
-    var phi_2619_: type_21;
-    var phi_2644_: type_21;
-    var phi_2719_: bool;
-    var phi_2720_: bool;
-    var phi_2724_: array<u32, 2>;
-    var phi_2622_: array<u32, 2>;
-    var phi_2775_: type_21;
-    var phi_2778_: array<u32, 2>;
-    var phi_2776_: type_21;
-    var phi_2801_: type_21;
-    var phi_2877_: bool;
-    var phi_2878_: bool;
-    var phi_2882_: array<u32, 2>;
-    var phi_2779_: array<u32, 2>;
-    var local_46: array<u32, 2>;
-    var local_47: array<u32, 2>;
-    var local_48: array<u32, 2>;
-    var local_49: array<u32, 2>;
-    var local_50: array<u32, 2>;
-    var local_51: array<u32, 2>;
-    var phi_2898_: bool;
-    var phi_2899_: bool;
-    var phi_2207_: bool;
-    var phi_2903_: bool;
-    var phi_2904_: bool;
-    var phi_2905_: bool;
-    var phi_2909_: bool;
-    var phi_2910_: bool;
-    var phi_2911_: bool;
-    var phi_2912_: bool;
-    var phi_2913_: bool;
-    var phi_2917_: bool;
-    var phi_2963_: type_16;
-    var phi_2964_: type_16;
-    var phi_3353_: f32;
-    var phi_3360_: f32;
-    var phi_3365_: f32;
-    var phi_3372_: f32;
-    var phi_3377_: f32;
-    var phi_3390_: f32;
-    var phi_3397_: f32;
-    var phi_3402_: f32;
-    var phi_3409_: f32;
-    var phi_3414_: f32;
+    var phi_1866_: type_21;
+    var phi_1992_: bool;
+    var phi_1993_: bool;
+    var phi_1994_: bool;
+    var phi_1995_: bool;
+    var phi_1996_: bool;
+    var phi_2000_: bool;
+    var phi_1964_: bool;
+    var phi_1965_: bool;
+    var phi_1966_: bool;
+    var phi_1970_: bool;
+    var phi_2001_: bool;
+    var phi_2005_: bool;
+    var phi_2006_: bool;
+    var phi_2050_: bool;
+    var phi_2060_: bool;
+    var phi_2061_: bool;
+    var phi_2065_: bool;
+    var phi_2066_: bool;
+    var phi_2202_: bool;
+    var phi_2203_: bool;
+    var phi_2296_: bool;
+    var phi_2297_: bool;
+    var phi_2391_: bool;
+    var phi_2392_: bool;
+    var phi_2485_: bool;
+    var phi_2486_: bool;
+    var phi_2581_: bool;
+    var phi_2582_: bool;
+    var phi_2675_: bool;
+    var phi_2676_: bool;
+    var phi_2680_: bool;
+    var phi_2681_: bool;
+    var phi_2682_: bool;
+    var phi_2686_: bool;
+    var phi_2687_: bool;
+    var phi_2688_: bool;
+    var phi_2689_: bool;
+    var phi_2690_: bool;
+    var phi_2694_: bool;
+    var phi_2706_: type_16;
+    var phi_2707_: type_16;
+    var phi_3096_: f32;
+    var phi_3103_: f32;
+    var phi_3108_: f32;
+    var phi_3115_: f32;
+    var phi_3120_: f32;
+    var phi_3133_: f32;
+    var phi_3140_: f32;
+    var phi_3145_: f32;
+    var phi_3152_: f32;
+    var phi_3157_: f32;
+    var phi_3162_: f32;
+    var phi_3179_: f32;
+    var phi_3186_: f32;
+    var phi_3191_: f32;
+    var phi_3198_: f32;
+    var phi_3203_: f32;
+    var phi_3217_: f32;
+    var phi_3224_: f32;
+    var phi_3229_: f32;
+    var phi_3236_: f32;
+    var phi_3241_: f32;
+    var phi_3246_: f32;
+    var phi_3263_: f32;
+    var phi_3270_: f32;
+    var phi_3275_: f32;
+    var phi_3282_: f32;
+    var phi_3287_: f32;
+    var phi_3301_: f32;
+    var phi_3308_: f32;
+    var phi_3313_: f32;
+    var phi_3320_: f32;
+    var phi_3325_: f32;
+    var phi_3330_: f32;
+    var phi_3361_: f32;
+    var phi_3367_: f32;
+    var phi_3374_: f32;
+    var phi_3381_: f32;
+    var phi_3387_: f32;
+    var phi_3394_: f32;
+    var phi_3400_: f32;
+    var phi_3406_: f32;
+    var phi_3412_: f32;
     var phi_3419_: f32;
-    var phi_3436_: f32;
-    var phi_3443_: f32;
-    var phi_3448_: f32;
+    var phi_3426_: f32;
+    var phi_3450_: f32;
     var phi_3455_: f32;
     var phi_3460_: f32;
-    var phi_3474_: f32;
-    var phi_3481_: f32;
-    var phi_3486_: f32;
-    var phi_3493_: f32;
-    var phi_3498_: f32;
-    var phi_3503_: f32;
-    var phi_3520_: f32;
-    var phi_3527_: f32;
-    var phi_3532_: f32;
-    var phi_3539_: f32;
-    var phi_3544_: f32;
-    var phi_3558_: f32;
-    var phi_3565_: f32;
-    var phi_3570_: f32;
-    var phi_3577_: f32;
-    var phi_3582_: f32;
-    var phi_3587_: f32;
-    var phi_3618_: f32;
-    var phi_3624_: f32;
-    var phi_3631_: f32;
-    var phi_3638_: f32;
-    var phi_3644_: f32;
-    var phi_3651_: f32;
-    var phi_3657_: f32;
-    var phi_3663_: f32;
-    var phi_3669_: f32;
-    var phi_3676_: f32;
-    var phi_3683_: f32;
+    var phi_3465_: f32;
+    var phi_3470_: f32;
+    var phi_3475_: f32;
+    var phi_3485_: f32;
+    var phi_3688_: f32;
+    var phi_3695_: f32;
+    var phi_3700_: f32;
     var phi_3707_: f32;
     var phi_3712_: f32;
-    var phi_3717_: f32;
-    var phi_3722_: f32;
-    var phi_3727_: f32;
+    var phi_3725_: f32;
     var phi_3732_: f32;
-    var phi_3742_: f32;
-    var phi_3993_: f32;
+    var phi_3737_: f32;
+    var phi_3744_: f32;
+    var phi_3749_: f32;
+    var phi_3754_: f32;
+    var phi_3771_: f32;
+    var phi_3778_: f32;
+    var phi_3783_: f32;
+    var phi_3790_: f32;
+    var phi_3795_: f32;
+    var phi_3809_: f32;
+    var phi_3816_: f32;
+    var phi_3821_: f32;
+    var phi_3828_: f32;
+    var phi_3833_: f32;
+    var phi_3838_: f32;
+    var phi_3855_: f32;
+    var phi_3862_: f32;
+    var phi_3867_: f32;
+    var phi_3874_: f32;
+    var phi_3879_: f32;
+    var phi_3893_: f32;
+    var phi_3900_: f32;
+    var phi_3905_: f32;
+    var phi_3912_: f32;
+    var phi_3917_: f32;
+    var phi_3922_: f32;
     var phi_4000_: f32;
     var phi_4005_: f32;
-    var phi_4012_: f32;
-    var phi_4017_: f32;
+    var phi_4010_: f32;
+    var phi_4015_: f32;
+    var phi_4020_: f32;
+    var phi_4025_: f32;
     var phi_4030_: f32;
-    var phi_4037_: f32;
-    var phi_4042_: f32;
-    var phi_4049_: f32;
-    var phi_4054_: f32;
-    var phi_4059_: f32;
-    var phi_4076_: f32;
-    var phi_4083_: f32;
-    var phi_4088_: f32;
-    var phi_4095_: f32;
-    var phi_4100_: f32;
-    var phi_4114_: f32;
-    var phi_4121_: f32;
-    var phi_4126_: f32;
-    var phi_4133_: f32;
-    var phi_4138_: f32;
-    var phi_4143_: f32;
-    var phi_4160_: f32;
-    var phi_4167_: f32;
-    var phi_4172_: f32;
-    var phi_4179_: f32;
-    var phi_4184_: f32;
-    var phi_4198_: f32;
+    var phi_4035_: f32;
+    var phi_4040_: f32;
+    var phi_4045_: f32;
+    var phi_4050_: f32;
+    var phi_4055_: f32;
+    var phi_4060_: f32;
+    var phi_4065_: f32;
+    var phi_4071_: f32;
+    var phi_4077_: f32;
+    var phi_4084_: f32;
+    var phi_4094_: f32;
+    var phi_4165_: f32;
+    var phi_4170_: f32;
+    var phi_4175_: f32;
+    var phi_4180_: f32;
+    var phi_4185_: f32;
+    var phi_4190_: f32;
+    var phi_4195_: f32;
+    var phi_4200_: f32;
     var phi_4205_: f32;
     var phi_4210_: f32;
-    var phi_4217_: f32;
-    var phi_4222_: f32;
-    var phi_4227_: f32;
-    var phi_4265_: type_21;
-    var phi_4268_: f32;
-    var phi_4270_: f32;
-    var phi_4266_: type_21;
-    var phi_4293_: type_21;
-    var phi_4343_: f32;
-    var phi_4348_: f32;
-    var phi_4353_: f32;
-    var phi_4358_: f32;
+    var phi_4215_: f32;
+    var phi_4220_: f32;
+    var phi_4225_: f32;
+    var phi_4230_: f32;
+    var phi_4236_: f32;
+    var phi_4242_: f32;
+    var phi_4249_: f32;
+    var phi_4259_: f32;
     var phi_4269_: f32;
-    var phi_4271_: f32;
-    var phi_4364_: f32;
-    var phi_4370_: f32;
-    var phi_4377_: f32;
-    var local_52: f32;
-    var local_53: f32;
-    var phi_4387_: f32;
-    var phi_4418_: type_21;
-    var phi_4421_: f32;
-    var phi_4423_: f32;
-    var phi_4419_: type_21;
-    var phi_4446_: type_21;
-    var phi_4496_: f32;
-    var phi_4501_: f32;
-    var phi_4506_: f32;
-    var phi_4511_: f32;
-    var phi_4422_: f32;
-    var phi_4424_: f32;
-    var phi_4517_: f32;
-    var phi_4523_: f32;
-    var phi_4530_: f32;
-    var local_54: f32;
-    var local_55: f32;
-    var phi_4540_: f32;
-    var phi_4550_: f32;
-    var phi_4718_: bool;
-    var phi_5175_: f32;
-    var phi_5182_: f32;
-    var phi_5187_: f32;
-    var phi_5194_: f32;
+    var phi_4449_: bool;
+    var phi_4901_: f32;
+    var phi_4908_: f32;
+    var phi_4913_: f32;
+    var phi_4920_: f32;
+    var phi_4925_: f32;
+    var phi_4938_: f32;
+    var phi_4945_: f32;
+    var phi_4950_: f32;
+    var phi_4957_: f32;
+    var phi_4962_: f32;
+    var phi_4967_: f32;
+    var phi_4984_: f32;
+    var phi_4991_: f32;
+    var phi_4996_: f32;
+    var phi_5003_: f32;
+    var phi_5008_: f32;
+    var phi_5022_: f32;
+    var phi_5029_: f32;
+    var phi_5034_: f32;
+    var phi_5041_: f32;
+    var phi_5046_: f32;
+    var phi_5051_: f32;
+    var phi_5068_: f32;
+    var phi_5075_: f32;
+    var phi_5080_: f32;
+    var phi_5087_: f32;
+    var phi_5092_: f32;
+    var phi_5106_: f32;
+    var phi_5113_: f32;
+    var phi_5118_: f32;
+    var phi_5125_: f32;
+    var phi_5130_: f32;
+    var phi_5135_: f32;
+    var phi_5166_: f32;
+    var phi_5172_: f32;
+    var phi_5179_: f32;
+    var phi_5186_: f32;
+    var phi_5192_: f32;
     var phi_5199_: f32;
-    var phi_5212_: f32;
-    var phi_5219_: f32;
+    var phi_5205_: f32;
+    var phi_5211_: f32;
+    var phi_5217_: f32;
     var phi_5224_: f32;
     var phi_5231_: f32;
-    var phi_5236_: f32;
-    var phi_5241_: f32;
-    var phi_5258_: f32;
+    var phi_5255_: f32;
+    var phi_5260_: f32;
     var phi_5265_: f32;
     var phi_5270_: f32;
-    var phi_5277_: f32;
-    var phi_5282_: f32;
-    var phi_5296_: f32;
-    var phi_5303_: f32;
-    var phi_5308_: f32;
-    var phi_5315_: f32;
-    var phi_5320_: f32;
-    var phi_5325_: f32;
-    var phi_5342_: f32;
-    var phi_5349_: f32;
-    var phi_5354_: f32;
-    var phi_5361_: f32;
-    var phi_5366_: f32;
-    var phi_5380_: f32;
-    var phi_5387_: f32;
-    var phi_5392_: f32;
-    var phi_5399_: f32;
-    var phi_5404_: f32;
-    var phi_5409_: f32;
-    var phi_5440_: f32;
-    var phi_5446_: f32;
-    var phi_5453_: f32;
-    var phi_5460_: f32;
-    var phi_5466_: f32;
-    var phi_5473_: f32;
-    var phi_5479_: f32;
-    var phi_5485_: f32;
-    var phi_5491_: f32;
-    var phi_5498_: f32;
+    var phi_5275_: f32;
+    var phi_5280_: f32;
+    var phi_5290_: f32;
+    var phi_5493_: f32;
+    var phi_5500_: f32;
     var phi_5505_: f32;
-    var phi_5529_: f32;
-    var phi_5534_: f32;
-    var phi_5539_: f32;
-    var phi_5544_: f32;
+    var phi_5512_: f32;
+    var phi_5517_: f32;
+    var phi_5530_: f32;
+    var phi_5537_: f32;
+    var phi_5542_: f32;
     var phi_5549_: f32;
     var phi_5554_: f32;
-    var phi_5564_: f32;
+    var phi_5559_: f32;
+    var phi_5576_: f32;
+    var phi_5583_: f32;
+    var phi_5588_: f32;
+    var phi_5595_: f32;
+    var phi_5600_: f32;
+    var phi_5614_: f32;
+    var phi_5621_: f32;
+    var phi_5626_: f32;
+    var phi_5633_: f32;
+    var phi_5638_: f32;
+    var phi_5643_: f32;
+    var phi_5660_: f32;
+    var phi_5667_: f32;
+    var phi_5672_: f32;
+    var phi_5679_: f32;
+    var phi_5684_: f32;
+    var phi_5698_: f32;
+    var phi_5705_: f32;
+    var phi_5710_: f32;
+    var phi_5717_: f32;
+    var phi_5722_: f32;
+    var phi_5727_: f32;
+    var phi_5805_: f32;
+    var phi_5810_: f32;
     var phi_5815_: f32;
-    var phi_5822_: f32;
-    var phi_5827_: f32;
-    var phi_5834_: f32;
-    var phi_5839_: f32;
-    var phi_5852_: f32;
-    var phi_5859_: f32;
-    var phi_5864_: f32;
-    var phi_5871_: f32;
+    var phi_5820_: f32;
+    var phi_5825_: f32;
+    var phi_5830_: f32;
+    var phi_5835_: f32;
+    var phi_5840_: f32;
+    var phi_5845_: f32;
+    var phi_5850_: f32;
+    var phi_5855_: f32;
+    var phi_5860_: f32;
+    var phi_5865_: f32;
+    var phi_5870_: f32;
     var phi_5876_: f32;
-    var phi_5881_: f32;
-    var phi_5898_: f32;
-    var phi_5905_: f32;
-    var phi_5910_: f32;
-    var phi_5917_: f32;
-    var phi_5922_: f32;
-    var phi_5936_: f32;
-    var phi_5943_: f32;
-    var phi_5948_: f32;
-    var phi_5955_: f32;
-    var phi_5960_: f32;
-    var phi_5965_: f32;
-    var phi_5982_: f32;
-    var phi_5989_: f32;
-    var phi_5994_: f32;
-    var phi_6001_: f32;
-    var phi_6006_: f32;
+    var phi_5882_: f32;
+    var phi_5889_: f32;
+    var phi_5899_: f32;
+    var phi_5970_: f32;
+    var phi_5975_: f32;
+    var phi_5980_: f32;
+    var phi_5985_: f32;
+    var phi_5990_: f32;
+    var phi_5995_: f32;
+    var phi_6000_: f32;
+    var phi_6005_: f32;
+    var phi_6010_: f32;
+    var phi_6015_: f32;
     var phi_6020_: f32;
-    var phi_6027_: f32;
-    var phi_6032_: f32;
-    var phi_6039_: f32;
-    var phi_6044_: f32;
-    var phi_6049_: f32;
-    var phi_6087_: type_21;
-    var phi_6090_: f32;
-    var phi_6092_: f32;
-    var phi_6088_: type_21;
-    var phi_6115_: type_21;
-    var phi_6165_: f32;
-    var phi_6170_: f32;
-    var phi_6175_: f32;
-    var phi_6180_: f32;
-    var phi_6091_: f32;
-    var phi_6093_: f32;
-    var phi_6186_: f32;
-    var phi_6192_: f32;
-    var phi_6199_: f32;
-    var local_56: f32;
-    var local_57: f32;
-    var phi_6209_: f32;
-    var phi_6240_: type_21;
-    var phi_6243_: f32;
-    var phi_6245_: f32;
-    var phi_6241_: type_21;
-    var phi_6268_: type_21;
-    var phi_6318_: f32;
-    var phi_6323_: f32;
-    var phi_6328_: f32;
-    var phi_6333_: f32;
-    var phi_6244_: f32;
-    var phi_6246_: f32;
-    var phi_6339_: f32;
-    var phi_6345_: f32;
-    var phi_6352_: f32;
-    var local_58: f32;
-    var local_59: f32;
-    var phi_6362_: f32;
-    var phi_6372_: f32;
-    var phi_6540_: bool;
-    var phi_6786_: f32;
-    var phi_6793_: f32;
-    var phi_6798_: f32;
-    var phi_6805_: f32;
-    var phi_6810_: f32;
-    var phi_6823_: f32;
-    var phi_6830_: f32;
-    var phi_6835_: f32;
-    var phi_6842_: f32;
-    var phi_6847_: f32;
-    var phi_6852_: f32;
-    var phi_6869_: f32;
-    var phi_6876_: f32;
-    var phi_6881_: f32;
+    var phi_6025_: f32;
+    var phi_6030_: f32;
+    var phi_6035_: f32;
+    var phi_6041_: f32;
+    var phi_6047_: f32;
+    var phi_6054_: f32;
+    var phi_6064_: f32;
+    var phi_6074_: f32;
+    var phi_6254_: bool;
+    var phi_6499_: f32;
+    var phi_6506_: f32;
+    var phi_6511_: f32;
+    var phi_6518_: f32;
+    var phi_6523_: f32;
+    var phi_6536_: f32;
+    var phi_6543_: f32;
+    var phi_6548_: f32;
+    var phi_6555_: f32;
+    var phi_6560_: f32;
+    var phi_6565_: f32;
+    var phi_6582_: f32;
+    var phi_6589_: f32;
+    var phi_6594_: f32;
+    var phi_6601_: f32;
+    var phi_6606_: f32;
+    var phi_6620_: f32;
+    var phi_6627_: f32;
+    var phi_6632_: f32;
+    var phi_6639_: f32;
+    var phi_6644_: f32;
+    var phi_6649_: f32;
+    var phi_6666_: f32;
+    var phi_6673_: f32;
+    var phi_6678_: f32;
+    var phi_6685_: f32;
+    var phi_6690_: f32;
+    var phi_6704_: f32;
+    var phi_6711_: f32;
+    var phi_6716_: f32;
+    var phi_6723_: f32;
+    var phi_6728_: f32;
+    var phi_6733_: f32;
+    var phi_6764_: f32;
+    var phi_6770_: f32;
+    var phi_6777_: f32;
+    var phi_6784_: f32;
+    var phi_6790_: f32;
+    var phi_6797_: f32;
+    var phi_6803_: f32;
+    var phi_6809_: f32;
+    var phi_6815_: f32;
+    var phi_6822_: f32;
+    var phi_6829_: f32;
+    var phi_6853_: f32;
+    var phi_6858_: f32;
+    var phi_6863_: f32;
+    var phi_6868_: f32;
+    var phi_6873_: f32;
+    var phi_6878_: f32;
     var phi_6888_: f32;
-    var phi_6893_: f32;
-    var phi_6907_: f32;
-    var phi_6914_: f32;
-    var phi_6919_: f32;
-    var phi_6926_: f32;
-    var phi_6931_: f32;
-    var phi_6936_: f32;
-    var phi_6953_: f32;
-    var phi_6960_: f32;
-    var phi_6965_: f32;
-    var phi_6972_: f32;
-    var phi_6977_: f32;
-    var phi_6991_: f32;
-    var phi_6998_: f32;
-    var phi_7003_: f32;
-    var phi_7010_: f32;
-    var phi_7015_: f32;
-    var phi_7020_: f32;
-    var phi_7051_: f32;
-    var phi_7057_: f32;
-    var phi_7064_: f32;
-    var phi_7071_: f32;
-    var phi_7077_: f32;
-    var phi_7084_: f32;
-    var phi_7090_: f32;
-    var phi_7096_: f32;
-    var phi_7102_: f32;
-    var phi_7109_: f32;
-    var phi_7116_: f32;
+    var phi_7091_: f32;
+    var phi_7098_: f32;
+    var phi_7103_: f32;
+    var phi_7110_: f32;
+    var phi_7115_: f32;
+    var phi_7128_: f32;
+    var phi_7135_: f32;
     var phi_7140_: f32;
-    var phi_7145_: f32;
-    var phi_7150_: f32;
-    var phi_7155_: f32;
-    var phi_7160_: f32;
-    var phi_7165_: f32;
-    var phi_7175_: f32;
-    var phi_7426_: f32;
+    var phi_7147_: f32;
+    var phi_7152_: f32;
+    var phi_7157_: f32;
+    var phi_7174_: f32;
+    var phi_7181_: f32;
+    var phi_7186_: f32;
+    var phi_7193_: f32;
+    var phi_7198_: f32;
+    var phi_7212_: f32;
+    var phi_7219_: f32;
+    var phi_7224_: f32;
+    var phi_7231_: f32;
+    var phi_7236_: f32;
+    var phi_7241_: f32;
+    var phi_7258_: f32;
+    var phi_7265_: f32;
+    var phi_7270_: f32;
+    var phi_7277_: f32;
+    var phi_7282_: f32;
+    var phi_7296_: f32;
+    var phi_7303_: f32;
+    var phi_7308_: f32;
+    var phi_7315_: f32;
+    var phi_7320_: f32;
+    var phi_7325_: f32;
+    var phi_7403_: f32;
+    var phi_7408_: f32;
+    var phi_7413_: f32;
+    var phi_7418_: f32;
+    var phi_7423_: f32;
+    var phi_7428_: f32;
     var phi_7433_: f32;
     var phi_7438_: f32;
-    var phi_7445_: f32;
-    var phi_7450_: f32;
+    var phi_7443_: f32;
+    var phi_7448_: f32;
+    var phi_7453_: f32;
+    var phi_7458_: f32;
     var phi_7463_: f32;
-    var phi_7470_: f32;
-    var phi_7475_: f32;
-    var phi_7482_: f32;
+    var phi_7468_: f32;
+    var phi_7474_: f32;
+    var phi_7480_: f32;
     var phi_7487_: f32;
-    var phi_7492_: f32;
-    var phi_7509_: f32;
-    var phi_7516_: f32;
-    var phi_7521_: f32;
-    var phi_7528_: f32;
-    var phi_7533_: f32;
-    var phi_7547_: f32;
-    var phi_7554_: f32;
-    var phi_7559_: f32;
-    var phi_7566_: f32;
-    var phi_7571_: f32;
-    var phi_7576_: f32;
+    var phi_7497_: f32;
+    var phi_7568_: f32;
+    var phi_7573_: f32;
+    var phi_7578_: f32;
+    var phi_7583_: f32;
+    var phi_7588_: f32;
     var phi_7593_: f32;
-    var phi_7600_: f32;
-    var phi_7605_: f32;
-    var phi_7612_: f32;
-    var phi_7617_: f32;
-    var phi_7631_: f32;
-    var phi_7638_: f32;
-    var phi_7643_: f32;
-    var phi_7650_: f32;
-    var phi_7655_: f32;
-    var phi_7660_: f32;
-    var phi_7698_: type_21;
-    var phi_7701_: f32;
-    var phi_7703_: f32;
-    var phi_7699_: type_21;
-    var phi_7726_: type_21;
-    var phi_7776_: f32;
-    var phi_7781_: f32;
-    var phi_7786_: f32;
-    var phi_7791_: f32;
-    var phi_7702_: f32;
-    var phi_7704_: f32;
-    var phi_7797_: f32;
-    var phi_7803_: f32;
-    var phi_7810_: f32;
-    var local_60: f32;
-    var local_61: f32;
-    var phi_7820_: f32;
-    var phi_7851_: type_21;
-    var phi_7854_: f32;
-    var phi_7856_: f32;
-    var phi_7852_: type_21;
-    var phi_7879_: type_21;
-    var phi_7929_: f32;
-    var phi_7934_: f32;
-    var phi_7939_: f32;
-    var phi_7944_: f32;
-    var phi_7855_: f32;
-    var phi_7857_: f32;
-    var phi_7950_: f32;
-    var phi_7956_: f32;
-    var phi_7963_: f32;
-    var local_62: f32;
-    var local_63: f32;
-    var phi_7973_: f32;
-    var phi_7983_: f32;
-    var phi_8151_: bool;
-    var phi_8152_: bool;
-    var phi_8154_: bool;
-    var phi_8164_: bool;
-    var phi_8165_: bool;
-    var phi_8215_: type_21;
-    var phi_8216_: type_21;
-    var phi_8239_: type_21;
-    var phi_8262_: u32;
-    var phi_8316_: type_21;
-    var phi_8337_: bool;
-    var phi_8338_: bool;
-    var local_64: u32;
-    var local_65: bool;
-    var local_66: bool;
-    var local_67: f32;
-    var local_68: f32;
-    var local_69: f32;
-    var local_70: f32;
-    var local_71: f32;
-    var local_72: f32;
+    var phi_7598_: f32;
+    var phi_7603_: f32;
+    var phi_7608_: f32;
+    var phi_7613_: f32;
+    var phi_7618_: f32;
+    var phi_7623_: f32;
+    var phi_7628_: f32;
+    var phi_7633_: f32;
+    var phi_7639_: f32;
+    var phi_7645_: f32;
+    var phi_7652_: f32;
+    var phi_7662_: f32;
+    var phi_7672_: f32;
+    var phi_7852_: bool;
+    var phi_7853_: bool;
+    var phi_7855_: bool;
+    var phi_7865_: bool;
+    var phi_7866_: bool;
+    var phi_7916_: type_21;
+    var phi_7917_: type_21;
+    var phi_7940_: type_21;
+    var phi_7963_: u32;
+    var phi_8017_: type_21;
+    var phi_8038_: bool;
+    var phi_8039_: bool;
+    var local_3: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -720,3873 +767,3672 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e95 = id_2;
-    let _e96 = n_2;
-    let _e97 = lane_2;
-    let _e110 = ((_e95.y * _e96.x) + _e95.x);
-    let _e113 = (_e96.x * _e96.y);
-    let _e115 = params.member.member_15;
-    let _e117 = input.member[0u];
-    if (_e115 < _e117) {
-        phi_233_ = _e115;
+    let _e65 = id_2;
+    let _e66 = n_2;
+    let _e67 = lane_2;
+    let _e80 = ((_e65.y * _e66.x) + _e65.x);
+    let _e83 = (_e66.x * _e66.y);
+    let _e85 = params.member.member_15;
+    let _e87 = input.member[0u];
+    if (_e85 < _e87) {
+        phi_342_ = _e85;
     } else {
-        phi_233_ = _e117;
+        phi_342_ = _e87;
     }
-    let _e120 = phi_233_;
-    let _e121 = (_e97 / 32u);
-    let _e122 = (_e97 % 32u);
-    let _e124 = params.member.member_12;
-    if (_e120 > _e124) {
-        let _e127 = params.member.member_12;
-        let _e128 = (_e120 - _e127);
-        let _e130 = params.member.member_13;
-        if (_e130 == 0u) {
+    let _e90 = phi_342_;
+    let _e91 = (_e67 / 32u);
+    let _e92 = (_e67 % 32u);
+    let _e94 = params.member.member_12;
+    if (_e90 > _e94) {
+        let _e97 = params.member.member_12;
+        let _e98 = (_e90 - _e97);
+        let _e100 = params.member.member_13;
+        if (_e100 == 0u) {
             return;
         }
-        let _e132 = (_e128 / _e130);
-        if (_e130 == 0u) {
+        let _e102 = (_e98 / _e100);
+        if (_e100 == 0u) {
             return;
         }
-        if ((_e128 % _e130) > 0u) {
-            phi_271_ = (_e132 + 1u);
+        if ((_e98 % _e100) > 0u) {
+            phi_380_ = (_e102 + 1u);
         } else {
-            phi_271_ = _e132;
+            phi_380_ = _e102;
         }
-        let _e138 = phi_271_;
-        phi_272_ = _e138;
+        let _e108 = phi_380_;
+        phi_381_ = _e108;
     } else {
-        phi_272_ = 0u;
+        phi_381_ = 0u;
     }
-    let _e140 = phi_272_;
-    let _e142 = params.member.member_14;
-    if (_e142 < _e140) {
-        phi_279_ = _e142;
+    let _e110 = phi_381_;
+    let _e112 = params.member.member_14;
+    if (_e112 < _e110) {
+        phi_388_ = _e112;
     } else {
-        phi_279_ = _e140;
+        phi_388_ = _e110;
     }
-    let _e145 = phi_279_;
-    let _e146 = (_e145 / 4u);
-    if ((_e145 % 4u) > 0u) {
-        phi_295_ = (_e146 + 1u);
+    let _e115 = phi_388_;
+    let _e116 = (_e115 / 4u);
+    if ((_e115 % 4u) > 0u) {
+        phi_404_ = (_e116 + 1u);
     } else {
-        phi_295_ = _e146;
+        phi_404_ = _e116;
     }
-    let _e151 = phi_295_;
-    if (_e151 > _e110) {
-        let _e153 = (_e151 - _e110);
-        if (_e113 == 0u) {
+    let _e121 = phi_404_;
+    if (_e121 > _e80) {
+        let _e123 = (_e121 - _e80);
+        if (_e83 == 0u) {
             return;
         }
-        let _e155 = (_e153 / _e113);
-        if (_e113 == 0u) {
+        let _e125 = (_e123 / _e83);
+        if (_e83 == 0u) {
             return;
         }
-        if ((_e153 % _e113) > 0u) {
-            phi_316_ = (_e155 + 1u);
+        if ((_e123 % _e83) > 0u) {
+            phi_425_ = (_e125 + 1u);
         } else {
-            phi_316_ = _e155;
+            phi_425_ = _e125;
         }
-        let _e161 = phi_316_;
-        phi_317_ = _e161;
+        let _e131 = phi_425_;
+        phi_426_ = _e131;
     } else {
-        phi_317_ = 0u;
+        phi_426_ = 0u;
     }
-    let _e163 = phi_317_;
-    phi_320_ = type_21(0u, _e163);
+    let _e133 = phi_426_;
+    phi_429_ = type_21(0u, _e133);
     loop {
-        let _e166 = phi_320_;
-        if (_e166.member < _e166.member_1) {
-            phi_321_ = type_21((_e166.member + 1u), _e166.member_1);
-            phi_344_ = type_21(1u, _e166.member);
+        let _e136 = phi_429_;
+        if (_e136.member < _e136.member_1) {
+            phi_430_ = type_21((_e136.member + 1u), _e136.member_1);
+            phi_453_ = type_21(1u, _e136.member);
         } else {
-            phi_321_ = _e166;
-            phi_344_ = type_21(0u, type_21().member_1);
+            phi_430_ = _e136;
+            phi_453_ = type_21(0u, type_21().member_1);
         }
-        let _e178 = phi_321_;
-        let _e180 = phi_344_;
-        let _e184 = (bitcast<i32>(_e180.member) != 0i);
-        if _e184 {
-            let _e188 = (((_e110 + (_e180.member_1 * _e113)) * 4u) + _e121);
-            let _e190 = params.member.member_12;
-            if (_e120 > _e190) {
-                let _e193 = params.member.member_12;
-                let _e194 = (_e120 - _e193);
-                let _e196 = params.member.member_13;
-                if (_e196 == 0u) {
+        let _e148 = phi_430_;
+        let _e150 = phi_453_;
+        let _e154 = (bitcast<i32>(_e150.member) != 0i);
+        if _e154 {
+            let _e158 = (((_e80 + (_e150.member_1 * _e83)) * 4u) + _e91);
+            let _e160 = params.member.member_12;
+            if (_e90 > _e160) {
+                let _e163 = params.member.member_12;
+                let _e164 = (_e90 - _e163);
+                let _e166 = params.member.member_13;
+                if (_e166 == 0u) {
                     return;
                 }
-                let _e198 = (_e194 / _e196);
-                if (_e196 == 0u) {
+                let _e168 = (_e164 / _e166);
+                if (_e166 == 0u) {
                     return;
                 }
-                if ((_e194 % _e196) > 0u) {
-                    phi_382_ = (_e198 + 1u);
+                if ((_e164 % _e166) > 0u) {
+                    phi_491_ = (_e168 + 1u);
                 } else {
-                    phi_382_ = _e198;
+                    phi_491_ = _e168;
                 }
-                let _e204 = phi_382_;
-                phi_383_ = _e204;
+                let _e174 = phi_491_;
+                phi_492_ = _e174;
             } else {
-                phi_383_ = 0u;
+                phi_492_ = 0u;
             }
-            let _e206 = phi_383_;
-            let _e208 = params.member.member_14;
-            if (_e208 < _e206) {
-                phi_390_ = _e208;
+            let _e176 = phi_492_;
+            let _e178 = params.member.member_14;
+            if (_e178 < _e176) {
+                phi_499_ = _e178;
             } else {
-                phi_390_ = _e206;
+                phi_499_ = _e176;
             }
-            let _e211 = phi_390_;
-            let _e212 = (_e188 < _e211);
-            let _e214 = params.member.member_12;
-            if _e212 {
-                let _e216 = params.member.member_13;
-                phi_400_ = (_e188 * _e216);
+            let _e181 = phi_499_;
+            let _e182 = (_e158 < _e181);
+            let _e184 = params.member.member_12;
+            if _e182 {
+                let _e186 = params.member.member_13;
+                phi_509_ = (_e158 * _e186);
             } else {
-                phi_400_ = 0u;
+                phi_509_ = 0u;
             }
-            let _e219 = phi_400_;
-            let _e221 = (2u * (_e214 + _e219));
-            let _e224 = input.member[(4u + _e221)];
-            let _e227 = input.member[(_e221 + 5u)];
-            if (_e97 < 8u) {
-                atomicStore((&counters[_e97]), 0u);
+            let _e189 = phi_509_;
+            let _e191 = (2u * (_e184 + _e189));
+            let _e194 = input.member[(4u + _e191)];
+            let _e197 = input.member[(_e191 + 5u)];
+            if (_e67 < 8u) {
+                atomicStore((&counters[_e67]), 0u);
             }
             workgroupBarrier();
-            let _e234 = params.member.member_20[0u][1u];
-            let _e235 = (_e234 + (_e224 * 32u));
-            let _e240 = params.member.member_20[0u][1u];
-            let _e241 = (_e240 + (_e227 * 32u));
-            if (_e122 == 0u) {
-                firsts[(2u * _e121)] = _e235;
-                firsts[((2u * _e121) + 1u)] = _e241;
+            let _e204 = params.member.member_20[0u][1u];
+            let _e205 = (_e204 + (_e194 * 32u));
+            let _e210 = params.member.member_20[0u][1u];
+            let _e211 = (_e210 + (_e197 * 32u));
+            if (_e92 == 0u) {
+                firsts[(2u * _e91)] = _e205;
+                firsts[((2u * _e91) + 1u)] = _e211;
             }
-            let _e249 = params.member.member_8;
-            if (_e249 == 0u) {
-                phi_479_ = array<u32, 2>(0u, 2u);
+            let _e219 = params.member.member_8;
+            if (_e219 == 0u) {
+                phi_588_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_479_ = array<u32, 2>(1u, 1u);
+                phi_588_ = array<u32, 2>(1u, 1u);
             }
-            let _e252 = phi_479_;
-            let _e255 = (_e97 / 32u);
-            let _e256 = (_e97 % 32u);
+            let _e222 = phi_588_;
+            let _e225 = (_e67 / 32u);
+            let _e226 = (_e67 % 32u);
+            let _e228 = params.member.member_9;
+            let _e232 = params.member.member_20[_e228][_e222[0]];
+            let _e235 = nodes.member[(_e232 + _e194)];
+            let _e237 = params.member.member_9;
+            let _e241 = params.member.member_20[_e237][_e222[1]];
+            let _e244 = nodes.member[(_e241 + _e197)];
+            let _e246 = params.member.member_9;
+            let _e253 = params.member.member_20[(_e246 - 1u)][_e222[0]];
+            let _e256 = nodes.member[(_e253 + ((_e194 * 32u) + _e226))];
             let _e258 = params.member.member_9;
-            let _e262 = params.member.member_20[_e258][_e252[0]];
-            let _e265 = nodes.member[(_e262 + _e224)];
-            let _e267 = params.member.member_9;
-            let _e271 = params.member.member_20[_e267][_e252[1]];
-            let _e274 = nodes.member[(_e271 + _e227)];
-            let _e276 = params.member.member_9;
-            let _e283 = params.member.member_20[(_e276 - 1u)][_e252[0]];
-            let _e286 = nodes.member[(_e283 + ((_e224 * 32u) + _e256))];
-            let _e288 = params.member.member_9;
-            let _e295 = params.member.member_20[(_e288 - 1u)][_e252[1]];
-            let _e298 = nodes.member[(_e295 + ((_e227 * 32u) + _e256))];
-            if _e212 {
-                if ((((((_e298.member[0] <= _e265.member_1[0]) && (_e265.member[0] <= _e298.member_1[0])) && (_e298.member[1] <= _e265.member_1[1])) && (_e265.member[1] <= _e298.member_1[1])) && (_e298.member[2] <= _e265.member_1[2])) && (_e265.member[2] <= _e298.member_1[2])) {
-                    let _e336 = atomicAdd((&counters[_e255]), 1u);
-                    let _e337 = ((_e255 * 32u) + _e336);
-                    columns[_e337] = type_4(array<f32, 3>(_e298.member[0], _e298.member[1], _e298.member[2]), array<f32, 3>(_e298.member_1[0], _e298.member_1[1], _e298.member_1[2]));
-                    names[_e337] = _e256;
+            let _e265 = params.member.member_20[(_e258 - 1u)][_e222[1]];
+            let _e268 = nodes.member[(_e265 + ((_e197 * 32u) + _e226))];
+            if _e182 {
+                if ((((((_e268.member[0] <= _e235.member_1[0]) && (_e235.member[0] <= _e268.member_1[0])) && (_e268.member[1] <= _e235.member_1[1])) && (_e235.member[1] <= _e268.member_1[1])) && (_e268.member[2] <= _e235.member_1[2])) && (_e235.member[2] <= _e268.member_1[2])) {
+                    let _e306 = atomicAdd((&counters[_e225]), 1u);
+                    let _e307 = ((_e225 * 32u) + _e306);
+                    columns[_e307] = type_11(array<f32, 3>(_e268.member[0], _e268.member[1], _e268.member[2]), array<f32, 3>(_e268.member_1[0], _e268.member_1[1], _e268.member_1[2]));
+                    names[_e307] = _e226;
                 }
             }
             workgroupBarrier();
-            if _e212 {
-                if ((((((_e286.member[0] <= _e274.member_1[0]) && (_e274.member[0] <= _e286.member_1[0])) && (_e286.member[1] <= _e274.member_1[1])) && (_e274.member[1] <= _e286.member_1[1])) && (_e286.member[2] <= _e274.member_1[2])) && (_e274.member[2] <= _e286.member_1[2])) {
-                    phi_673_ = false;
+            if _e182 {
+                if ((((((_e256.member[0] <= _e244.member_1[0]) && (_e244.member[0] <= _e256.member_1[0])) && (_e256.member[1] <= _e244.member_1[1])) && (_e244.member[1] <= _e256.member_1[1])) && (_e256.member[2] <= _e244.member_1[2])) && (_e244.member[2] <= _e256.member_1[2])) {
+                    phi_782_ = false;
                 } else {
-                    phi_673_ = true;
+                    phi_782_ = true;
                 }
-                let _e387 = phi_673_;
-                phi_674_ = _e387;
+                let _e357 = phi_782_;
+                phi_783_ = _e357;
             } else {
-                phi_674_ = true;
+                phi_783_ = true;
             }
-            let _e389 = phi_674_;
-            if _e389 {
-                phi_678_ = type_4(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            let _e359 = phi_783_;
+            if _e359 {
+                phi_787_ = type_11(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_678_ = _e286;
+                phi_787_ = _e256;
             }
-            let _e391 = phi_678_;
-            let _e393 = (_e97 / 32u);
-            let _e394 = (_e97 % 32u);
-            let _e396 = atomicLoad((&counters[_e393]));
-            phi_691_ = type_21(0u, _e396);
-            phi_694_ = 0u;
+            let _e361 = phi_787_;
+            let _e363 = (_e67 / 32u);
+            let _e364 = (_e67 % 32u);
+            let _e366 = atomicLoad((&counters[_e363]));
+            phi_800_ = type_21(0u, _e366);
+            phi_803_ = 0u;
             loop {
-                let _e399 = phi_691_;
-                let _e401 = phi_694_;
-                local_64 = _e401;
-                if (_e399.member < _e399.member_1) {
-                    phi_692_ = type_21((_e399.member + 1u), _e399.member_1);
-                    phi_717_ = type_21(1u, _e399.member);
+                let _e369 = phi_800_;
+                let _e371 = phi_803_;
+                local_3 = _e371;
+                if (_e369.member < _e369.member_1) {
+                    phi_801_ = type_21((_e369.member + 1u), _e369.member_1);
+                    phi_826_ = type_21(1u, _e369.member);
                 } else {
-                    phi_692_ = _e399;
-                    phi_717_ = type_21(0u, type_21().member_1);
+                    phi_801_ = _e369;
+                    phi_826_ = type_21(0u, type_21().member_1);
                 }
-                let _e413 = phi_692_;
-                let _e415 = phi_717_;
-                let _e419 = (bitcast<i32>(_e415.member) != 0i);
-                if _e419 {
-                    let _e423 = names[((_e393 * 32u) + _e415.member_1)];
-                    let _e427 = columns[((_e393 * 32u) + _e415.member_1)];
-                    if ((((((_e391.member[0] <= _e427.member_1[0]) && (_e427.member[0] <= _e391.member_1[0])) && (_e391.member[1] <= _e427.member_1[1])) && (_e427.member[1] <= _e391.member_1[1])) && (_e391.member[2] <= _e427.member_1[2])) && (_e427.member[2] <= _e391.member_1[2])) {
-                        if (_e224 == _e227) {
-                            let _e459 = (_e394 < _e423);
-                            if _e459 {
-                                phi_783_ = bool();
+                let _e383 = phi_801_;
+                let _e385 = phi_826_;
+                let _e389 = (bitcast<i32>(_e385.member) != 0i);
+                if _e389 {
+                    let _e393 = names[((_e363 * 32u) + _e385.member_1)];
+                    let _e397 = columns[((_e363 * 32u) + _e385.member_1)];
+                    if ((((((_e361.member[0] <= _e397.member_1[0]) && (_e397.member[0] <= _e361.member_1[0])) && (_e361.member[1] <= _e397.member_1[1])) && (_e397.member[1] <= _e361.member_1[1])) && (_e361.member[2] <= _e397.member_1[2])) && (_e397.member[2] <= _e361.member_1[2])) {
+                        if (_e194 == _e197) {
+                            let _e429 = (_e364 < _e393);
+                            if _e429 {
+                                phi_892_ = bool();
                             } else {
-                                phi_783_ = false;
+                                phi_892_ = false;
                             }
-                            let _e461 = phi_783_;
-                            phi_784_ = _e461;
-                            phi_785_ = _e459;
+                            let _e431 = phi_892_;
+                            phi_893_ = _e431;
+                            phi_894_ = _e429;
                         } else {
-                            phi_784_ = bool();
-                            phi_785_ = true;
+                            phi_893_ = bool();
+                            phi_894_ = true;
                         }
-                        let _e463 = phi_784_;
-                        let _e465 = phi_785_;
-                        if _e465 {
-                            phi_789_ = true;
+                        let _e433 = phi_893_;
+                        let _e435 = phi_894_;
+                        if _e435 {
+                            phi_898_ = true;
                         } else {
-                            phi_789_ = _e463;
+                            phi_898_ = _e433;
                         }
-                        let _e467 = phi_789_;
-                        if _e467 {
-                            let _e469 = atomicAdd((&counters[4u]), 1u);
-                            if (_e469 < 2048u) {
-                                hits[_e469] = (((_e393 << bitcast<u32>(10i)) | (_e394 << bitcast<u32>(5i))) | _e423);
-                                phi_807_ = _e401;
+                        let _e437 = phi_898_;
+                        if _e437 {
+                            let _e439 = atomicAdd((&counters[4u]), 1u);
+                            if (_e439 < 2048u) {
+                                hits[_e439] = (((_e363 << bitcast<u32>(10i)) | (_e364 << bitcast<u32>(5i))) | _e393);
+                                phi_916_ = _e371;
                             } else {
-                                phi_807_ = (_e401 | (1u << bitcast<u32>((_e415.member_1 & 31u))));
+                                phi_916_ = (_e371 | (1u << bitcast<u32>((_e385.member_1 & 31u))));
                             }
-                            let _e483 = phi_807_;
-                            phi_808_ = _e483;
+                            let _e453 = phi_916_;
+                            phi_917_ = _e453;
                         } else {
-                            phi_808_ = _e401;
+                            phi_917_ = _e371;
                         }
-                        let _e485 = phi_808_;
-                        phi_809_ = _e485;
+                        let _e455 = phi_917_;
+                        phi_918_ = _e455;
                     } else {
-                        phi_809_ = _e401;
+                        phi_918_ = _e371;
                     }
-                    let _e487 = phi_809_;
-                    phi_695_ = _e487;
+                    let _e457 = phi_918_;
+                    phi_804_ = _e457;
                 } else {
-                    phi_695_ = u32();
+                    phi_804_ = u32();
                 }
-                let _e489 = phi_695_;
+                let _e459 = phi_804_;
                 continue;
                 continuing {
-                    phi_691_ = _e413;
-                    phi_694_ = _e489;
-                    break if !(_e419);
+                    phi_800_ = _e383;
+                    phi_803_ = _e459;
+                    break if !(_e389);
                 }
             }
-            phi_812_ = type_21(0u, 32u);
-            let _e5164 = local_64;
-            phi_815_ = _e5164;
+            phi_921_ = type_21(0u, 32u);
+            let _e4661 = local_3;
+            phi_924_ = _e4661;
             loop {
-                let _e492 = phi_812_;
-                let _e494 = phi_815_;
-                if (_e492.member < _e492.member_1) {
-                    phi_813_ = type_21((_e492.member + 1u), _e492.member_1);
-                    phi_838_ = type_21(1u, _e492.member);
+                let _e462 = phi_921_;
+                let _e464 = phi_924_;
+                if (_e462.member < _e462.member_1) {
+                    phi_922_ = type_21((_e462.member + 1u), _e462.member_1);
+                    phi_947_ = type_21(1u, _e462.member);
                 } else {
-                    phi_813_ = _e492;
-                    phi_838_ = type_21(0u, type_21().member_1);
+                    phi_922_ = _e462;
+                    phi_947_ = type_21(0u, type_21().member_1);
                 }
-                let _e506 = phi_813_;
-                let _e508 = phi_838_;
-                if (bitcast<i32>(_e508.member) != 0i) {
-                    if (_e494 == 0u) {
-                        phi_1888_ = u32();
-                        phi_1889_ = false;
+                let _e476 = phi_922_;
+                let _e478 = phi_947_;
+                if (bitcast<i32>(_e478.member) != 0i) {
+                    if (_e464 == 0u) {
+                        phi_1830_ = u32();
+                        phi_1831_ = false;
                     } else {
-                        let _e519 = names[((_e121 * 32u) + select(firstTrailingBit(_e494), 32u, (_e494 == 0u)))];
-                        let _e522 = (_e235 + _e122);
-                        let _e523 = (_e241 + _e519);
-                        let _e525 = leaves.member[_e522];
-                        let _e527 = leaves.member[_e523];
-                        local_24 = type_16(array<u32, 3>(_e525.member[0], _e525.member[1], _e525.member[2]), _e525.member_1);
-                        local_25 = type_16(array<u32, 3>(_e527.member[0], _e527.member[1], _e527.member[2]), _e527.member_1);
-                        let _e543 = nodes.member[_e522];
-                        let _e545 = nodes.member[_e523];
-                        let _e547 = params.member.member_1;
-                        if ((_e547 & 1u) != 0u) {
-                            let _e551 = params.member.member_8;
-                            if (_e551 == 0u) {
-                                let _e595 = local_24.member[0u];
-                                let _e598 = local_25.member[0u];
-                                if (_e595 == _e598) {
-                                    phi_949_ = bool();
-                                    phi_950_ = true;
+                        let _e489 = names[((_e91 * 32u) + select(firstTrailingBit(_e464), 32u, (_e464 == 0u)))];
+                        let _e492 = (_e205 + _e92);
+                        let _e493 = (_e211 + _e489);
+                        let _e495 = leaves.member[_e492];
+                        let _e497 = leaves.member[_e493];
+                        let _e499 = nodes.member[_e492];
+                        let _e501 = nodes.member[_e493];
+                        let _e503 = params.member.member_1;
+                        if ((_e503 & 1u) != 0u) {
+                            let _e507 = params.member.member_8;
+                            if (_e507 == 0u) {
+                                if (_e495.member[0] == _e497.member[0]) {
+                                    phi_1038_ = bool();
+                                    phi_1039_ = true;
                                 } else {
-                                    let _e602 = local_24.member[0u];
-                                    let _e605 = local_25.member[1u];
-                                    let _e606 = (_e602 == _e605);
-                                    if _e606 {
-                                        phi_948_ = bool();
+                                    let _e550 = (_e495.member[0] == _e497.member[1]);
+                                    if _e550 {
+                                        phi_1037_ = bool();
                                     } else {
-                                        let _e609 = local_24.member[0u];
-                                        let _e612 = local_25.member[2u];
-                                        phi_948_ = (_e609 == _e612);
+                                        phi_1037_ = (_e495.member[0] == _e497.member[2]);
                                     }
-                                    let _e615 = phi_948_;
-                                    phi_949_ = _e615;
-                                    phi_950_ = _e606;
+                                    let _e557 = phi_1037_;
+                                    phi_1038_ = _e557;
+                                    phi_1039_ = _e550;
                                 }
-                                let _e617 = phi_949_;
-                                let _e619 = phi_950_;
-                                if _e619 {
-                                    phi_954_ = true;
+                                let _e559 = phi_1038_;
+                                let _e561 = phi_1039_;
+                                if _e561 {
+                                    phi_1043_ = true;
                                 } else {
-                                    phi_954_ = _e617;
+                                    phi_1043_ = _e559;
                                 }
-                                let _e621 = phi_954_;
-                                phi_993_ = _e621;
+                                let _e563 = phi_1043_;
+                                phi_1074_ = _e563;
                             } else {
-                                let _e555 = local_24.member[0u];
-                                let _e558 = local_25.member[0u];
-                                if (_e555 == _e558) {
-                                    phi_987_ = bool();
-                                    phi_988_ = true;
+                                if (_e495.member[0] == _e497.member[0]) {
+                                    phi_1068_ = bool();
+                                    phi_1069_ = true;
                                 } else {
-                                    let _e562 = local_24.member[0u];
-                                    let _e565 = local_25.member[1u];
-                                    if (_e562 == _e565) {
-                                        phi_985_ = bool();
-                                        phi_986_ = true;
+                                    if (_e495.member[0] == _e497.member[1]) {
+                                        phi_1066_ = bool();
+                                        phi_1067_ = true;
                                     } else {
-                                        let _e569 = local_24.member[1u];
-                                        let _e572 = local_25.member[0u];
-                                        let _e573 = (_e569 == _e572);
-                                        if _e573 {
-                                            phi_984_ = bool();
+                                        let _e523 = (_e495.member[1] == _e497.member[0]);
+                                        if _e523 {
+                                            phi_1065_ = bool();
                                         } else {
-                                            let _e576 = local_24.member[1u];
-                                            let _e579 = local_25.member[1u];
-                                            phi_984_ = (_e576 == _e579);
+                                            phi_1065_ = (_e495.member[1] == _e497.member[1]);
                                         }
-                                        let _e582 = phi_984_;
-                                        phi_985_ = _e582;
-                                        phi_986_ = _e573;
+                                        let _e530 = phi_1065_;
+                                        phi_1066_ = _e530;
+                                        phi_1067_ = _e523;
                                     }
-                                    let _e584 = phi_985_;
-                                    let _e586 = phi_986_;
-                                    phi_987_ = _e584;
-                                    phi_988_ = _e586;
+                                    let _e532 = phi_1066_;
+                                    let _e534 = phi_1067_;
+                                    phi_1068_ = _e532;
+                                    phi_1069_ = _e534;
                                 }
-                                let _e588 = phi_987_;
-                                let _e590 = phi_988_;
-                                if _e590 {
-                                    phi_992_ = true;
+                                let _e536 = phi_1068_;
+                                let _e538 = phi_1069_;
+                                if _e538 {
+                                    phi_1073_ = true;
                                 } else {
-                                    phi_992_ = _e588;
+                                    phi_1073_ = _e536;
                                 }
-                                let _e592 = phi_992_;
-                                phi_993_ = _e592;
+                                let _e540 = phi_1073_;
+                                phi_1074_ = _e540;
                             }
-                            let _e623 = phi_993_;
-                            if _e623 {
-                                phi_997_ = false;
+                            let _e565 = phi_1074_;
+                            if _e565 {
+                                phi_1078_ = false;
                             } else {
-                                phi_997_ = true;
+                                phi_1078_ = true;
                             }
-                            let _e625 = phi_997_;
-                            phi_998_ = _e625;
+                            let _e567 = phi_1078_;
+                            phi_1079_ = _e567;
                         } else {
-                            phi_998_ = true;
+                            phi_1079_ = true;
                         }
-                        let _e627 = phi_998_;
-                        if _e627 {
-                            let _e629 = params.member.member_1;
-                            if ((_e629 & 2u) != 0u) {
-                                let _e634 = local_24.member[0u];
-                                let _e636 = bodies.member[_e634];
-                                let _e639 = local_25.member[0u];
-                                let _e641 = bodies.member[_e639];
-                                if ((_e636 / 2u) == (_e641 / 2u)) {
-                                    let _e646 = params.member.member_1;
-                                    phi_1044_ = !(((_e646 & 4u) != 0u));
+                        let _e569 = phi_1079_;
+                        if _e569 {
+                            let _e571 = params.member.member_1;
+                            if ((_e571 & 2u) != 0u) {
+                                let _e577 = bodies.member[_e495.member[0]];
+                                let _e581 = bodies.member[_e497.member[0]];
+                                if ((_e577 / 2u) == (_e581 / 2u)) {
+                                    let _e586 = params.member.member_1;
+                                    phi_1123_ = !(((_e586 & 4u) != 0u));
                                 } else {
-                                    phi_1044_ = false;
+                                    phi_1123_ = false;
                                 }
-                                let _e651 = phi_1044_;
-                                if _e651 {
-                                    phi_1055_ = true;
+                                let _e591 = phi_1123_;
+                                if _e591 {
+                                    phi_1134_ = true;
                                 } else {
-                                    if (((_e636 & _e641) & 1u) == 0u) {
-                                        phi_1054_ = false;
+                                    if (((_e577 & _e581) & 1u) == 0u) {
+                                        phi_1133_ = false;
                                     } else {
-                                        phi_1054_ = true;
+                                        phi_1133_ = true;
                                     }
-                                    let _e656 = phi_1054_;
-                                    phi_1055_ = _e656;
+                                    let _e596 = phi_1133_;
+                                    phi_1134_ = _e596;
                                 }
-                                let _e658 = phi_1055_;
-                                if _e658 {
-                                    phi_1059_ = false;
+                                let _e598 = phi_1134_;
+                                if _e598 {
+                                    phi_1138_ = false;
                                 } else {
-                                    phi_1059_ = true;
+                                    phi_1138_ = true;
                                 }
-                                let _e660 = phi_1059_;
-                                phi_1060_ = _e660;
+                                let _e600 = phi_1138_;
+                                phi_1139_ = _e600;
                             } else {
-                                phi_1060_ = true;
+                                phi_1139_ = true;
                             }
-                            let _e662 = phi_1060_;
-                            if _e662 {
-                                let _e664 = params.member.member_1;
-                                if ((_e664 & 32u) != 0u) {
-                                    let _e668 = params.member.member_6;
-                                    let _e709 = (((((((_e543.member_1[0] - _e545.member[0]) > _e668) && ((_e545.member_1[0] - _e543.member[0]) > _e668)) && ((_e543.member_1[1] - _e545.member[1]) > _e668)) && ((_e545.member_1[1] - _e543.member[1]) > _e668)) && ((_e543.member_1[2] - _e545.member[2]) > _e668)) && ((_e545.member_1[2] - _e543.member[2]) > _e668));
-                                    if _e709 {
-                                        phi_1809_ = bool();
+                            let _e602 = phi_1139_;
+                            if _e602 {
+                                let _e604 = params.member.member_1;
+                                if ((_e604 & 32u) != 0u) {
+                                    let _e608 = params.member.member_6;
+                                    let _e649 = (((((((_e499.member_1[0] - _e501.member[0]) > _e608) && ((_e501.member_1[0] - _e499.member[0]) > _e608)) && ((_e499.member_1[1] - _e501.member[1]) > _e608)) && ((_e501.member_1[1] - _e499.member[1]) > _e608)) && ((_e499.member_1[2] - _e501.member[2]) > _e608)) && ((_e501.member_1[2] - _e499.member[2]) > _e608));
+                                    if _e649 {
+                                        phi_1753_ = bool();
                                     } else {
-                                        phi_1109_ = type_21(0u, 3u);
-                                        phi_1112_ = true;
-                                        loop {
-                                            let _e713 = phi_1109_;
-                                            let _e715 = phi_1112_;
-                                            local_65 = _e715;
-                                            if (_e713.member < _e713.member_1) {
-                                                phi_1110_ = type_21((_e713.member + 1u), _e713.member_1);
-                                                phi_1135_ = type_21(1u, _e713.member);
+                                        let _e653 = keys.member[_e495.member[0]];
+                                        let _e658 = keys.member[_e495.member[1]];
+                                        let _e660 = function_(_e653[0], _e658[0]);
+                                        let _e664 = keys.member[_e495.member[2]];
+                                        let _e666 = function_(_e660, _e664[0]);
+                                        let _e670 = keys.member[_e497.member[0]];
+                                        let _e675 = keys.member[_e497.member[1]];
+                                        let _e677 = function_1(_e670[3], _e675[3]);
+                                        let _e681 = keys.member[_e497.member[2]];
+                                        let _e683 = function_1(_e677, _e681[3]);
+                                        if (_e666[1] > _e683[1]) {
+                                            phi_1276_ = true;
+                                        } else {
+                                            if (_e666[1] == _e683[1]) {
+                                                phi_1275_ = (_e666[0] > _e683[0]);
                                             } else {
-                                                phi_1110_ = _e713;
-                                                phi_1135_ = type_21(0u, type_21().member_1);
+                                                phi_1275_ = false;
                                             }
-                                            let _e727 = phi_1110_;
-                                            let _e729 = phi_1135_;
-                                            let _e733 = (bitcast<i32>(_e729.member) != 0i);
-                                            if _e733 {
-                                                let _e735 = local_24.member[0u];
-                                                let _e737 = keys.member[_e735];
-                                                local_22 = array<array<u32, 2>, 6>(array<u32, 2>(_e737[0][0], _e737[0][1]), array<u32, 2>(_e737[1][0], _e737[1][1]), array<u32, 2>(_e737[2][0], _e737[2][1]), array<u32, 2>(_e737[3][0], _e737[3][1]), array<u32, 2>(_e737[4][0], _e737[4][1]), array<u32, 2>(_e737[5][0], _e737[5][1]));
-                                                let _e764 = local_22[_e729.member_1];
-                                                phi_1192_ = type_21(1u, 3u);
-                                                phi_1195_ = array<u32, 2>(_e764[0], _e764[1]);
-                                                loop {
-                                                    let _e769 = phi_1192_;
-                                                    let _e771 = phi_1195_;
-                                                    local_28 = _e771;
-                                                    local_30 = _e771;
-                                                    local_32 = _e771;
-                                                    if (_e769.member < _e769.member_1) {
-                                                        phi_1193_ = type_21((_e769.member + 1u), _e769.member_1);
-                                                        phi_1218_ = type_21(1u, _e769.member);
-                                                    } else {
-                                                        phi_1193_ = _e769;
-                                                        phi_1218_ = type_21(0u, type_21().member_1);
-                                                    }
-                                                    let _e783 = phi_1193_;
-                                                    let _e785 = phi_1218_;
-                                                    let _e789 = (bitcast<i32>(_e785.member) != 0i);
-                                                    if _e789 {
-                                                        let _e791 = local_24.member[_e785.member_1];
-                                                        let _e793 = keys.member[_e791];
-                                                        local_23 = array<array<u32, 2>, 6>(array<u32, 2>(_e793[0][0], _e793[0][1]), array<u32, 2>(_e793[1][0], _e793[1][1]), array<u32, 2>(_e793[2][0], _e793[2][1]), array<u32, 2>(_e793[3][0], _e793[3][1]), array<u32, 2>(_e793[4][0], _e793[4][1]), array<u32, 2>(_e793[5][0], _e793[5][1]));
-                                                        let _e820 = local_23[_e729.member_1];
-                                                        if (_e771[1] > _e820[1]) {
-                                                            phi_1294_ = true;
-                                                        } else {
-                                                            if (_e771[1] == _e820[1]) {
-                                                                phi_1293_ = (_e771[0] > _e820[0]);
-                                                            } else {
-                                                                phi_1293_ = false;
-                                                            }
-                                                            let _e831 = phi_1293_;
-                                                            phi_1294_ = _e831;
-                                                        }
-                                                        let _e833 = phi_1294_;
-                                                        if _e833 {
-                                                            phi_1298_ = array<u32, 2>(_e820[0], _e820[1]);
-                                                        } else {
-                                                            phi_1298_ = _e771;
-                                                        }
-                                                        let _e835 = phi_1298_;
-                                                        phi_1196_ = _e835;
-                                                    } else {
-                                                        phi_1196_ = array<u32, 2>();
-                                                    }
-                                                    let _e837 = phi_1196_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_1192_ = _e783;
-                                                        phi_1195_ = _e837;
-                                                        break if !(_e789);
-                                                    }
-                                                }
-                                                let _e840 = local_25.member[0u];
-                                                let _e842 = keys.member[_e840];
-                                                local_20 = array<array<u32, 2>, 6>(array<u32, 2>(_e842[0][0], _e842[0][1]), array<u32, 2>(_e842[1][0], _e842[1][1]), array<u32, 2>(_e842[2][0], _e842[2][1]), array<u32, 2>(_e842[3][0], _e842[3][1]), array<u32, 2>(_e842[4][0], _e842[4][1]), array<u32, 2>(_e842[5][0], _e842[5][1]));
-                                                let _e870 = local_20[(3u + _e729.member_1)];
-                                                phi_1349_ = type_21(1u, 3u);
-                                                phi_1352_ = array<u32, 2>(_e870[0], _e870[1]);
-                                                loop {
-                                                    let _e875 = phi_1349_;
-                                                    let _e877 = phi_1352_;
-                                                    local_29 = _e877;
-                                                    local_31 = _e877;
-                                                    local_33 = _e877;
-                                                    if (_e875.member < _e875.member_1) {
-                                                        phi_1350_ = type_21((_e875.member + 1u), _e875.member_1);
-                                                        phi_1375_ = type_21(1u, _e875.member);
-                                                    } else {
-                                                        phi_1350_ = _e875;
-                                                        phi_1375_ = type_21(0u, type_21().member_1);
-                                                    }
-                                                    let _e889 = phi_1350_;
-                                                    let _e891 = phi_1375_;
-                                                    let _e895 = (bitcast<i32>(_e891.member) != 0i);
-                                                    if _e895 {
-                                                        let _e897 = local_25.member[_e891.member_1];
-                                                        let _e899 = keys.member[_e897];
-                                                        local_21 = array<array<u32, 2>, 6>(array<u32, 2>(_e899[0][0], _e899[0][1]), array<u32, 2>(_e899[1][0], _e899[1][1]), array<u32, 2>(_e899[2][0], _e899[2][1]), array<u32, 2>(_e899[3][0], _e899[3][1]), array<u32, 2>(_e899[4][0], _e899[4][1]), array<u32, 2>(_e899[5][0], _e899[5][1]));
-                                                        let _e927 = local_21[(3u + _e729.member_1)];
-                                                        if (_e927[1] > _e877[1]) {
-                                                            phi_1452_ = true;
-                                                        } else {
-                                                            if (_e927[1] == _e877[1]) {
-                                                                phi_1451_ = (_e927[0] > _e877[0]);
-                                                            } else {
-                                                                phi_1451_ = false;
-                                                            }
-                                                            let _e938 = phi_1451_;
-                                                            phi_1452_ = _e938;
-                                                        }
-                                                        let _e940 = phi_1452_;
-                                                        if _e940 {
-                                                            phi_1456_ = array<u32, 2>(_e927[0], _e927[1]);
-                                                        } else {
-                                                            phi_1456_ = _e877;
-                                                        }
-                                                        let _e942 = phi_1456_;
-                                                        phi_1353_ = _e942;
-                                                    } else {
-                                                        phi_1353_ = array<u32, 2>();
-                                                    }
-                                                    let _e944 = phi_1353_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_1349_ = _e889;
-                                                        phi_1352_ = _e944;
-                                                        break if !(_e895);
-                                                    }
-                                                }
-                                                let _e947 = local_28;
-                                                let _e950 = local_29;
-                                                if (_e947[1] > _e950[1]) {
-                                                    phi_1473_ = true;
-                                                } else {
-                                                    let _e954 = local_30;
-                                                    let _e957 = local_31;
-                                                    if (_e954[1] == _e957[1]) {
-                                                        let _e961 = local_32;
-                                                        let _e964 = local_33;
-                                                        phi_1472_ = (_e961[0] > _e964[0]);
-                                                    } else {
-                                                        phi_1472_ = false;
-                                                    }
-                                                    let _e968 = phi_1472_;
-                                                    phi_1473_ = _e968;
-                                                }
-                                                let _e970 = phi_1473_;
-                                                let _e973 = local_25.member[0u];
-                                                let _e975 = keys.member[_e973];
-                                                local_18 = array<array<u32, 2>, 6>(array<u32, 2>(_e975[0][0], _e975[0][1]), array<u32, 2>(_e975[1][0], _e975[1][1]), array<u32, 2>(_e975[2][0], _e975[2][1]), array<u32, 2>(_e975[3][0], _e975[3][1]), array<u32, 2>(_e975[4][0], _e975[4][1]), array<u32, 2>(_e975[5][0], _e975[5][1]));
-                                                let _e1002 = local_18[_e729.member_1];
-                                                phi_1524_ = type_21(1u, 3u);
-                                                phi_1527_ = array<u32, 2>(_e1002[0], _e1002[1]);
-                                                loop {
-                                                    let _e1007 = phi_1524_;
-                                                    let _e1009 = phi_1527_;
-                                                    local_34 = _e1009;
-                                                    local_36 = _e1009;
-                                                    local_38 = _e1009;
-                                                    if (_e1007.member < _e1007.member_1) {
-                                                        phi_1525_ = type_21((_e1007.member + 1u), _e1007.member_1);
-                                                        phi_1550_ = type_21(1u, _e1007.member);
-                                                    } else {
-                                                        phi_1525_ = _e1007;
-                                                        phi_1550_ = type_21(0u, type_21().member_1);
-                                                    }
-                                                    let _e1021 = phi_1525_;
-                                                    let _e1023 = phi_1550_;
-                                                    let _e1027 = (bitcast<i32>(_e1023.member) != 0i);
-                                                    if _e1027 {
-                                                        let _e1029 = local_25.member[_e1023.member_1];
-                                                        let _e1031 = keys.member[_e1029];
-                                                        local_19 = array<array<u32, 2>, 6>(array<u32, 2>(_e1031[0][0], _e1031[0][1]), array<u32, 2>(_e1031[1][0], _e1031[1][1]), array<u32, 2>(_e1031[2][0], _e1031[2][1]), array<u32, 2>(_e1031[3][0], _e1031[3][1]), array<u32, 2>(_e1031[4][0], _e1031[4][1]), array<u32, 2>(_e1031[5][0], _e1031[5][1]));
-                                                        let _e1058 = local_19[_e729.member_1];
-                                                        if (_e1009[1] > _e1058[1]) {
-                                                            phi_1626_ = true;
-                                                        } else {
-                                                            if (_e1009[1] == _e1058[1]) {
-                                                                phi_1625_ = (_e1009[0] > _e1058[0]);
-                                                            } else {
-                                                                phi_1625_ = false;
-                                                            }
-                                                            let _e1069 = phi_1625_;
-                                                            phi_1626_ = _e1069;
-                                                        }
-                                                        let _e1071 = phi_1626_;
-                                                        if _e1071 {
-                                                            phi_1630_ = array<u32, 2>(_e1058[0], _e1058[1]);
-                                                        } else {
-                                                            phi_1630_ = _e1009;
-                                                        }
-                                                        let _e1073 = phi_1630_;
-                                                        phi_1528_ = _e1073;
-                                                    } else {
-                                                        phi_1528_ = array<u32, 2>();
-                                                    }
-                                                    let _e1075 = phi_1528_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_1524_ = _e1021;
-                                                        phi_1527_ = _e1075;
-                                                        break if !(_e1027);
-                                                    }
-                                                }
-                                                let _e1078 = local_24.member[0u];
-                                                let _e1080 = keys.member[_e1078];
-                                                local_16 = array<array<u32, 2>, 6>(array<u32, 2>(_e1080[0][0], _e1080[0][1]), array<u32, 2>(_e1080[1][0], _e1080[1][1]), array<u32, 2>(_e1080[2][0], _e1080[2][1]), array<u32, 2>(_e1080[3][0], _e1080[3][1]), array<u32, 2>(_e1080[4][0], _e1080[4][1]), array<u32, 2>(_e1080[5][0], _e1080[5][1]));
-                                                let _e1108 = local_16[(3u + _e729.member_1)];
-                                                phi_1681_ = type_21(1u, 3u);
-                                                phi_1684_ = array<u32, 2>(_e1108[0], _e1108[1]);
-                                                loop {
-                                                    let _e1113 = phi_1681_;
-                                                    let _e1115 = phi_1684_;
-                                                    local_35 = _e1115;
-                                                    local_37 = _e1115;
-                                                    local_39 = _e1115;
-                                                    if (_e1113.member < _e1113.member_1) {
-                                                        phi_1682_ = type_21((_e1113.member + 1u), _e1113.member_1);
-                                                        phi_1707_ = type_21(1u, _e1113.member);
-                                                    } else {
-                                                        phi_1682_ = _e1113;
-                                                        phi_1707_ = type_21(0u, type_21().member_1);
-                                                    }
-                                                    let _e1127 = phi_1682_;
-                                                    let _e1129 = phi_1707_;
-                                                    let _e1133 = (bitcast<i32>(_e1129.member) != 0i);
-                                                    if _e1133 {
-                                                        let _e1135 = local_24.member[_e1129.member_1];
-                                                        let _e1137 = keys.member[_e1135];
-                                                        local_17 = array<array<u32, 2>, 6>(array<u32, 2>(_e1137[0][0], _e1137[0][1]), array<u32, 2>(_e1137[1][0], _e1137[1][1]), array<u32, 2>(_e1137[2][0], _e1137[2][1]), array<u32, 2>(_e1137[3][0], _e1137[3][1]), array<u32, 2>(_e1137[4][0], _e1137[4][1]), array<u32, 2>(_e1137[5][0], _e1137[5][1]));
-                                                        let _e1165 = local_17[(3u + _e729.member_1)];
-                                                        if (_e1165[1] > _e1115[1]) {
-                                                            phi_1784_ = true;
-                                                        } else {
-                                                            if (_e1165[1] == _e1115[1]) {
-                                                                phi_1783_ = (_e1165[0] > _e1115[0]);
-                                                            } else {
-                                                                phi_1783_ = false;
-                                                            }
-                                                            let _e1176 = phi_1783_;
-                                                            phi_1784_ = _e1176;
-                                                        }
-                                                        let _e1178 = phi_1784_;
-                                                        if _e1178 {
-                                                            phi_1788_ = array<u32, 2>(_e1165[0], _e1165[1]);
-                                                        } else {
-                                                            phi_1788_ = _e1115;
-                                                        }
-                                                        let _e1180 = phi_1788_;
-                                                        phi_1685_ = _e1180;
-                                                    } else {
-                                                        phi_1685_ = array<u32, 2>();
-                                                    }
-                                                    let _e1182 = phi_1685_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_1681_ = _e1127;
-                                                        phi_1684_ = _e1182;
-                                                        break if !(_e1133);
-                                                    }
-                                                }
-                                                let _e1185 = local_34;
-                                                let _e1188 = local_35;
-                                                if (_e1185[1] > _e1188[1]) {
-                                                    phi_1805_ = true;
-                                                } else {
-                                                    let _e1192 = local_36;
-                                                    let _e1195 = local_37;
-                                                    if (_e1192[1] == _e1195[1]) {
-                                                        let _e1199 = local_38;
-                                                        let _e1202 = local_39;
-                                                        phi_1804_ = (_e1199[0] > _e1202[0]);
-                                                    } else {
-                                                        phi_1804_ = false;
-                                                    }
-                                                    let _e1206 = phi_1804_;
-                                                    phi_1805_ = _e1206;
-                                                }
-                                                let _e1208 = phi_1805_;
-                                                phi_1113_ = (_e715 && (!(_e970) && !(_e1208)));
-                                            } else {
-                                                phi_1113_ = bool();
-                                            }
-                                            let _e1213 = phi_1113_;
-                                            continue;
-                                            continuing {
-                                                phi_1109_ = _e727;
-                                                phi_1112_ = _e1213;
-                                                break if !(_e733);
-                                            }
+                                            let _e694 = phi_1275_;
+                                            phi_1276_ = _e694;
                                         }
-                                        let _e5240 = local_65;
-                                        phi_1809_ = _e5240;
+                                        let _e696 = phi_1276_;
+                                        let _e701 = keys.member[_e497.member[0]];
+                                        let _e706 = keys.member[_e497.member[1]];
+                                        let _e708 = function_(_e701[0], _e706[0]);
+                                        let _e712 = keys.member[_e497.member[2]];
+                                        let _e714 = function_(_e708, _e712[0]);
+                                        let _e718 = keys.member[_e495.member[0]];
+                                        let _e723 = keys.member[_e495.member[1]];
+                                        let _e725 = function_1(_e718[3], _e723[3]);
+                                        let _e729 = keys.member[_e495.member[2]];
+                                        let _e731 = function_1(_e725, _e729[3]);
+                                        if (_e714[1] > _e731[1]) {
+                                            phi_1370_ = true;
+                                        } else {
+                                            if (_e714[1] == _e731[1]) {
+                                                phi_1369_ = (_e714[0] > _e731[0]);
+                                            } else {
+                                                phi_1369_ = false;
+                                            }
+                                            let _e742 = phi_1369_;
+                                            phi_1370_ = _e742;
+                                        }
+                                        let _e744 = phi_1370_;
+                                        let _e750 = keys.member[_e495.member[0]];
+                                        let _e755 = keys.member[_e495.member[1]];
+                                        let _e757 = function_2(_e750[1], _e755[1]);
+                                        let _e761 = keys.member[_e495.member[2]];
+                                        let _e763 = function_2(_e757, _e761[1]);
+                                        let _e767 = keys.member[_e497.member[0]];
+                                        let _e772 = keys.member[_e497.member[1]];
+                                        let _e774 = function_3(_e767[4], _e772[4]);
+                                        let _e778 = keys.member[_e497.member[2]];
+                                        let _e780 = function_3(_e774, _e778[4]);
+                                        if (_e763[1] > _e780[1]) {
+                                            phi_1465_ = true;
+                                        } else {
+                                            if (_e763[1] == _e780[1]) {
+                                                phi_1464_ = (_e763[0] > _e780[0]);
+                                            } else {
+                                                phi_1464_ = false;
+                                            }
+                                            let _e791 = phi_1464_;
+                                            phi_1465_ = _e791;
+                                        }
+                                        let _e793 = phi_1465_;
+                                        let _e798 = keys.member[_e497.member[0]];
+                                        let _e803 = keys.member[_e497.member[1]];
+                                        let _e805 = function_2(_e798[1], _e803[1]);
+                                        let _e809 = keys.member[_e497.member[2]];
+                                        let _e811 = function_2(_e805, _e809[1]);
+                                        let _e815 = keys.member[_e495.member[0]];
+                                        let _e820 = keys.member[_e495.member[1]];
+                                        let _e822 = function_3(_e815[4], _e820[4]);
+                                        let _e826 = keys.member[_e495.member[2]];
+                                        let _e828 = function_3(_e822, _e826[4]);
+                                        if (_e811[1] > _e828[1]) {
+                                            phi_1559_ = true;
+                                        } else {
+                                            if (_e811[1] == _e828[1]) {
+                                                phi_1558_ = (_e811[0] > _e828[0]);
+                                            } else {
+                                                phi_1558_ = false;
+                                            }
+                                            let _e839 = phi_1558_;
+                                            phi_1559_ = _e839;
+                                        }
+                                        let _e841 = phi_1559_;
+                                        let _e848 = keys.member[_e495.member[0]];
+                                        let _e853 = keys.member[_e495.member[1]];
+                                        let _e855 = function_4(_e848[2], _e853[2]);
+                                        let _e859 = keys.member[_e495.member[2]];
+                                        let _e861 = function_4(_e855, _e859[2]);
+                                        let _e865 = keys.member[_e497.member[0]];
+                                        let _e870 = keys.member[_e497.member[1]];
+                                        let _e872 = function_5(_e865[5], _e870[5]);
+                                        let _e876 = keys.member[_e497.member[2]];
+                                        let _e878 = function_5(_e872, _e876[5]);
+                                        if (_e861[1] > _e878[1]) {
+                                            phi_1655_ = true;
+                                        } else {
+                                            if (_e861[1] == _e878[1]) {
+                                                phi_1654_ = (_e861[0] > _e878[0]);
+                                            } else {
+                                                phi_1654_ = false;
+                                            }
+                                            let _e889 = phi_1654_;
+                                            phi_1655_ = _e889;
+                                        }
+                                        let _e891 = phi_1655_;
+                                        let _e896 = keys.member[_e497.member[0]];
+                                        let _e901 = keys.member[_e497.member[1]];
+                                        let _e903 = function_4(_e896[2], _e901[2]);
+                                        let _e907 = keys.member[_e497.member[2]];
+                                        let _e909 = function_4(_e903, _e907[2]);
+                                        let _e913 = keys.member[_e495.member[0]];
+                                        let _e918 = keys.member[_e495.member[1]];
+                                        let _e920 = function_5(_e913[5], _e918[5]);
+                                        let _e924 = keys.member[_e495.member[2]];
+                                        let _e926 = function_5(_e920, _e924[5]);
+                                        if (_e909[1] > _e926[1]) {
+                                            phi_1749_ = true;
+                                        } else {
+                                            if (_e909[1] == _e926[1]) {
+                                                phi_1748_ = (_e909[0] > _e926[0]);
+                                            } else {
+                                                phi_1748_ = false;
+                                            }
+                                            let _e937 = phi_1748_;
+                                            phi_1749_ = _e937;
+                                        }
+                                        let _e939 = phi_1749_;
+                                        phi_1753_ = (((!(_e696) && !(_e744)) && (!(_e793) && !(_e841))) && (!(_e891) && !(_e939)));
                                     }
-                                    let _e1216 = phi_1809_;
-                                    phi_1810_ = _e1216;
-                                    phi_1811_ = _e709;
+                                    let _e944 = phi_1753_;
+                                    phi_1754_ = _e944;
+                                    phi_1755_ = _e649;
                                 } else {
-                                    phi_1810_ = bool();
-                                    phi_1811_ = true;
+                                    phi_1754_ = bool();
+                                    phi_1755_ = true;
                                 }
-                                let _e1218 = phi_1810_;
-                                let _e1220 = phi_1811_;
-                                if _e1220 {
-                                    phi_1815_ = false;
+                                let _e946 = phi_1754_;
+                                let _e948 = phi_1755_;
+                                if _e948 {
+                                    phi_1759_ = false;
                                 } else {
-                                    phi_1815_ = true;
+                                    phi_1759_ = true;
                                 }
-                                let _e1222 = phi_1815_;
-                                phi_1816_ = _e1218;
-                                phi_1817_ = _e1222;
+                                let _e950 = phi_1759_;
+                                phi_1760_ = _e946;
+                                phi_1761_ = _e950;
                             } else {
-                                phi_1816_ = false;
-                                phi_1817_ = true;
+                                phi_1760_ = false;
+                                phi_1761_ = true;
                             }
-                            let _e1224 = phi_1816_;
-                            let _e1226 = phi_1817_;
-                            phi_1818_ = _e1224;
-                            phi_1819_ = _e1226;
+                            let _e952 = phi_1760_;
+                            let _e954 = phi_1761_;
+                            phi_1762_ = _e952;
+                            phi_1763_ = _e954;
                         } else {
-                            phi_1818_ = false;
-                            phi_1819_ = true;
+                            phi_1762_ = false;
+                            phi_1763_ = true;
                         }
-                        let _e1228 = phi_1818_;
-                        let _e1230 = phi_1819_;
-                        if _e1230 {
-                            phi_1823_ = _e1228;
+                        let _e956 = phi_1762_;
+                        let _e958 = phi_1763_;
+                        if _e958 {
+                            phi_1767_ = _e956;
                         } else {
-                            phi_1823_ = true;
+                            phi_1767_ = true;
                         }
-                        let _e1232 = phi_1823_;
-                        if _e1232 {
-                            let _e1234 = params.member.member_16;
-                            let _e1236 = local_24.member_1;
-                            let _e1238 = local_25.member_1;
-                            if (_e1236 < _e1238) {
-                                phi_1843_ = type_21(_e1236, _e1238);
+                        let _e960 = phi_1767_;
+                        if _e960 {
+                            let _e962 = params.member.member_16;
+                            if (_e495.member_1 < _e497.member_1) {
+                                phi_1785_ = type_21(_e495.member_1, _e497.member_1);
                             } else {
-                                phi_1843_ = type_21(_e1238, _e1236);
+                                phi_1785_ = type_21(_e497.member_1, _e495.member_1);
                             }
-                            let _e1243 = phi_1843_;
-                            let _e1247 = atomicAdd((&output.member[0u]), 1u);
-                            if ((_e1247 + 1u) < _e1247) {
-                                let _e1251 = atomicAdd((&output.member[2u]), 1u);
+                            let _e969 = phi_1785_;
+                            let _e973 = atomicAdd((&output.member[0u]), 1u);
+                            if ((_e973 + 1u) < _e973) {
+                                let _e977 = atomicAdd((&output.member[2u]), 1u);
                             }
-                            if (_e1247 < _e1234) {
-                                atomicStore((&output.member[(4u + (2u * _e1247))]), _e1243.member);
-                                atomicStore((&output.member[((2u * _e1247) + 5u)]), _e1243.member_1);
+                            if (_e973 < _e962) {
+                                atomicStore((&output.member[(4u + (2u * _e973))]), _e969.member);
+                                atomicStore((&output.member[((2u * _e973) + 5u)]), _e969.member_1);
                             }
-                            let _e1260 = atomicAdd((&output.member[1u]), 1u);
-                            if ((_e1260 + 1u) < _e1260) {
-                                let _e1264 = atomicAdd((&output.member[3u]), 1u);
+                            let _e986 = atomicAdd((&output.member[1u]), 1u);
+                            if ((_e986 + 1u) < _e986) {
+                                let _e990 = atomicAdd((&output.member[3u]), 1u);
                             }
                         }
-                        phi_1888_ = (_e494 & (_e494 - 1u));
-                        phi_1889_ = true;
+                        phi_1830_ = (_e464 & (_e464 - 1u));
+                        phi_1831_ = true;
                     }
-                    let _e1266 = phi_1888_;
-                    let _e1268 = phi_1889_;
-                    phi_816_ = _e1266;
-                    phi_1890_ = _e1268;
+                    let _e992 = phi_1830_;
+                    let _e994 = phi_1831_;
+                    phi_925_ = _e992;
+                    phi_1832_ = _e994;
                 } else {
-                    phi_816_ = u32();
-                    phi_1890_ = false;
+                    phi_925_ = u32();
+                    phi_1832_ = false;
                 }
-                let _e1270 = phi_816_;
-                let _e1272 = phi_1890_;
+                let _e996 = phi_925_;
+                let _e998 = phi_1832_;
                 continue;
                 continuing {
-                    phi_812_ = _e506;
-                    phi_815_ = _e1270;
-                    break if !(_e1272);
+                    phi_921_ = _e476;
+                    phi_924_ = _e996;
+                    break if !(_e998);
                 }
             }
             workgroupBarrier();
-            let _e1275 = atomicLoad((&counters[4u]));
-            if (2048u < _e1275) {
-                phi_1897_ = 2048u;
+            let _e1001 = atomicLoad((&counters[4u]));
+            if (2048u < _e1001) {
+                phi_1839_ = 2048u;
             } else {
-                phi_1897_ = _e1275;
+                phi_1839_ = _e1001;
             }
-            let _e1278 = phi_1897_;
-            phi_1900_ = type_21(0u, 16u);
+            let _e1004 = phi_1839_;
+            phi_1842_ = type_21(0u, 16u);
             loop {
-                let _e1280 = phi_1900_;
-                if (_e1280.member < _e1280.member_1) {
-                    phi_1901_ = type_21((_e1280.member + 1u), _e1280.member_1);
-                    phi_1924_ = type_21(1u, _e1280.member);
+                let _e1006 = phi_1842_;
+                if (_e1006.member < _e1006.member_1) {
+                    phi_1843_ = type_21((_e1006.member + 1u), _e1006.member_1);
+                    phi_1866_ = type_21(1u, _e1006.member);
                 } else {
-                    phi_1901_ = _e1280;
-                    phi_1924_ = type_21(0u, type_21().member_1);
+                    phi_1843_ = _e1006;
+                    phi_1866_ = type_21(0u, type_21().member_1);
                 }
-                let _e1292 = phi_1901_;
-                let _e1294 = phi_1924_;
-                if (bitcast<i32>(_e1294.member) != 0i) {
-                    let _e1300 = (_e97 + (_e1294.member_1 * 128u));
-                    if (_e1300 >= _e1278) {
-                        phi_8164_ = false;
+                let _e1018 = phi_1843_;
+                let _e1020 = phi_1866_;
+                if (bitcast<i32>(_e1020.member) != 0i) {
+                    let _e1026 = (_e67 + (_e1020.member_1 * 128u));
+                    if (_e1026 >= _e1004) {
+                        phi_7865_ = false;
                     } else {
-                        let _e1303 = hits[_e1300];
-                        let _e1306 = ((_e1303 >> bitcast<u32>(10i)) & 3u);
-                        let _e1313 = firsts[(2u * _e1306)];
-                        let _e1314 = (_e1313 + ((_e1303 >> bitcast<u32>(5i)) & 31u));
-                        let _e1318 = firsts[((2u * _e1306) + 1u)];
-                        let _e1319 = (_e1318 + (_e1303 & 31u));
-                        let _e1321 = leaves.member[_e1314];
-                        let _e1323 = leaves.member[_e1319];
-                        local_26 = type_16(array<u32, 3>(_e1321.member[0], _e1321.member[1], _e1321.member[2]), _e1321.member_1);
-                        local_27 = type_16(array<u32, 3>(_e1323.member[0], _e1323.member[1], _e1323.member[2]), _e1323.member_1);
-                        let _e1339 = nodes.member[_e1314];
-                        let _e1341 = nodes.member[_e1319];
-                        let _e1343 = params.member.member_1;
-                        if ((_e1343 & 1u) != 0u) {
-                            let _e1347 = params.member.member_8;
-                            if (_e1347 == 0u) {
-                                let _e1391 = local_26.member[0u];
-                                let _e1394 = local_27.member[0u];
-                                if (_e1391 == _e1394) {
-                                    phi_2043_ = bool();
-                                    phi_2044_ = true;
+                        let _e1029 = hits[_e1026];
+                        let _e1032 = ((_e1029 >> bitcast<u32>(10i)) & 3u);
+                        let _e1039 = firsts[(2u * _e1032)];
+                        let _e1040 = (_e1039 + ((_e1029 >> bitcast<u32>(5i)) & 31u));
+                        let _e1044 = firsts[((2u * _e1032) + 1u)];
+                        let _e1045 = (_e1044 + (_e1029 & 31u));
+                        let _e1047 = leaves.member[_e1040];
+                        let _e1049 = leaves.member[_e1045];
+                        let _e1051 = nodes.member[_e1040];
+                        let _e1053 = nodes.member[_e1045];
+                        let _e1055 = params.member.member_1;
+                        if ((_e1055 & 1u) != 0u) {
+                            let _e1059 = params.member.member_8;
+                            if (_e1059 == 0u) {
+                                if (_e1047.member[0] == _e1049.member[0]) {
+                                    phi_1965_ = bool();
+                                    phi_1966_ = true;
                                 } else {
-                                    let _e1398 = local_26.member[0u];
-                                    let _e1401 = local_27.member[1u];
-                                    let _e1402 = (_e1398 == _e1401);
-                                    if _e1402 {
-                                        phi_2042_ = bool();
+                                    let _e1102 = (_e1047.member[0] == _e1049.member[1]);
+                                    if _e1102 {
+                                        phi_1964_ = bool();
                                     } else {
-                                        let _e1405 = local_26.member[0u];
-                                        let _e1408 = local_27.member[2u];
-                                        phi_2042_ = (_e1405 == _e1408);
+                                        phi_1964_ = (_e1047.member[0] == _e1049.member[2]);
                                     }
-                                    let _e1411 = phi_2042_;
-                                    phi_2043_ = _e1411;
-                                    phi_2044_ = _e1402;
+                                    let _e1109 = phi_1964_;
+                                    phi_1965_ = _e1109;
+                                    phi_1966_ = _e1102;
                                 }
-                                let _e1413 = phi_2043_;
-                                let _e1415 = phi_2044_;
-                                if _e1415 {
-                                    phi_2048_ = true;
+                                let _e1111 = phi_1965_;
+                                let _e1113 = phi_1966_;
+                                if _e1113 {
+                                    phi_1970_ = true;
                                 } else {
-                                    phi_2048_ = _e1413;
+                                    phi_1970_ = _e1111;
                                 }
-                                let _e1417 = phi_2048_;
-                                phi_2087_ = _e1417;
+                                let _e1115 = phi_1970_;
+                                phi_2001_ = _e1115;
                             } else {
-                                let _e1351 = local_26.member[0u];
-                                let _e1354 = local_27.member[0u];
-                                if (_e1351 == _e1354) {
-                                    phi_2081_ = bool();
-                                    phi_2082_ = true;
+                                if (_e1047.member[0] == _e1049.member[0]) {
+                                    phi_1995_ = bool();
+                                    phi_1996_ = true;
                                 } else {
-                                    let _e1358 = local_26.member[0u];
-                                    let _e1361 = local_27.member[1u];
-                                    if (_e1358 == _e1361) {
-                                        phi_2079_ = bool();
-                                        phi_2080_ = true;
+                                    if (_e1047.member[0] == _e1049.member[1]) {
+                                        phi_1993_ = bool();
+                                        phi_1994_ = true;
                                     } else {
-                                        let _e1365 = local_26.member[1u];
-                                        let _e1368 = local_27.member[0u];
-                                        let _e1369 = (_e1365 == _e1368);
-                                        if _e1369 {
-                                            phi_2078_ = bool();
+                                        let _e1075 = (_e1047.member[1] == _e1049.member[0]);
+                                        if _e1075 {
+                                            phi_1992_ = bool();
                                         } else {
-                                            let _e1372 = local_26.member[1u];
-                                            let _e1375 = local_27.member[1u];
-                                            phi_2078_ = (_e1372 == _e1375);
+                                            phi_1992_ = (_e1047.member[1] == _e1049.member[1]);
                                         }
-                                        let _e1378 = phi_2078_;
-                                        phi_2079_ = _e1378;
-                                        phi_2080_ = _e1369;
+                                        let _e1082 = phi_1992_;
+                                        phi_1993_ = _e1082;
+                                        phi_1994_ = _e1075;
                                     }
-                                    let _e1380 = phi_2079_;
-                                    let _e1382 = phi_2080_;
-                                    phi_2081_ = _e1380;
-                                    phi_2082_ = _e1382;
+                                    let _e1084 = phi_1993_;
+                                    let _e1086 = phi_1994_;
+                                    phi_1995_ = _e1084;
+                                    phi_1996_ = _e1086;
                                 }
-                                let _e1384 = phi_2081_;
-                                let _e1386 = phi_2082_;
-                                if _e1386 {
-                                    phi_2086_ = true;
+                                let _e1088 = phi_1995_;
+                                let _e1090 = phi_1996_;
+                                if _e1090 {
+                                    phi_2000_ = true;
                                 } else {
-                                    phi_2086_ = _e1384;
+                                    phi_2000_ = _e1088;
                                 }
-                                let _e1388 = phi_2086_;
-                                phi_2087_ = _e1388;
+                                let _e1092 = phi_2000_;
+                                phi_2001_ = _e1092;
                             }
-                            let _e1419 = phi_2087_;
-                            if _e1419 {
-                                phi_2091_ = false;
+                            let _e1117 = phi_2001_;
+                            if _e1117 {
+                                phi_2005_ = false;
                             } else {
-                                phi_2091_ = true;
+                                phi_2005_ = true;
                             }
-                            let _e1421 = phi_2091_;
-                            phi_2092_ = _e1421;
+                            let _e1119 = phi_2005_;
+                            phi_2006_ = _e1119;
                         } else {
-                            phi_2092_ = true;
+                            phi_2006_ = true;
                         }
-                        let _e1423 = phi_2092_;
-                        if _e1423 {
-                            let _e1425 = params.member.member_1;
-                            if ((_e1425 & 2u) != 0u) {
-                                let _e1430 = local_26.member[0u];
-                                let _e1432 = bodies.member[_e1430];
-                                let _e1435 = local_27.member[0u];
-                                let _e1437 = bodies.member[_e1435];
-                                if ((_e1432 / 2u) == (_e1437 / 2u)) {
-                                    let _e1442 = params.member.member_1;
-                                    phi_2138_ = !(((_e1442 & 4u) != 0u));
+                        let _e1121 = phi_2006_;
+                        if _e1121 {
+                            let _e1123 = params.member.member_1;
+                            if ((_e1123 & 2u) != 0u) {
+                                let _e1129 = bodies.member[_e1047.member[0]];
+                                let _e1133 = bodies.member[_e1049.member[0]];
+                                if ((_e1129 / 2u) == (_e1133 / 2u)) {
+                                    let _e1138 = params.member.member_1;
+                                    phi_2050_ = !(((_e1138 & 4u) != 0u));
                                 } else {
-                                    phi_2138_ = false;
+                                    phi_2050_ = false;
                                 }
-                                let _e1447 = phi_2138_;
-                                if _e1447 {
-                                    phi_2149_ = true;
+                                let _e1143 = phi_2050_;
+                                if _e1143 {
+                                    phi_2061_ = true;
                                 } else {
-                                    if (((_e1432 & _e1437) & 1u) == 0u) {
-                                        phi_2148_ = false;
+                                    if (((_e1129 & _e1133) & 1u) == 0u) {
+                                        phi_2060_ = false;
                                     } else {
-                                        phi_2148_ = true;
+                                        phi_2060_ = true;
                                     }
-                                    let _e1452 = phi_2148_;
-                                    phi_2149_ = _e1452;
+                                    let _e1148 = phi_2060_;
+                                    phi_2061_ = _e1148;
                                 }
-                                let _e1454 = phi_2149_;
-                                if _e1454 {
-                                    phi_2153_ = false;
+                                let _e1150 = phi_2061_;
+                                if _e1150 {
+                                    phi_2065_ = false;
                                 } else {
-                                    phi_2153_ = true;
+                                    phi_2065_ = true;
                                 }
-                                let _e1456 = phi_2153_;
-                                phi_2154_ = _e1456;
+                                let _e1152 = phi_2065_;
+                                phi_2066_ = _e1152;
                             } else {
-                                phi_2154_ = true;
+                                phi_2066_ = true;
                             }
-                            let _e1458 = phi_2154_;
-                            if _e1458 {
-                                let _e1460 = params.member.member_1;
-                                if ((_e1460 & 32u) != 0u) {
-                                    let _e1464 = params.member.member_6;
-                                    let _e1505 = (((((((_e1339.member_1[0] - _e1341.member[0]) > _e1464) && ((_e1341.member_1[0] - _e1339.member[0]) > _e1464)) && ((_e1339.member_1[1] - _e1341.member[1]) > _e1464)) && ((_e1341.member_1[1] - _e1339.member[1]) > _e1464)) && ((_e1339.member_1[2] - _e1341.member[2]) > _e1464)) && ((_e1341.member_1[2] - _e1339.member[2]) > _e1464));
-                                    if _e1505 {
-                                        phi_2903_ = bool();
+                            let _e1154 = phi_2066_;
+                            if _e1154 {
+                                let _e1156 = params.member.member_1;
+                                if ((_e1156 & 32u) != 0u) {
+                                    let _e1160 = params.member.member_6;
+                                    let _e1201 = (((((((_e1051.member_1[0] - _e1053.member[0]) > _e1160) && ((_e1053.member_1[0] - _e1051.member[0]) > _e1160)) && ((_e1051.member_1[1] - _e1053.member[1]) > _e1160)) && ((_e1053.member_1[1] - _e1051.member[1]) > _e1160)) && ((_e1051.member_1[2] - _e1053.member[2]) > _e1160)) && ((_e1053.member_1[2] - _e1051.member[2]) > _e1160));
+                                    if _e1201 {
+                                        phi_2680_ = bool();
                                     } else {
-                                        phi_2203_ = type_21(0u, 3u);
-                                        phi_2206_ = true;
-                                        loop {
-                                            let _e1509 = phi_2203_;
-                                            let _e1511 = phi_2206_;
-                                            local_66 = _e1511;
-                                            if (_e1509.member < _e1509.member_1) {
-                                                phi_2204_ = type_21((_e1509.member + 1u), _e1509.member_1);
-                                                phi_2229_ = type_21(1u, _e1509.member);
+                                        let _e1205 = keys.member[_e1047.member[0]];
+                                        let _e1210 = keys.member[_e1047.member[1]];
+                                        let _e1212 = function_(_e1205[0], _e1210[0]);
+                                        let _e1216 = keys.member[_e1047.member[2]];
+                                        let _e1218 = function_(_e1212, _e1216[0]);
+                                        let _e1222 = keys.member[_e1049.member[0]];
+                                        let _e1227 = keys.member[_e1049.member[1]];
+                                        let _e1229 = function_1(_e1222[3], _e1227[3]);
+                                        let _e1233 = keys.member[_e1049.member[2]];
+                                        let _e1235 = function_1(_e1229, _e1233[3]);
+                                        if (_e1218[1] > _e1235[1]) {
+                                            phi_2203_ = true;
+                                        } else {
+                                            if (_e1218[1] == _e1235[1]) {
+                                                phi_2202_ = (_e1218[0] > _e1235[0]);
                                             } else {
-                                                phi_2204_ = _e1509;
-                                                phi_2229_ = type_21(0u, type_21().member_1);
+                                                phi_2202_ = false;
                                             }
-                                            let _e1523 = phi_2204_;
-                                            let _e1525 = phi_2229_;
-                                            let _e1529 = (bitcast<i32>(_e1525.member) != 0i);
-                                            if _e1529 {
-                                                let _e1531 = local_26.member[0u];
-                                                let _e1533 = keys.member[_e1531];
-                                                local_14 = array<array<u32, 2>, 6>(array<u32, 2>(_e1533[0][0], _e1533[0][1]), array<u32, 2>(_e1533[1][0], _e1533[1][1]), array<u32, 2>(_e1533[2][0], _e1533[2][1]), array<u32, 2>(_e1533[3][0], _e1533[3][1]), array<u32, 2>(_e1533[4][0], _e1533[4][1]), array<u32, 2>(_e1533[5][0], _e1533[5][1]));
-                                                let _e1560 = local_14[_e1525.member_1];
-                                                phi_2286_ = type_21(1u, 3u);
-                                                phi_2289_ = array<u32, 2>(_e1560[0], _e1560[1]);
-                                                loop {
-                                                    let _e1565 = phi_2286_;
-                                                    let _e1567 = phi_2289_;
-                                                    local_40 = _e1567;
-                                                    local_42 = _e1567;
-                                                    local_44 = _e1567;
-                                                    if (_e1565.member < _e1565.member_1) {
-                                                        phi_2287_ = type_21((_e1565.member + 1u), _e1565.member_1);
-                                                        phi_2312_ = type_21(1u, _e1565.member);
-                                                    } else {
-                                                        phi_2287_ = _e1565;
-                                                        phi_2312_ = type_21(0u, type_21().member_1);
-                                                    }
-                                                    let _e1579 = phi_2287_;
-                                                    let _e1581 = phi_2312_;
-                                                    let _e1585 = (bitcast<i32>(_e1581.member) != 0i);
-                                                    if _e1585 {
-                                                        let _e1587 = local_26.member[_e1581.member_1];
-                                                        let _e1589 = keys.member[_e1587];
-                                                        local_15 = array<array<u32, 2>, 6>(array<u32, 2>(_e1589[0][0], _e1589[0][1]), array<u32, 2>(_e1589[1][0], _e1589[1][1]), array<u32, 2>(_e1589[2][0], _e1589[2][1]), array<u32, 2>(_e1589[3][0], _e1589[3][1]), array<u32, 2>(_e1589[4][0], _e1589[4][1]), array<u32, 2>(_e1589[5][0], _e1589[5][1]));
-                                                        let _e1616 = local_15[_e1525.member_1];
-                                                        if (_e1567[1] > _e1616[1]) {
-                                                            phi_2388_ = true;
-                                                        } else {
-                                                            if (_e1567[1] == _e1616[1]) {
-                                                                phi_2387_ = (_e1567[0] > _e1616[0]);
-                                                            } else {
-                                                                phi_2387_ = false;
-                                                            }
-                                                            let _e1627 = phi_2387_;
-                                                            phi_2388_ = _e1627;
-                                                        }
-                                                        let _e1629 = phi_2388_;
-                                                        if _e1629 {
-                                                            phi_2392_ = array<u32, 2>(_e1616[0], _e1616[1]);
-                                                        } else {
-                                                            phi_2392_ = _e1567;
-                                                        }
-                                                        let _e1631 = phi_2392_;
-                                                        phi_2290_ = _e1631;
-                                                    } else {
-                                                        phi_2290_ = array<u32, 2>();
-                                                    }
-                                                    let _e1633 = phi_2290_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_2286_ = _e1579;
-                                                        phi_2289_ = _e1633;
-                                                        break if !(_e1585);
-                                                    }
-                                                }
-                                                let _e1636 = local_27.member[0u];
-                                                let _e1638 = keys.member[_e1636];
-                                                local_12 = array<array<u32, 2>, 6>(array<u32, 2>(_e1638[0][0], _e1638[0][1]), array<u32, 2>(_e1638[1][0], _e1638[1][1]), array<u32, 2>(_e1638[2][0], _e1638[2][1]), array<u32, 2>(_e1638[3][0], _e1638[3][1]), array<u32, 2>(_e1638[4][0], _e1638[4][1]), array<u32, 2>(_e1638[5][0], _e1638[5][1]));
-                                                let _e1666 = local_12[(3u + _e1525.member_1)];
-                                                phi_2443_ = type_21(1u, 3u);
-                                                phi_2446_ = array<u32, 2>(_e1666[0], _e1666[1]);
-                                                loop {
-                                                    let _e1671 = phi_2443_;
-                                                    let _e1673 = phi_2446_;
-                                                    local_41 = _e1673;
-                                                    local_43 = _e1673;
-                                                    local_45 = _e1673;
-                                                    if (_e1671.member < _e1671.member_1) {
-                                                        phi_2444_ = type_21((_e1671.member + 1u), _e1671.member_1);
-                                                        phi_2469_ = type_21(1u, _e1671.member);
-                                                    } else {
-                                                        phi_2444_ = _e1671;
-                                                        phi_2469_ = type_21(0u, type_21().member_1);
-                                                    }
-                                                    let _e1685 = phi_2444_;
-                                                    let _e1687 = phi_2469_;
-                                                    let _e1691 = (bitcast<i32>(_e1687.member) != 0i);
-                                                    if _e1691 {
-                                                        let _e1693 = local_27.member[_e1687.member_1];
-                                                        let _e1695 = keys.member[_e1693];
-                                                        local_13 = array<array<u32, 2>, 6>(array<u32, 2>(_e1695[0][0], _e1695[0][1]), array<u32, 2>(_e1695[1][0], _e1695[1][1]), array<u32, 2>(_e1695[2][0], _e1695[2][1]), array<u32, 2>(_e1695[3][0], _e1695[3][1]), array<u32, 2>(_e1695[4][0], _e1695[4][1]), array<u32, 2>(_e1695[5][0], _e1695[5][1]));
-                                                        let _e1723 = local_13[(3u + _e1525.member_1)];
-                                                        if (_e1723[1] > _e1673[1]) {
-                                                            phi_2546_ = true;
-                                                        } else {
-                                                            if (_e1723[1] == _e1673[1]) {
-                                                                phi_2545_ = (_e1723[0] > _e1673[0]);
-                                                            } else {
-                                                                phi_2545_ = false;
-                                                            }
-                                                            let _e1734 = phi_2545_;
-                                                            phi_2546_ = _e1734;
-                                                        }
-                                                        let _e1736 = phi_2546_;
-                                                        if _e1736 {
-                                                            phi_2550_ = array<u32, 2>(_e1723[0], _e1723[1]);
-                                                        } else {
-                                                            phi_2550_ = _e1673;
-                                                        }
-                                                        let _e1738 = phi_2550_;
-                                                        phi_2447_ = _e1738;
-                                                    } else {
-                                                        phi_2447_ = array<u32, 2>();
-                                                    }
-                                                    let _e1740 = phi_2447_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_2443_ = _e1685;
-                                                        phi_2446_ = _e1740;
-                                                        break if !(_e1691);
-                                                    }
-                                                }
-                                                let _e1743 = local_40;
-                                                let _e1746 = local_41;
-                                                if (_e1743[1] > _e1746[1]) {
-                                                    phi_2567_ = true;
-                                                } else {
-                                                    let _e1750 = local_42;
-                                                    let _e1753 = local_43;
-                                                    if (_e1750[1] == _e1753[1]) {
-                                                        let _e1757 = local_44;
-                                                        let _e1760 = local_45;
-                                                        phi_2566_ = (_e1757[0] > _e1760[0]);
-                                                    } else {
-                                                        phi_2566_ = false;
-                                                    }
-                                                    let _e1764 = phi_2566_;
-                                                    phi_2567_ = _e1764;
-                                                }
-                                                let _e1766 = phi_2567_;
-                                                let _e1769 = local_27.member[0u];
-                                                let _e1771 = keys.member[_e1769];
-                                                local_10 = array<array<u32, 2>, 6>(array<u32, 2>(_e1771[0][0], _e1771[0][1]), array<u32, 2>(_e1771[1][0], _e1771[1][1]), array<u32, 2>(_e1771[2][0], _e1771[2][1]), array<u32, 2>(_e1771[3][0], _e1771[3][1]), array<u32, 2>(_e1771[4][0], _e1771[4][1]), array<u32, 2>(_e1771[5][0], _e1771[5][1]));
-                                                let _e1798 = local_10[_e1525.member_1];
-                                                phi_2618_ = type_21(1u, 3u);
-                                                phi_2621_ = array<u32, 2>(_e1798[0], _e1798[1]);
-                                                loop {
-                                                    let _e1803 = phi_2618_;
-                                                    let _e1805 = phi_2621_;
-                                                    local_46 = _e1805;
-                                                    local_48 = _e1805;
-                                                    local_50 = _e1805;
-                                                    if (_e1803.member < _e1803.member_1) {
-                                                        phi_2619_ = type_21((_e1803.member + 1u), _e1803.member_1);
-                                                        phi_2644_ = type_21(1u, _e1803.member);
-                                                    } else {
-                                                        phi_2619_ = _e1803;
-                                                        phi_2644_ = type_21(0u, type_21().member_1);
-                                                    }
-                                                    let _e1817 = phi_2619_;
-                                                    let _e1819 = phi_2644_;
-                                                    let _e1823 = (bitcast<i32>(_e1819.member) != 0i);
-                                                    if _e1823 {
-                                                        let _e1825 = local_27.member[_e1819.member_1];
-                                                        let _e1827 = keys.member[_e1825];
-                                                        local_11 = array<array<u32, 2>, 6>(array<u32, 2>(_e1827[0][0], _e1827[0][1]), array<u32, 2>(_e1827[1][0], _e1827[1][1]), array<u32, 2>(_e1827[2][0], _e1827[2][1]), array<u32, 2>(_e1827[3][0], _e1827[3][1]), array<u32, 2>(_e1827[4][0], _e1827[4][1]), array<u32, 2>(_e1827[5][0], _e1827[5][1]));
-                                                        let _e1854 = local_11[_e1525.member_1];
-                                                        if (_e1805[1] > _e1854[1]) {
-                                                            phi_2720_ = true;
-                                                        } else {
-                                                            if (_e1805[1] == _e1854[1]) {
-                                                                phi_2719_ = (_e1805[0] > _e1854[0]);
-                                                            } else {
-                                                                phi_2719_ = false;
-                                                            }
-                                                            let _e1865 = phi_2719_;
-                                                            phi_2720_ = _e1865;
-                                                        }
-                                                        let _e1867 = phi_2720_;
-                                                        if _e1867 {
-                                                            phi_2724_ = array<u32, 2>(_e1854[0], _e1854[1]);
-                                                        } else {
-                                                            phi_2724_ = _e1805;
-                                                        }
-                                                        let _e1869 = phi_2724_;
-                                                        phi_2622_ = _e1869;
-                                                    } else {
-                                                        phi_2622_ = array<u32, 2>();
-                                                    }
-                                                    let _e1871 = phi_2622_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_2618_ = _e1817;
-                                                        phi_2621_ = _e1871;
-                                                        break if !(_e1823);
-                                                    }
-                                                }
-                                                let _e1874 = local_26.member[0u];
-                                                let _e1876 = keys.member[_e1874];
-                                                local_8 = array<array<u32, 2>, 6>(array<u32, 2>(_e1876[0][0], _e1876[0][1]), array<u32, 2>(_e1876[1][0], _e1876[1][1]), array<u32, 2>(_e1876[2][0], _e1876[2][1]), array<u32, 2>(_e1876[3][0], _e1876[3][1]), array<u32, 2>(_e1876[4][0], _e1876[4][1]), array<u32, 2>(_e1876[5][0], _e1876[5][1]));
-                                                let _e1904 = local_8[(3u + _e1525.member_1)];
-                                                phi_2775_ = type_21(1u, 3u);
-                                                phi_2778_ = array<u32, 2>(_e1904[0], _e1904[1]);
-                                                loop {
-                                                    let _e1909 = phi_2775_;
-                                                    let _e1911 = phi_2778_;
-                                                    local_47 = _e1911;
-                                                    local_49 = _e1911;
-                                                    local_51 = _e1911;
-                                                    if (_e1909.member < _e1909.member_1) {
-                                                        phi_2776_ = type_21((_e1909.member + 1u), _e1909.member_1);
-                                                        phi_2801_ = type_21(1u, _e1909.member);
-                                                    } else {
-                                                        phi_2776_ = _e1909;
-                                                        phi_2801_ = type_21(0u, type_21().member_1);
-                                                    }
-                                                    let _e1923 = phi_2776_;
-                                                    let _e1925 = phi_2801_;
-                                                    let _e1929 = (bitcast<i32>(_e1925.member) != 0i);
-                                                    if _e1929 {
-                                                        let _e1931 = local_26.member[_e1925.member_1];
-                                                        let _e1933 = keys.member[_e1931];
-                                                        local_9 = array<array<u32, 2>, 6>(array<u32, 2>(_e1933[0][0], _e1933[0][1]), array<u32, 2>(_e1933[1][0], _e1933[1][1]), array<u32, 2>(_e1933[2][0], _e1933[2][1]), array<u32, 2>(_e1933[3][0], _e1933[3][1]), array<u32, 2>(_e1933[4][0], _e1933[4][1]), array<u32, 2>(_e1933[5][0], _e1933[5][1]));
-                                                        let _e1961 = local_9[(3u + _e1525.member_1)];
-                                                        if (_e1961[1] > _e1911[1]) {
-                                                            phi_2878_ = true;
-                                                        } else {
-                                                            if (_e1961[1] == _e1911[1]) {
-                                                                phi_2877_ = (_e1961[0] > _e1911[0]);
-                                                            } else {
-                                                                phi_2877_ = false;
-                                                            }
-                                                            let _e1972 = phi_2877_;
-                                                            phi_2878_ = _e1972;
-                                                        }
-                                                        let _e1974 = phi_2878_;
-                                                        if _e1974 {
-                                                            phi_2882_ = array<u32, 2>(_e1961[0], _e1961[1]);
-                                                        } else {
-                                                            phi_2882_ = _e1911;
-                                                        }
-                                                        let _e1976 = phi_2882_;
-                                                        phi_2779_ = _e1976;
-                                                    } else {
-                                                        phi_2779_ = array<u32, 2>();
-                                                    }
-                                                    let _e1978 = phi_2779_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_2775_ = _e1923;
-                                                        phi_2778_ = _e1978;
-                                                        break if !(_e1929);
-                                                    }
-                                                }
-                                                let _e1981 = local_46;
-                                                let _e1984 = local_47;
-                                                if (_e1981[1] > _e1984[1]) {
-                                                    phi_2899_ = true;
-                                                } else {
-                                                    let _e1988 = local_48;
-                                                    let _e1991 = local_49;
-                                                    if (_e1988[1] == _e1991[1]) {
-                                                        let _e1995 = local_50;
-                                                        let _e1998 = local_51;
-                                                        phi_2898_ = (_e1995[0] > _e1998[0]);
-                                                    } else {
-                                                        phi_2898_ = false;
-                                                    }
-                                                    let _e2002 = phi_2898_;
-                                                    phi_2899_ = _e2002;
-                                                }
-                                                let _e2004 = phi_2899_;
-                                                phi_2207_ = (_e1511 && (!(_e1766) && !(_e2004)));
-                                            } else {
-                                                phi_2207_ = bool();
-                                            }
-                                            let _e2009 = phi_2207_;
-                                            continue;
-                                            continuing {
-                                                phi_2203_ = _e1523;
-                                                phi_2206_ = _e2009;
-                                                break if !(_e1529);
-                                            }
+                                            let _e1246 = phi_2202_;
+                                            phi_2203_ = _e1246;
                                         }
-                                        let _e5331 = local_66;
-                                        phi_2903_ = _e5331;
+                                        let _e1248 = phi_2203_;
+                                        let _e1253 = keys.member[_e1049.member[0]];
+                                        let _e1258 = keys.member[_e1049.member[1]];
+                                        let _e1260 = function_(_e1253[0], _e1258[0]);
+                                        let _e1264 = keys.member[_e1049.member[2]];
+                                        let _e1266 = function_(_e1260, _e1264[0]);
+                                        let _e1270 = keys.member[_e1047.member[0]];
+                                        let _e1275 = keys.member[_e1047.member[1]];
+                                        let _e1277 = function_1(_e1270[3], _e1275[3]);
+                                        let _e1281 = keys.member[_e1047.member[2]];
+                                        let _e1283 = function_1(_e1277, _e1281[3]);
+                                        if (_e1266[1] > _e1283[1]) {
+                                            phi_2297_ = true;
+                                        } else {
+                                            if (_e1266[1] == _e1283[1]) {
+                                                phi_2296_ = (_e1266[0] > _e1283[0]);
+                                            } else {
+                                                phi_2296_ = false;
+                                            }
+                                            let _e1294 = phi_2296_;
+                                            phi_2297_ = _e1294;
+                                        }
+                                        let _e1296 = phi_2297_;
+                                        let _e1302 = keys.member[_e1047.member[0]];
+                                        let _e1307 = keys.member[_e1047.member[1]];
+                                        let _e1309 = function_2(_e1302[1], _e1307[1]);
+                                        let _e1313 = keys.member[_e1047.member[2]];
+                                        let _e1315 = function_2(_e1309, _e1313[1]);
+                                        let _e1319 = keys.member[_e1049.member[0]];
+                                        let _e1324 = keys.member[_e1049.member[1]];
+                                        let _e1326 = function_3(_e1319[4], _e1324[4]);
+                                        let _e1330 = keys.member[_e1049.member[2]];
+                                        let _e1332 = function_3(_e1326, _e1330[4]);
+                                        if (_e1315[1] > _e1332[1]) {
+                                            phi_2392_ = true;
+                                        } else {
+                                            if (_e1315[1] == _e1332[1]) {
+                                                phi_2391_ = (_e1315[0] > _e1332[0]);
+                                            } else {
+                                                phi_2391_ = false;
+                                            }
+                                            let _e1343 = phi_2391_;
+                                            phi_2392_ = _e1343;
+                                        }
+                                        let _e1345 = phi_2392_;
+                                        let _e1350 = keys.member[_e1049.member[0]];
+                                        let _e1355 = keys.member[_e1049.member[1]];
+                                        let _e1357 = function_2(_e1350[1], _e1355[1]);
+                                        let _e1361 = keys.member[_e1049.member[2]];
+                                        let _e1363 = function_2(_e1357, _e1361[1]);
+                                        let _e1367 = keys.member[_e1047.member[0]];
+                                        let _e1372 = keys.member[_e1047.member[1]];
+                                        let _e1374 = function_3(_e1367[4], _e1372[4]);
+                                        let _e1378 = keys.member[_e1047.member[2]];
+                                        let _e1380 = function_3(_e1374, _e1378[4]);
+                                        if (_e1363[1] > _e1380[1]) {
+                                            phi_2486_ = true;
+                                        } else {
+                                            if (_e1363[1] == _e1380[1]) {
+                                                phi_2485_ = (_e1363[0] > _e1380[0]);
+                                            } else {
+                                                phi_2485_ = false;
+                                            }
+                                            let _e1391 = phi_2485_;
+                                            phi_2486_ = _e1391;
+                                        }
+                                        let _e1393 = phi_2486_;
+                                        let _e1400 = keys.member[_e1047.member[0]];
+                                        let _e1405 = keys.member[_e1047.member[1]];
+                                        let _e1407 = function_4(_e1400[2], _e1405[2]);
+                                        let _e1411 = keys.member[_e1047.member[2]];
+                                        let _e1413 = function_4(_e1407, _e1411[2]);
+                                        let _e1417 = keys.member[_e1049.member[0]];
+                                        let _e1422 = keys.member[_e1049.member[1]];
+                                        let _e1424 = function_5(_e1417[5], _e1422[5]);
+                                        let _e1428 = keys.member[_e1049.member[2]];
+                                        let _e1430 = function_5(_e1424, _e1428[5]);
+                                        if (_e1413[1] > _e1430[1]) {
+                                            phi_2582_ = true;
+                                        } else {
+                                            if (_e1413[1] == _e1430[1]) {
+                                                phi_2581_ = (_e1413[0] > _e1430[0]);
+                                            } else {
+                                                phi_2581_ = false;
+                                            }
+                                            let _e1441 = phi_2581_;
+                                            phi_2582_ = _e1441;
+                                        }
+                                        let _e1443 = phi_2582_;
+                                        let _e1448 = keys.member[_e1049.member[0]];
+                                        let _e1453 = keys.member[_e1049.member[1]];
+                                        let _e1455 = function_4(_e1448[2], _e1453[2]);
+                                        let _e1459 = keys.member[_e1049.member[2]];
+                                        let _e1461 = function_4(_e1455, _e1459[2]);
+                                        let _e1465 = keys.member[_e1047.member[0]];
+                                        let _e1470 = keys.member[_e1047.member[1]];
+                                        let _e1472 = function_5(_e1465[5], _e1470[5]);
+                                        let _e1476 = keys.member[_e1047.member[2]];
+                                        let _e1478 = function_5(_e1472, _e1476[5]);
+                                        if (_e1461[1] > _e1478[1]) {
+                                            phi_2676_ = true;
+                                        } else {
+                                            if (_e1461[1] == _e1478[1]) {
+                                                phi_2675_ = (_e1461[0] > _e1478[0]);
+                                            } else {
+                                                phi_2675_ = false;
+                                            }
+                                            let _e1489 = phi_2675_;
+                                            phi_2676_ = _e1489;
+                                        }
+                                        let _e1491 = phi_2676_;
+                                        phi_2680_ = (((!(_e1248) && !(_e1296)) && (!(_e1345) && !(_e1393))) && (!(_e1443) && !(_e1491)));
                                     }
-                                    let _e2012 = phi_2903_;
-                                    phi_2904_ = _e2012;
-                                    phi_2905_ = _e1505;
+                                    let _e1496 = phi_2680_;
+                                    phi_2681_ = _e1496;
+                                    phi_2682_ = _e1201;
                                 } else {
-                                    phi_2904_ = bool();
-                                    phi_2905_ = true;
+                                    phi_2681_ = bool();
+                                    phi_2682_ = true;
                                 }
-                                let _e2014 = phi_2904_;
-                                let _e2016 = phi_2905_;
-                                if _e2016 {
-                                    phi_2909_ = false;
+                                let _e1498 = phi_2681_;
+                                let _e1500 = phi_2682_;
+                                if _e1500 {
+                                    phi_2686_ = false;
                                 } else {
-                                    phi_2909_ = true;
+                                    phi_2686_ = true;
                                 }
-                                let _e2018 = phi_2909_;
-                                phi_2910_ = _e2014;
-                                phi_2911_ = _e2018;
+                                let _e1502 = phi_2686_;
+                                phi_2687_ = _e1498;
+                                phi_2688_ = _e1502;
                             } else {
-                                phi_2910_ = false;
-                                phi_2911_ = true;
+                                phi_2687_ = false;
+                                phi_2688_ = true;
                             }
-                            let _e2020 = phi_2910_;
-                            let _e2022 = phi_2911_;
-                            phi_2912_ = _e2020;
-                            phi_2913_ = _e2022;
+                            let _e1504 = phi_2687_;
+                            let _e1506 = phi_2688_;
+                            phi_2689_ = _e1504;
+                            phi_2690_ = _e1506;
                         } else {
-                            phi_2912_ = false;
-                            phi_2913_ = true;
+                            phi_2689_ = false;
+                            phi_2690_ = true;
                         }
-                        let _e2024 = phi_2912_;
-                        let _e2026 = phi_2913_;
-                        if _e2026 {
-                            phi_2917_ = _e2024;
+                        let _e1508 = phi_2689_;
+                        let _e1510 = phi_2690_;
+                        if _e1510 {
+                            phi_2694_ = _e1508;
                         } else {
-                            phi_2917_ = true;
+                            phi_2694_ = true;
                         }
-                        let _e2028 = phi_2917_;
-                        if _e2028 {
-                            let _e2030 = atomicAdd((&counters[7u]), 1u);
-                            let _e2032 = local_26.member_1;
-                            let _e2034 = local_27.member_1;
-                            if (_e2032 < _e2034) {
-                                phi_2963_ = _e1323;
-                                phi_2964_ = _e1321;
+                        let _e1512 = phi_2694_;
+                        if _e1512 {
+                            let _e1514 = atomicAdd((&counters[7u]), 1u);
+                            if (_e1047.member_1 < _e1049.member_1) {
+                                phi_2706_ = _e1049;
+                                phi_2707_ = _e1047;
                             } else {
-                                phi_2963_ = _e1321;
-                                phi_2964_ = _e1323;
+                                phi_2706_ = _e1047;
+                                phi_2707_ = _e1049;
                             }
-                            let _e2037 = phi_2963_;
-                            let _e2039 = phi_2964_;
-                            let _e2041 = params.member.member_4;
-                            let _e2043 = params.member.member_5;
-                            let _e2053 = paths.member[_e2039.member[0]];
-                            let _e2055 = paths.member[_e2039.member[1]];
-                            let _e2061 = paths.member[_e2037.member[0]];
-                            let _e2063 = paths.member[_e2037.member[1]];
-                            local_7 = type_35(array<array<f32, 3>, 2>(array<f32, 3>((_e2061.member[0] - _e2053.member[0]), (_e2061.member[1] - _e2053.member[1]), (_e2061.member[2] - _e2053.member[2])), array<f32, 3>((_e2061.member_1[0] - _e2053.member_1[0]), (_e2061.member_1[1] - _e2053.member_1[1]), (_e2061.member_1[2] - _e2053.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2055.member[0] - _e2053.member[0]), (_e2055.member[1] - _e2053.member[1]), (_e2055.member[2] - _e2053.member[2])), array<f32, 3>((_e2055.member_1[0] - _e2053.member_1[0]), (_e2055.member_1[1] - _e2053.member_1[1]), (_e2055.member_1[2] - _e2053.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e2061.member[0] - _e2063.member[0]), (_e2061.member[1] - _e2063.member[1]), (_e2061.member[2] - _e2063.member[2])), array<f32, 3>((_e2061.member_1[0] - _e2063.member_1[0]), (_e2061.member_1[1] - _e2063.member_1[1]), (_e2061.member_1[2] - _e2063.member_1[2]))), (_e2041 + _e2041));
-                            let _e2123 = local_7.member_1[0u];
-                            let _e2129 = local_7.member_2[0u];
-                            let _e2135 = ((_e2123[1] * _e2129[2]) - (_e2123[2] * _e2129[1]));
-                            let _e2138 = ((_e2123[2] * _e2129[0]) - (_e2123[0] * _e2129[2]));
-                            let _e2141 = ((_e2123[0] * _e2129[1]) - (_e2123[1] * _e2129[0]));
-                            let _e2144 = local_7.member_1[1u];
-                            let _e2150 = local_7.member_2[1u];
-                            let _e2156 = ((_e2144[1] * _e2150[2]) - (_e2144[2] * _e2150[1]));
-                            let _e2159 = ((_e2144[2] * _e2150[0]) - (_e2144[0] * _e2150[2]));
-                            let _e2162 = ((_e2144[0] * _e2150[1]) - (_e2144[1] * _e2150[0]));
-                            let _e2165 = local_7.member_1[0u];
-                            let _e2171 = local_7.member_2[1u];
-                            let _e2186 = local_7.member_1[1u];
-                            let _e2192 = local_7.member_2[0u];
-                            let _e2205 = (((_e2165[1] * _e2171[2]) - (_e2165[2] * _e2171[1])) + ((_e2186[1] * _e2192[2]) - (_e2186[2] * _e2192[1])));
-                            let _e2206 = (((_e2165[2] * _e2171[0]) - (_e2165[0] * _e2171[2])) + ((_e2186[2] * _e2192[0]) - (_e2186[0] * _e2192[2])));
-                            let _e2207 = (((_e2165[0] * _e2171[1]) - (_e2165[1] * _e2171[0])) + ((_e2186[0] * _e2192[1]) - (_e2186[1] * _e2192[0])));
-                            let _e2210 = local_7.member[0u];
-                            let _e2221 = local_7.member[1u];
-                            let _e2232 = local_7.member[0u];
-                            let _e2241 = ((((_e2221[0] * _e2135) + (_e2221[1] * _e2138)) + (_e2221[2] * _e2141)) + (((_e2232[0] * _e2205) + (_e2232[1] * _e2206)) + (_e2232[2] * _e2207)));
-                            let _e2244 = local_7.member[0u];
-                            let _e2255 = local_7.member[1u];
-                            let _e2264 = ((((_e2244[0] * _e2156) + (_e2244[1] * _e2159)) + (_e2244[2] * _e2162)) + (((_e2255[0] * _e2205) + (_e2255[1] * _e2206)) + (_e2255[2] * _e2207)));
-                            let _e2267 = local_7.member[1u];
-                            let _e2278 = local_7.member[0u];
-                            if (_e2278[0] < 0f) {
-                                phi_3353_ = -(_e2278[0]);
+                            let _e1519 = phi_2706_;
+                            let _e1521 = phi_2707_;
+                            let _e1523 = params.member.member_4;
+                            let _e1525 = params.member.member_5;
+                            let _e1535 = paths.member[_e1521.member[0]];
+                            let _e1537 = paths.member[_e1521.member[1]];
+                            let _e1543 = paths.member[_e1519.member[0]];
+                            let _e1545 = paths.member[_e1519.member[1]];
+                            local_2 = type_34(array<array<f32, 3>, 2>(array<f32, 3>((_e1543.member[0] - _e1535.member[0]), (_e1543.member[1] - _e1535.member[1]), (_e1543.member[2] - _e1535.member[2])), array<f32, 3>((_e1543.member_1[0] - _e1535.member_1[0]), (_e1543.member_1[1] - _e1535.member_1[1]), (_e1543.member_1[2] - _e1535.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1537.member[0] - _e1535.member[0]), (_e1537.member[1] - _e1535.member[1]), (_e1537.member[2] - _e1535.member[2])), array<f32, 3>((_e1537.member_1[0] - _e1535.member_1[0]), (_e1537.member_1[1] - _e1535.member_1[1]), (_e1537.member_1[2] - _e1535.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1543.member[0] - _e1545.member[0]), (_e1543.member[1] - _e1545.member[1]), (_e1543.member[2] - _e1545.member[2])), array<f32, 3>((_e1543.member_1[0] - _e1545.member_1[0]), (_e1543.member_1[1] - _e1545.member_1[1]), (_e1543.member_1[2] - _e1545.member_1[2]))), (_e1523 + _e1523));
+                            let _e1605 = local_2.member_1[0u];
+                            let _e1611 = local_2.member_2[0u];
+                            let _e1617 = ((_e1605[1] * _e1611[2]) - (_e1605[2] * _e1611[1]));
+                            let _e1620 = ((_e1605[2] * _e1611[0]) - (_e1605[0] * _e1611[2]));
+                            let _e1623 = ((_e1605[0] * _e1611[1]) - (_e1605[1] * _e1611[0]));
+                            let _e1626 = local_2.member_1[1u];
+                            let _e1632 = local_2.member_2[1u];
+                            let _e1638 = ((_e1626[1] * _e1632[2]) - (_e1626[2] * _e1632[1]));
+                            let _e1641 = ((_e1626[2] * _e1632[0]) - (_e1626[0] * _e1632[2]));
+                            let _e1644 = ((_e1626[0] * _e1632[1]) - (_e1626[1] * _e1632[0]));
+                            let _e1647 = local_2.member_1[0u];
+                            let _e1653 = local_2.member_2[1u];
+                            let _e1668 = local_2.member_1[1u];
+                            let _e1674 = local_2.member_2[0u];
+                            let _e1687 = (((_e1647[1] * _e1653[2]) - (_e1647[2] * _e1653[1])) + ((_e1668[1] * _e1674[2]) - (_e1668[2] * _e1674[1])));
+                            let _e1688 = (((_e1647[2] * _e1653[0]) - (_e1647[0] * _e1653[2])) + ((_e1668[2] * _e1674[0]) - (_e1668[0] * _e1674[2])));
+                            let _e1689 = (((_e1647[0] * _e1653[1]) - (_e1647[1] * _e1653[0])) + ((_e1668[0] * _e1674[1]) - (_e1668[1] * _e1674[0])));
+                            let _e1692 = local_2.member[0u];
+                            let _e1703 = local_2.member[1u];
+                            let _e1714 = local_2.member[0u];
+                            let _e1723 = ((((_e1703[0] * _e1617) + (_e1703[1] * _e1620)) + (_e1703[2] * _e1623)) + (((_e1714[0] * _e1687) + (_e1714[1] * _e1688)) + (_e1714[2] * _e1689)));
+                            let _e1726 = local_2.member[0u];
+                            let _e1737 = local_2.member[1u];
+                            let _e1746 = ((((_e1726[0] * _e1638) + (_e1726[1] * _e1641)) + (_e1726[2] * _e1644)) + (((_e1737[0] * _e1687) + (_e1737[1] * _e1688)) + (_e1737[2] * _e1689)));
+                            let _e1749 = local_2.member[1u];
+                            let _e1760 = local_2.member[0u];
+                            if (_e1760[0] < 0f) {
+                                phi_3096_ = -(_e1760[0]);
                             } else {
-                                phi_3353_ = _e2278[0];
+                                phi_3096_ = _e1760[0];
                             }
-                            let _e2285 = phi_3353_;
-                            if (_e2278[1] < 0f) {
-                                phi_3360_ = -(_e2278[1]);
+                            let _e1767 = phi_3096_;
+                            if (_e1760[1] < 0f) {
+                                phi_3103_ = -(_e1760[1]);
                             } else {
-                                phi_3360_ = _e2278[1];
+                                phi_3103_ = _e1760[1];
                             }
-                            let _e2289 = phi_3360_;
-                            if (_e2285 > _e2289) {
-                                phi_3365_ = _e2285;
+                            let _e1771 = phi_3103_;
+                            if (_e1767 > _e1771) {
+                                phi_3108_ = _e1767;
                             } else {
-                                phi_3365_ = _e2289;
+                                phi_3108_ = _e1771;
                             }
-                            let _e2292 = phi_3365_;
-                            if (_e2278[2] < 0f) {
-                                phi_3372_ = -(_e2278[2]);
+                            let _e1774 = phi_3108_;
+                            if (_e1760[2] < 0f) {
+                                phi_3115_ = -(_e1760[2]);
                             } else {
-                                phi_3372_ = _e2278[2];
+                                phi_3115_ = _e1760[2];
                             }
-                            let _e2296 = phi_3372_;
-                            if (_e2292 > _e2296) {
-                                phi_3377_ = _e2292;
+                            let _e1778 = phi_3115_;
+                            if (_e1774 > _e1778) {
+                                phi_3120_ = _e1774;
                             } else {
-                                phi_3377_ = _e2296;
+                                phi_3120_ = _e1778;
                             }
-                            let _e2299 = phi_3377_;
-                            let _e2302 = local_7.member[1u];
-                            if (_e2302[0] < 0f) {
-                                phi_3390_ = -(_e2302[0]);
+                            let _e1781 = phi_3120_;
+                            let _e1784 = local_2.member[1u];
+                            if (_e1784[0] < 0f) {
+                                phi_3133_ = -(_e1784[0]);
                             } else {
-                                phi_3390_ = _e2302[0];
+                                phi_3133_ = _e1784[0];
                             }
-                            let _e2309 = phi_3390_;
-                            if (_e2302[1] < 0f) {
-                                phi_3397_ = -(_e2302[1]);
+                            let _e1791 = phi_3133_;
+                            if (_e1784[1] < 0f) {
+                                phi_3140_ = -(_e1784[1]);
                             } else {
-                                phi_3397_ = _e2302[1];
+                                phi_3140_ = _e1784[1];
                             }
-                            let _e2313 = phi_3397_;
-                            if (_e2309 > _e2313) {
-                                phi_3402_ = _e2309;
+                            let _e1795 = phi_3140_;
+                            if (_e1791 > _e1795) {
+                                phi_3145_ = _e1791;
                             } else {
-                                phi_3402_ = _e2313;
+                                phi_3145_ = _e1795;
                             }
-                            let _e2316 = phi_3402_;
-                            if (_e2302[2] < 0f) {
-                                phi_3409_ = -(_e2302[2]);
+                            let _e1798 = phi_3145_;
+                            if (_e1784[2] < 0f) {
+                                phi_3152_ = -(_e1784[2]);
                             } else {
-                                phi_3409_ = _e2302[2];
+                                phi_3152_ = _e1784[2];
                             }
-                            let _e2320 = phi_3409_;
-                            if (_e2316 > _e2320) {
-                                phi_3414_ = _e2316;
+                            let _e1802 = phi_3152_;
+                            if (_e1798 > _e1802) {
+                                phi_3157_ = _e1798;
                             } else {
-                                phi_3414_ = _e2320;
+                                phi_3157_ = _e1802;
                             }
-                            let _e2323 = phi_3414_;
-                            if (_e2299 > _e2323) {
-                                phi_3419_ = _e2299;
+                            let _e1805 = phi_3157_;
+                            if (_e1781 > _e1805) {
+                                phi_3162_ = _e1781;
                             } else {
-                                phi_3419_ = _e2323;
+                                phi_3162_ = _e1805;
                             }
-                            let _e2326 = phi_3419_;
-                            let _e2328 = local_7.member_3;
-                            let _e2329 = (_e2326 + _e2328);
-                            let _e2332 = local_7.member_1[0u];
-                            if (_e2332[0] < 0f) {
-                                phi_3436_ = -(_e2332[0]);
+                            let _e1808 = phi_3162_;
+                            let _e1810 = local_2.member_3;
+                            let _e1811 = (_e1808 + _e1810);
+                            let _e1814 = local_2.member_1[0u];
+                            if (_e1814[0] < 0f) {
+                                phi_3179_ = -(_e1814[0]);
                             } else {
-                                phi_3436_ = _e2332[0];
+                                phi_3179_ = _e1814[0];
                             }
-                            let _e2339 = phi_3436_;
-                            if (_e2332[1] < 0f) {
-                                phi_3443_ = -(_e2332[1]);
+                            let _e1821 = phi_3179_;
+                            if (_e1814[1] < 0f) {
+                                phi_3186_ = -(_e1814[1]);
                             } else {
-                                phi_3443_ = _e2332[1];
+                                phi_3186_ = _e1814[1];
                             }
-                            let _e2343 = phi_3443_;
-                            if (_e2339 > _e2343) {
-                                phi_3448_ = _e2339;
+                            let _e1825 = phi_3186_;
+                            if (_e1821 > _e1825) {
+                                phi_3191_ = _e1821;
                             } else {
-                                phi_3448_ = _e2343;
+                                phi_3191_ = _e1825;
                             }
-                            let _e2346 = phi_3448_;
-                            if (_e2332[2] < 0f) {
-                                phi_3455_ = -(_e2332[2]);
+                            let _e1828 = phi_3191_;
+                            if (_e1814[2] < 0f) {
+                                phi_3198_ = -(_e1814[2]);
                             } else {
-                                phi_3455_ = _e2332[2];
+                                phi_3198_ = _e1814[2];
                             }
-                            let _e2350 = phi_3455_;
-                            if (_e2346 > _e2350) {
-                                phi_3460_ = _e2346;
+                            let _e1832 = phi_3198_;
+                            if (_e1828 > _e1832) {
+                                phi_3203_ = _e1828;
                             } else {
-                                phi_3460_ = _e2350;
+                                phi_3203_ = _e1832;
                             }
-                            let _e2353 = phi_3460_;
-                            let _e2356 = local_7.member_1[1u];
-                            if (_e2356[0] < 0f) {
-                                phi_3474_ = -(_e2356[0]);
+                            let _e1835 = phi_3203_;
+                            let _e1838 = local_2.member_1[1u];
+                            if (_e1838[0] < 0f) {
+                                phi_3217_ = -(_e1838[0]);
                             } else {
-                                phi_3474_ = _e2356[0];
+                                phi_3217_ = _e1838[0];
                             }
-                            let _e2363 = phi_3474_;
-                            if (_e2356[1] < 0f) {
-                                phi_3481_ = -(_e2356[1]);
+                            let _e1845 = phi_3217_;
+                            if (_e1838[1] < 0f) {
+                                phi_3224_ = -(_e1838[1]);
                             } else {
-                                phi_3481_ = _e2356[1];
+                                phi_3224_ = _e1838[1];
                             }
-                            let _e2367 = phi_3481_;
-                            if (_e2363 > _e2367) {
-                                phi_3486_ = _e2363;
+                            let _e1849 = phi_3224_;
+                            if (_e1845 > _e1849) {
+                                phi_3229_ = _e1845;
                             } else {
-                                phi_3486_ = _e2367;
+                                phi_3229_ = _e1849;
                             }
-                            let _e2370 = phi_3486_;
-                            if (_e2356[2] < 0f) {
-                                phi_3493_ = -(_e2356[2]);
+                            let _e1852 = phi_3229_;
+                            if (_e1838[2] < 0f) {
+                                phi_3236_ = -(_e1838[2]);
                             } else {
-                                phi_3493_ = _e2356[2];
+                                phi_3236_ = _e1838[2];
                             }
-                            let _e2374 = phi_3493_;
-                            if (_e2370 > _e2374) {
-                                phi_3498_ = _e2370;
+                            let _e1856 = phi_3236_;
+                            if (_e1852 > _e1856) {
+                                phi_3241_ = _e1852;
                             } else {
-                                phi_3498_ = _e2374;
+                                phi_3241_ = _e1856;
                             }
-                            let _e2377 = phi_3498_;
-                            if (_e2353 > _e2377) {
-                                phi_3503_ = _e2353;
+                            let _e1859 = phi_3241_;
+                            if (_e1835 > _e1859) {
+                                phi_3246_ = _e1835;
                             } else {
-                                phi_3503_ = _e2377;
+                                phi_3246_ = _e1859;
                             }
-                            let _e2380 = phi_3503_;
-                            let _e2382 = local_7.member_3;
-                            let _e2383 = (_e2380 + _e2382);
-                            let _e2386 = local_7.member_2[0u];
-                            if (_e2386[0] < 0f) {
-                                phi_3520_ = -(_e2386[0]);
+                            let _e1862 = phi_3246_;
+                            let _e1864 = local_2.member_3;
+                            let _e1865 = (_e1862 + _e1864);
+                            let _e1868 = local_2.member_2[0u];
+                            if (_e1868[0] < 0f) {
+                                phi_3263_ = -(_e1868[0]);
                             } else {
-                                phi_3520_ = _e2386[0];
+                                phi_3263_ = _e1868[0];
                             }
-                            let _e2393 = phi_3520_;
-                            if (_e2386[1] < 0f) {
-                                phi_3527_ = -(_e2386[1]);
+                            let _e1875 = phi_3263_;
+                            if (_e1868[1] < 0f) {
+                                phi_3270_ = -(_e1868[1]);
                             } else {
-                                phi_3527_ = _e2386[1];
+                                phi_3270_ = _e1868[1];
                             }
-                            let _e2397 = phi_3527_;
-                            if (_e2393 > _e2397) {
-                                phi_3532_ = _e2393;
+                            let _e1879 = phi_3270_;
+                            if (_e1875 > _e1879) {
+                                phi_3275_ = _e1875;
                             } else {
-                                phi_3532_ = _e2397;
+                                phi_3275_ = _e1879;
                             }
-                            let _e2400 = phi_3532_;
-                            if (_e2386[2] < 0f) {
-                                phi_3539_ = -(_e2386[2]);
+                            let _e1882 = phi_3275_;
+                            if (_e1868[2] < 0f) {
+                                phi_3282_ = -(_e1868[2]);
                             } else {
-                                phi_3539_ = _e2386[2];
+                                phi_3282_ = _e1868[2];
                             }
-                            let _e2404 = phi_3539_;
-                            if (_e2400 > _e2404) {
-                                phi_3544_ = _e2400;
+                            let _e1886 = phi_3282_;
+                            if (_e1882 > _e1886) {
+                                phi_3287_ = _e1882;
                             } else {
-                                phi_3544_ = _e2404;
+                                phi_3287_ = _e1886;
                             }
-                            let _e2407 = phi_3544_;
-                            let _e2410 = local_7.member_2[1u];
-                            if (_e2410[0] < 0f) {
-                                phi_3558_ = -(_e2410[0]);
+                            let _e1889 = phi_3287_;
+                            let _e1892 = local_2.member_2[1u];
+                            if (_e1892[0] < 0f) {
+                                phi_3301_ = -(_e1892[0]);
                             } else {
-                                phi_3558_ = _e2410[0];
+                                phi_3301_ = _e1892[0];
                             }
-                            let _e2417 = phi_3558_;
-                            if (_e2410[1] < 0f) {
-                                phi_3565_ = -(_e2410[1]);
+                            let _e1899 = phi_3301_;
+                            if (_e1892[1] < 0f) {
+                                phi_3308_ = -(_e1892[1]);
                             } else {
-                                phi_3565_ = _e2410[1];
+                                phi_3308_ = _e1892[1];
                             }
-                            let _e2421 = phi_3565_;
-                            if (_e2417 > _e2421) {
-                                phi_3570_ = _e2417;
+                            let _e1903 = phi_3308_;
+                            if (_e1899 > _e1903) {
+                                phi_3313_ = _e1899;
                             } else {
-                                phi_3570_ = _e2421;
+                                phi_3313_ = _e1903;
                             }
-                            let _e2424 = phi_3570_;
-                            if (_e2410[2] < 0f) {
-                                phi_3577_ = -(_e2410[2]);
+                            let _e1906 = phi_3313_;
+                            if (_e1892[2] < 0f) {
+                                phi_3320_ = -(_e1892[2]);
                             } else {
-                                phi_3577_ = _e2410[2];
+                                phi_3320_ = _e1892[2];
                             }
-                            let _e2428 = phi_3577_;
-                            if (_e2424 > _e2428) {
-                                phi_3582_ = _e2424;
+                            let _e1910 = phi_3320_;
+                            if (_e1906 > _e1910) {
+                                phi_3325_ = _e1906;
                             } else {
-                                phi_3582_ = _e2428;
+                                phi_3325_ = _e1910;
                             }
-                            let _e2431 = phi_3582_;
-                            if (_e2407 > _e2431) {
-                                phi_3587_ = _e2407;
+                            let _e1913 = phi_3325_;
+                            if (_e1889 > _e1913) {
+                                phi_3330_ = _e1889;
                             } else {
-                                phi_3587_ = _e2431;
+                                phi_3330_ = _e1913;
                             }
-                            let _e2434 = phi_3587_;
-                            let _e2436 = local_7.member_3;
-                            let _e2437 = (_e2434 + _e2436);
-                            let _e2439 = ((_e2383 * 8f) * _e2437);
-                            let _e2446 = local_7.member_3;
-                            if (_e2135 < 0f) {
-                                phi_3618_ = -(_e2135);
+                            let _e1916 = phi_3330_;
+                            let _e1918 = local_2.member_3;
+                            let _e1919 = (_e1916 + _e1918);
+                            let _e1921 = ((_e1865 * 8f) * _e1919);
+                            let _e1928 = local_2.member_3;
+                            if (_e1617 < 0f) {
+                                phi_3361_ = -(_e1617);
                             } else {
-                                phi_3618_ = _e2135;
+                                phi_3361_ = _e1617;
                             }
-                            let _e2463 = phi_3618_;
-                            if (_e2138 < 0f) {
-                                phi_3624_ = -(_e2138);
+                            let _e1945 = phi_3361_;
+                            if (_e1620 < 0f) {
+                                phi_3367_ = -(_e1620);
                             } else {
-                                phi_3624_ = _e2138;
+                                phi_3367_ = _e1620;
                             }
-                            let _e2467 = phi_3624_;
-                            if (_e2141 < 0f) {
-                                phi_3631_ = -(_e2141);
+                            let _e1949 = phi_3367_;
+                            if (_e1623 < 0f) {
+                                phi_3374_ = -(_e1623);
                             } else {
-                                phi_3631_ = _e2141;
+                                phi_3374_ = _e1623;
                             }
-                            let _e2472 = phi_3631_;
-                            let _e2473 = ((_e2463 + _e2467) + _e2472);
-                            if (_e2156 < 0f) {
-                                phi_3638_ = -(_e2156);
+                            let _e1954 = phi_3374_;
+                            let _e1955 = ((_e1945 + _e1949) + _e1954);
+                            if (_e1638 < 0f) {
+                                phi_3381_ = -(_e1638);
                             } else {
-                                phi_3638_ = _e2156;
+                                phi_3381_ = _e1638;
                             }
-                            let _e2477 = phi_3638_;
-                            if (_e2159 < 0f) {
-                                phi_3644_ = -(_e2159);
+                            let _e1959 = phi_3381_;
+                            if (_e1641 < 0f) {
+                                phi_3387_ = -(_e1641);
                             } else {
-                                phi_3644_ = _e2159;
+                                phi_3387_ = _e1641;
                             }
-                            let _e2481 = phi_3644_;
-                            if (_e2162 < 0f) {
-                                phi_3651_ = -(_e2162);
+                            let _e1963 = phi_3387_;
+                            if (_e1644 < 0f) {
+                                phi_3394_ = -(_e1644);
                             } else {
-                                phi_3651_ = _e2162;
+                                phi_3394_ = _e1644;
                             }
-                            let _e2486 = phi_3651_;
-                            let _e2487 = ((_e2477 + _e2481) + _e2486);
-                            if (_e2473 > _e2487) {
-                                phi_3657_ = _e2473;
+                            let _e1968 = phi_3394_;
+                            let _e1969 = ((_e1959 + _e1963) + _e1968);
+                            if (_e1955 > _e1969) {
+                                phi_3400_ = _e1955;
                             } else {
-                                phi_3657_ = _e2487;
+                                phi_3400_ = _e1969;
                             }
-                            let _e2490 = phi_3657_;
-                            if (_e2205 < 0f) {
-                                phi_3663_ = -(_e2205);
+                            let _e1972 = phi_3400_;
+                            if (_e1687 < 0f) {
+                                phi_3406_ = -(_e1687);
                             } else {
-                                phi_3663_ = _e2205;
+                                phi_3406_ = _e1687;
                             }
-                            let _e2494 = phi_3663_;
-                            if (_e2206 < 0f) {
-                                phi_3669_ = -(_e2206);
+                            let _e1976 = phi_3406_;
+                            if (_e1688 < 0f) {
+                                phi_3412_ = -(_e1688);
                             } else {
-                                phi_3669_ = _e2206;
+                                phi_3412_ = _e1688;
                             }
-                            let _e2498 = phi_3669_;
-                            if (_e2207 < 0f) {
-                                phi_3676_ = -(_e2207);
+                            let _e1980 = phi_3412_;
+                            if (_e1689 < 0f) {
+                                phi_3419_ = -(_e1689);
                             } else {
-                                phi_3676_ = _e2207;
+                                phi_3419_ = _e1689;
                             }
-                            let _e2503 = phi_3676_;
-                            let _e2505 = (((_e2494 + _e2498) + _e2503) * 0.5f);
-                            if (_e2490 > _e2505) {
-                                phi_3683_ = _e2490;
+                            let _e1985 = phi_3419_;
+                            let _e1987 = (((_e1976 + _e1980) + _e1985) * 0.5f);
+                            if (_e1972 > _e1987) {
+                                phi_3426_ = _e1972;
                             } else {
-                                phi_3683_ = _e2505;
+                                phi_3426_ = _e1987;
                             }
-                            let _e2508 = phi_3683_;
-                            let _e2513 = local_7.member_3;
-                            let _e2526 = ((((_e2210[0] * _e2135) + (_e2210[1] * _e2138)) + (_e2210[2] * _e2141)) * 3f);
-                            let _e2527 = ((((_e2267[0] * _e2156) + (_e2267[1] * _e2159)) + (_e2267[2] * _e2162)) * 3f);
-                            if (_e2526 < _e2527) {
-                                phi_3707_ = _e2526;
+                            let _e1990 = phi_3426_;
+                            let _e1995 = local_2.member_3;
+                            let _e2008 = ((((_e1692[0] * _e1617) + (_e1692[1] * _e1620)) + (_e1692[2] * _e1623)) * 3f);
+                            let _e2009 = ((((_e1749[0] * _e1638) + (_e1749[1] * _e1641)) + (_e1749[2] * _e1644)) * 3f);
+                            if (_e2008 < _e2009) {
+                                phi_3450_ = _e2008;
                             } else {
-                                phi_3707_ = _e2527;
+                                phi_3450_ = _e2009;
                             }
-                            let _e2530 = phi_3707_;
-                            if (_e2241 < _e2264) {
-                                phi_3712_ = _e2241;
+                            let _e2012 = phi_3450_;
+                            if (_e1723 < _e1746) {
+                                phi_3455_ = _e1723;
                             } else {
-                                phi_3712_ = _e2264;
+                                phi_3455_ = _e1746;
                             }
-                            let _e2533 = phi_3712_;
-                            if (_e2530 < _e2533) {
-                                phi_3717_ = _e2530;
+                            let _e2015 = phi_3455_;
+                            if (_e2012 < _e2015) {
+                                phi_3460_ = _e2012;
                             } else {
-                                phi_3717_ = _e2533;
+                                phi_3460_ = _e2015;
                             }
-                            let _e2536 = phi_3717_;
-                            if (_e2526 > _e2527) {
-                                phi_3722_ = _e2526;
+                            let _e2018 = phi_3460_;
+                            if (_e2008 > _e2009) {
+                                phi_3465_ = _e2008;
                             } else {
-                                phi_3722_ = _e2527;
+                                phi_3465_ = _e2009;
                             }
-                            let _e2539 = phi_3722_;
-                            if (_e2241 > _e2264) {
-                                phi_3727_ = _e2241;
+                            let _e2021 = phi_3465_;
+                            if (_e1723 > _e1746) {
+                                phi_3470_ = _e1723;
                             } else {
-                                phi_3727_ = _e2264;
+                                phi_3470_ = _e1746;
                             }
-                            let _e2542 = phi_3727_;
-                            if (_e2539 > _e2542) {
-                                phi_3732_ = _e2539;
+                            let _e2024 = phi_3470_;
+                            if (_e2021 > _e2024) {
+                                phi_3475_ = _e2021;
                             } else {
-                                phi_3732_ = _e2542;
+                                phi_3475_ = _e2024;
                             }
-                            let _e2545 = phi_3732_;
-                            let _e2550 = -(_e2545);
-                            if (_e2536 > _e2550) {
-                                phi_3742_ = _e2536;
+                            let _e2027 = phi_3475_;
+                            let _e2032 = -(_e2027);
+                            if (_e2018 > _e2032) {
+                                phi_3485_ = _e2018;
                             } else {
-                                phi_3742_ = _e2550;
+                                phi_3485_ = _e2032;
                             }
-                            let _e2553 = phi_3742_;
-                            if ((_e2553 - ((((((_e2329 * 8f) * _e2439) * (0.000000059604645f * (490f / 64f))) + ((_e2446 * 19f) * ((_e2329 * (_e2383 + _e2437)) + (_e2383 * _e2437)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2329) * ((1f + _e2383) * (1f + _e2437))))) + ((_e2043 * (((_e2508 + (_e2439 * (0.000000059604645f * 4f))) + ((_e2513 * 6f) * (_e2383 + _e2437))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2383) * (1f + _e2437))))) * (3f * 1.0001f)))) > 0f) {
-                                phi_4718_ = true;
+                            let _e2035 = phi_3485_;
+                            if ((_e2035 - ((((((_e1811 * 8f) * _e1921) * (0.000000059604645f * (490f / 64f))) + ((_e1928 * 19f) * ((_e1811 * (_e1865 + _e1919)) + (_e1865 * _e1919)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1811) * ((1f + _e1865) * (1f + _e1919))))) + ((_e1525 * (((_e1990 + (_e1921 * (0.000000059604645f * 4f))) + ((_e1995 * 6f) * (_e1865 + _e1919))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1865) * (1f + _e1919))))) * (3f * 1.0001f)))) > 0f) {
+                                phi_4449_ = true;
                             } else {
-                                let _e2558 = local_7.member_1[0u];
-                                let _e2564 = local_7.member_1[1u];
-                                let _e2568 = (_e2558[0] + _e2564[0]);
-                                let _e2569 = (_e2558[1] + _e2564[1]);
-                                let _e2570 = (_e2558[2] + _e2564[2]);
-                                let _e2573 = local_7.member_2[0u];
-                                let _e2579 = local_7.member_2[1u];
-                                let _e2583 = (_e2573[0] + _e2579[0]);
-                                let _e2584 = (_e2573[1] + _e2579[1]);
-                                let _e2585 = (_e2573[2] + _e2579[2]);
-                                let _e2588 = ((_e2569 * _e2585) - (_e2570 * _e2584));
-                                let _e2591 = ((_e2570 * _e2583) - (_e2568 * _e2585));
-                                let _e2594 = ((_e2568 * _e2584) - (_e2569 * _e2583));
-                                let _e2597 = local_7.member[0u];
-                                let _e2603 = local_7.member_1[0u];
-                                let _e2609 = local_7.member_2[0u];
-                                let _e2613 = (_e2597[0] - _e2603[0]);
-                                let _e2614 = (_e2597[1] - _e2603[1]);
-                                let _e2615 = (_e2597[2] - _e2603[2]);
-                                let _e2624 = local_7.member[1u];
-                                let _e2630 = local_7.member_1[1u];
-                                let _e2636 = local_7.member_2[1u];
-                                let _e2640 = (_e2624[0] - _e2630[0]);
-                                let _e2641 = (_e2624[1] - _e2630[1]);
-                                let _e2642 = (_e2624[2] - _e2630[2]);
-                                local_5 = array<array<f32, 3>, 4>(_e2597, array<f32, 3>(_e2613, _e2614, _e2615), array<f32, 3>((_e2597[0] - _e2609[0]), (_e2597[1] - _e2609[1]), (_e2597[2] - _e2609[2])), array<f32, 3>((_e2613 - _e2609[0]), (_e2614 - _e2609[1]), (_e2615 - _e2609[2])));
-                                local_6 = array<array<f32, 3>, 4>(_e2624, array<f32, 3>(_e2640, _e2641, _e2642), array<f32, 3>((_e2624[0] - _e2636[0]), (_e2624[1] - _e2636[1]), (_e2624[2] - _e2636[2])), array<f32, 3>((_e2640 - _e2636[0]), (_e2641 - _e2636[1]), (_e2642 - _e2636[2])));
-                                let _e2659 = local_7.member[0u];
-                                if (_e2659[0] < 0f) {
-                                    phi_3993_ = -(_e2659[0]);
+                                let _e2040 = local_2.member_1[0u];
+                                let _e2046 = local_2.member_1[1u];
+                                let _e2050 = (_e2040[0] + _e2046[0]);
+                                let _e2051 = (_e2040[1] + _e2046[1]);
+                                let _e2052 = (_e2040[2] + _e2046[2]);
+                                let _e2055 = local_2.member_2[0u];
+                                let _e2061 = local_2.member_2[1u];
+                                let _e2065 = (_e2055[0] + _e2061[0]);
+                                let _e2066 = (_e2055[1] + _e2061[1]);
+                                let _e2067 = (_e2055[2] + _e2061[2]);
+                                let _e2070 = ((_e2051 * _e2067) - (_e2052 * _e2066));
+                                let _e2073 = ((_e2052 * _e2065) - (_e2050 * _e2067));
+                                let _e2076 = ((_e2050 * _e2066) - (_e2051 * _e2065));
+                                let _e2079 = local_2.member[0u];
+                                let _e2085 = local_2.member_1[0u];
+                                let _e2091 = local_2.member_2[0u];
+                                let _e2095 = (_e2079[0] - _e2085[0]);
+                                let _e2096 = (_e2079[1] - _e2085[1]);
+                                let _e2097 = (_e2079[2] - _e2085[2]);
+                                let _e2098 = (_e2095 - _e2091[0]);
+                                let _e2099 = (_e2096 - _e2091[1]);
+                                let _e2100 = (_e2097 - _e2091[2]);
+                                let _e2101 = (_e2079[0] - _e2091[0]);
+                                let _e2102 = (_e2079[1] - _e2091[1]);
+                                let _e2103 = (_e2079[2] - _e2091[2]);
+                                let _e2106 = local_2.member[1u];
+                                let _e2112 = local_2.member_1[1u];
+                                let _e2118 = local_2.member_2[1u];
+                                let _e2122 = (_e2106[0] - _e2112[0]);
+                                let _e2123 = (_e2106[1] - _e2112[1]);
+                                let _e2124 = (_e2106[2] - _e2112[2]);
+                                let _e2125 = (_e2122 - _e2118[0]);
+                                let _e2126 = (_e2123 - _e2118[1]);
+                                let _e2127 = (_e2124 - _e2118[2]);
+                                let _e2128 = (_e2106[0] - _e2118[0]);
+                                let _e2129 = (_e2106[1] - _e2118[1]);
+                                let _e2130 = (_e2106[2] - _e2118[2]);
+                                let _e2133 = local_2.member[0u];
+                                if (_e2133[0] < 0f) {
+                                    phi_3688_ = -(_e2133[0]);
                                 } else {
-                                    phi_3993_ = _e2659[0];
+                                    phi_3688_ = _e2133[0];
                                 }
-                                let _e2666 = phi_3993_;
-                                if (_e2659[1] < 0f) {
-                                    phi_4000_ = -(_e2659[1]);
+                                let _e2140 = phi_3688_;
+                                if (_e2133[1] < 0f) {
+                                    phi_3695_ = -(_e2133[1]);
                                 } else {
-                                    phi_4000_ = _e2659[1];
+                                    phi_3695_ = _e2133[1];
                                 }
-                                let _e2670 = phi_4000_;
-                                if (_e2666 > _e2670) {
-                                    phi_4005_ = _e2666;
+                                let _e2144 = phi_3695_;
+                                if (_e2140 > _e2144) {
+                                    phi_3700_ = _e2140;
                                 } else {
-                                    phi_4005_ = _e2670;
+                                    phi_3700_ = _e2144;
                                 }
-                                let _e2673 = phi_4005_;
-                                if (_e2659[2] < 0f) {
-                                    phi_4012_ = -(_e2659[2]);
+                                let _e2147 = phi_3700_;
+                                if (_e2133[2] < 0f) {
+                                    phi_3707_ = -(_e2133[2]);
                                 } else {
-                                    phi_4012_ = _e2659[2];
+                                    phi_3707_ = _e2133[2];
                                 }
-                                let _e2677 = phi_4012_;
-                                if (_e2673 > _e2677) {
-                                    phi_4017_ = _e2673;
+                                let _e2151 = phi_3707_;
+                                if (_e2147 > _e2151) {
+                                    phi_3712_ = _e2147;
                                 } else {
-                                    phi_4017_ = _e2677;
+                                    phi_3712_ = _e2151;
                                 }
-                                let _e2680 = phi_4017_;
-                                let _e2683 = local_7.member[1u];
-                                if (_e2683[0] < 0f) {
-                                    phi_4030_ = -(_e2683[0]);
+                                let _e2154 = phi_3712_;
+                                let _e2157 = local_2.member[1u];
+                                if (_e2157[0] < 0f) {
+                                    phi_3725_ = -(_e2157[0]);
                                 } else {
-                                    phi_4030_ = _e2683[0];
+                                    phi_3725_ = _e2157[0];
                                 }
-                                let _e2690 = phi_4030_;
-                                if (_e2683[1] < 0f) {
-                                    phi_4037_ = -(_e2683[1]);
+                                let _e2164 = phi_3725_;
+                                if (_e2157[1] < 0f) {
+                                    phi_3732_ = -(_e2157[1]);
                                 } else {
-                                    phi_4037_ = _e2683[1];
+                                    phi_3732_ = _e2157[1];
                                 }
-                                let _e2694 = phi_4037_;
-                                if (_e2690 > _e2694) {
-                                    phi_4042_ = _e2690;
+                                let _e2168 = phi_3732_;
+                                if (_e2164 > _e2168) {
+                                    phi_3737_ = _e2164;
                                 } else {
-                                    phi_4042_ = _e2694;
+                                    phi_3737_ = _e2168;
                                 }
-                                let _e2697 = phi_4042_;
-                                if (_e2683[2] < 0f) {
-                                    phi_4049_ = -(_e2683[2]);
+                                let _e2171 = phi_3737_;
+                                if (_e2157[2] < 0f) {
+                                    phi_3744_ = -(_e2157[2]);
                                 } else {
-                                    phi_4049_ = _e2683[2];
+                                    phi_3744_ = _e2157[2];
                                 }
-                                let _e2701 = phi_4049_;
-                                if (_e2697 > _e2701) {
-                                    phi_4054_ = _e2697;
+                                let _e2175 = phi_3744_;
+                                if (_e2171 > _e2175) {
+                                    phi_3749_ = _e2171;
                                 } else {
-                                    phi_4054_ = _e2701;
+                                    phi_3749_ = _e2175;
                                 }
-                                let _e2704 = phi_4054_;
-                                if (_e2680 > _e2704) {
-                                    phi_4059_ = _e2680;
+                                let _e2178 = phi_3749_;
+                                if (_e2154 > _e2178) {
+                                    phi_3754_ = _e2154;
                                 } else {
-                                    phi_4059_ = _e2704;
+                                    phi_3754_ = _e2178;
                                 }
-                                let _e2707 = phi_4059_;
-                                let _e2709 = local_7.member_3;
-                                let _e2713 = local_7.member_1[0u];
-                                if (_e2713[0] < 0f) {
-                                    phi_4076_ = -(_e2713[0]);
+                                let _e2181 = phi_3754_;
+                                let _e2183 = local_2.member_3;
+                                let _e2187 = local_2.member_1[0u];
+                                if (_e2187[0] < 0f) {
+                                    phi_3771_ = -(_e2187[0]);
                                 } else {
-                                    phi_4076_ = _e2713[0];
+                                    phi_3771_ = _e2187[0];
                                 }
-                                let _e2720 = phi_4076_;
-                                if (_e2713[1] < 0f) {
-                                    phi_4083_ = -(_e2713[1]);
+                                let _e2194 = phi_3771_;
+                                if (_e2187[1] < 0f) {
+                                    phi_3778_ = -(_e2187[1]);
                                 } else {
-                                    phi_4083_ = _e2713[1];
+                                    phi_3778_ = _e2187[1];
                                 }
-                                let _e2724 = phi_4083_;
-                                if (_e2720 > _e2724) {
-                                    phi_4088_ = _e2720;
+                                let _e2198 = phi_3778_;
+                                if (_e2194 > _e2198) {
+                                    phi_3783_ = _e2194;
                                 } else {
-                                    phi_4088_ = _e2724;
+                                    phi_3783_ = _e2198;
                                 }
-                                let _e2727 = phi_4088_;
-                                if (_e2713[2] < 0f) {
-                                    phi_4095_ = -(_e2713[2]);
+                                let _e2201 = phi_3783_;
+                                if (_e2187[2] < 0f) {
+                                    phi_3790_ = -(_e2187[2]);
                                 } else {
-                                    phi_4095_ = _e2713[2];
+                                    phi_3790_ = _e2187[2];
                                 }
-                                let _e2731 = phi_4095_;
-                                if (_e2727 > _e2731) {
-                                    phi_4100_ = _e2727;
+                                let _e2205 = phi_3790_;
+                                if (_e2201 > _e2205) {
+                                    phi_3795_ = _e2201;
                                 } else {
-                                    phi_4100_ = _e2731;
+                                    phi_3795_ = _e2205;
                                 }
-                                let _e2734 = phi_4100_;
-                                let _e2737 = local_7.member_1[1u];
-                                if (_e2737[0] < 0f) {
-                                    phi_4114_ = -(_e2737[0]);
+                                let _e2208 = phi_3795_;
+                                let _e2211 = local_2.member_1[1u];
+                                if (_e2211[0] < 0f) {
+                                    phi_3809_ = -(_e2211[0]);
                                 } else {
-                                    phi_4114_ = _e2737[0];
+                                    phi_3809_ = _e2211[0];
                                 }
-                                let _e2744 = phi_4114_;
-                                if (_e2737[1] < 0f) {
-                                    phi_4121_ = -(_e2737[1]);
+                                let _e2218 = phi_3809_;
+                                if (_e2211[1] < 0f) {
+                                    phi_3816_ = -(_e2211[1]);
                                 } else {
-                                    phi_4121_ = _e2737[1];
+                                    phi_3816_ = _e2211[1];
                                 }
-                                let _e2748 = phi_4121_;
-                                if (_e2744 > _e2748) {
-                                    phi_4126_ = _e2744;
+                                let _e2222 = phi_3816_;
+                                if (_e2218 > _e2222) {
+                                    phi_3821_ = _e2218;
                                 } else {
-                                    phi_4126_ = _e2748;
+                                    phi_3821_ = _e2222;
                                 }
-                                let _e2751 = phi_4126_;
-                                if (_e2737[2] < 0f) {
-                                    phi_4133_ = -(_e2737[2]);
+                                let _e2225 = phi_3821_;
+                                if (_e2211[2] < 0f) {
+                                    phi_3828_ = -(_e2211[2]);
                                 } else {
-                                    phi_4133_ = _e2737[2];
+                                    phi_3828_ = _e2211[2];
                                 }
-                                let _e2755 = phi_4133_;
-                                if (_e2751 > _e2755) {
-                                    phi_4138_ = _e2751;
+                                let _e2229 = phi_3828_;
+                                if (_e2225 > _e2229) {
+                                    phi_3833_ = _e2225;
                                 } else {
-                                    phi_4138_ = _e2755;
+                                    phi_3833_ = _e2229;
                                 }
-                                let _e2758 = phi_4138_;
-                                if (_e2734 > _e2758) {
-                                    phi_4143_ = _e2734;
+                                let _e2232 = phi_3833_;
+                                if (_e2208 > _e2232) {
+                                    phi_3838_ = _e2208;
                                 } else {
-                                    phi_4143_ = _e2758;
+                                    phi_3838_ = _e2232;
                                 }
-                                let _e2761 = phi_4143_;
-                                let _e2763 = local_7.member_3;
-                                let _e2767 = local_7.member_2[0u];
-                                if (_e2767[0] < 0f) {
-                                    phi_4160_ = -(_e2767[0]);
+                                let _e2235 = phi_3838_;
+                                let _e2237 = local_2.member_3;
+                                let _e2241 = local_2.member_2[0u];
+                                if (_e2241[0] < 0f) {
+                                    phi_3855_ = -(_e2241[0]);
                                 } else {
-                                    phi_4160_ = _e2767[0];
+                                    phi_3855_ = _e2241[0];
                                 }
-                                let _e2774 = phi_4160_;
-                                if (_e2767[1] < 0f) {
-                                    phi_4167_ = -(_e2767[1]);
+                                let _e2248 = phi_3855_;
+                                if (_e2241[1] < 0f) {
+                                    phi_3862_ = -(_e2241[1]);
                                 } else {
-                                    phi_4167_ = _e2767[1];
+                                    phi_3862_ = _e2241[1];
                                 }
-                                let _e2778 = phi_4167_;
-                                if (_e2774 > _e2778) {
-                                    phi_4172_ = _e2774;
+                                let _e2252 = phi_3862_;
+                                if (_e2248 > _e2252) {
+                                    phi_3867_ = _e2248;
                                 } else {
-                                    phi_4172_ = _e2778;
+                                    phi_3867_ = _e2252;
                                 }
-                                let _e2781 = phi_4172_;
-                                if (_e2767[2] < 0f) {
-                                    phi_4179_ = -(_e2767[2]);
+                                let _e2255 = phi_3867_;
+                                if (_e2241[2] < 0f) {
+                                    phi_3874_ = -(_e2241[2]);
                                 } else {
-                                    phi_4179_ = _e2767[2];
+                                    phi_3874_ = _e2241[2];
                                 }
-                                let _e2785 = phi_4179_;
-                                if (_e2781 > _e2785) {
-                                    phi_4184_ = _e2781;
+                                let _e2259 = phi_3874_;
+                                if (_e2255 > _e2259) {
+                                    phi_3879_ = _e2255;
                                 } else {
-                                    phi_4184_ = _e2785;
+                                    phi_3879_ = _e2259;
                                 }
-                                let _e2788 = phi_4184_;
-                                let _e2791 = local_7.member_2[1u];
-                                if (_e2791[0] < 0f) {
-                                    phi_4198_ = -(_e2791[0]);
+                                let _e2262 = phi_3879_;
+                                let _e2265 = local_2.member_2[1u];
+                                if (_e2265[0] < 0f) {
+                                    phi_3893_ = -(_e2265[0]);
                                 } else {
-                                    phi_4198_ = _e2791[0];
+                                    phi_3893_ = _e2265[0];
                                 }
-                                let _e2798 = phi_4198_;
-                                if (_e2791[1] < 0f) {
-                                    phi_4205_ = -(_e2791[1]);
+                                let _e2272 = phi_3893_;
+                                if (_e2265[1] < 0f) {
+                                    phi_3900_ = -(_e2265[1]);
                                 } else {
-                                    phi_4205_ = _e2791[1];
+                                    phi_3900_ = _e2265[1];
                                 }
-                                let _e2802 = phi_4205_;
-                                if (_e2798 > _e2802) {
-                                    phi_4210_ = _e2798;
+                                let _e2276 = phi_3900_;
+                                if (_e2272 > _e2276) {
+                                    phi_3905_ = _e2272;
                                 } else {
-                                    phi_4210_ = _e2802;
+                                    phi_3905_ = _e2276;
                                 }
-                                let _e2805 = phi_4210_;
-                                if (_e2791[2] < 0f) {
-                                    phi_4217_ = -(_e2791[2]);
+                                let _e2279 = phi_3905_;
+                                if (_e2265[2] < 0f) {
+                                    phi_3912_ = -(_e2265[2]);
                                 } else {
-                                    phi_4217_ = _e2791[2];
+                                    phi_3912_ = _e2265[2];
                                 }
-                                let _e2809 = phi_4217_;
-                                if (_e2805 > _e2809) {
-                                    phi_4222_ = _e2805;
+                                let _e2283 = phi_3912_;
+                                if (_e2279 > _e2283) {
+                                    phi_3917_ = _e2279;
                                 } else {
-                                    phi_4222_ = _e2809;
+                                    phi_3917_ = _e2283;
                                 }
-                                let _e2812 = phi_4222_;
-                                if (_e2788 > _e2812) {
-                                    phi_4227_ = _e2788;
+                                let _e2286 = phi_3917_;
+                                if (_e2262 > _e2286) {
+                                    phi_3922_ = _e2262;
                                 } else {
-                                    phi_4227_ = _e2812;
+                                    phi_3922_ = _e2286;
                                 }
-                                let _e2815 = phi_4227_;
-                                let _e2817 = local_7.member_3;
-                                let _e2820 = (((_e2707 + _e2709) + (_e2761 + _e2763)) + (_e2815 + _e2817));
-                                let _e2823 = local_7.member_3;
-                                let _e2827 = (((_e2043 * 1.0001f) + (_e2823 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                let _e2830 = ((_e2591 * _e2570) - (_e2594 * _e2569));
-                                let _e2833 = ((_e2594 * _e2568) - (_e2588 * _e2570));
-                                let _e2836 = ((_e2588 * _e2569) - (_e2591 * _e2568));
-                                let _e2838 = local_5[0u];
-                                let _e2846 = (((_e2830 * _e2838[0]) + (_e2833 * _e2838[1])) + (_e2836 * _e2838[2]));
-                                phi_4265_ = type_21(0u, 4u);
-                                phi_4268_ = _e2846;
-                                phi_4270_ = _e2846;
-                                loop {
-                                    let _e2848 = phi_4265_;
-                                    let _e2850 = phi_4268_;
-                                    let _e2852 = phi_4270_;
-                                    local_52 = _e2850;
-                                    local_53 = _e2852;
-                                    local_67 = _e2852;
-                                    if (_e2848.member < _e2848.member_1) {
-                                        phi_4266_ = type_21((_e2848.member + 1u), _e2848.member_1);
-                                        phi_4293_ = type_21(1u, _e2848.member);
-                                    } else {
-                                        phi_4266_ = _e2848;
-                                        phi_4293_ = type_21(0u, type_21().member_1);
-                                    }
-                                    let _e2864 = phi_4266_;
-                                    let _e2866 = phi_4293_;
-                                    let _e2870 = (bitcast<i32>(_e2866.member) != 0i);
-                                    if _e2870 {
-                                        let _e2872 = local_5[_e2866.member_1];
-                                        let _e2880 = (((_e2830 * _e2872[0]) + (_e2833 * _e2872[1])) + (_e2836 * _e2872[2]));
-                                        let _e2882 = local_6[_e2866.member_1];
-                                        let _e2890 = (((_e2830 * _e2882[0]) + (_e2833 * _e2882[1])) + (_e2836 * _e2882[2]));
-                                        if (_e2852 < _e2880) {
-                                            phi_4343_ = _e2852;
-                                        } else {
-                                            phi_4343_ = _e2880;
-                                        }
-                                        let _e2893 = phi_4343_;
-                                        if (_e2893 < _e2890) {
-                                            phi_4348_ = _e2893;
-                                        } else {
-                                            phi_4348_ = _e2890;
-                                        }
-                                        let _e2896 = phi_4348_;
-                                        if (_e2850 > _e2880) {
-                                            phi_4353_ = _e2850;
-                                        } else {
-                                            phi_4353_ = _e2880;
-                                        }
-                                        let _e2899 = phi_4353_;
-                                        if (_e2899 > _e2890) {
-                                            phi_4358_ = _e2899;
-                                        } else {
-                                            phi_4358_ = _e2890;
-                                        }
-                                        let _e2902 = phi_4358_;
-                                        phi_4269_ = _e2902;
-                                        phi_4271_ = _e2896;
-                                    } else {
-                                        phi_4269_ = f32();
-                                        phi_4271_ = f32();
-                                    }
-                                    let _e2904 = phi_4269_;
-                                    let _e2906 = phi_4271_;
-                                    continue;
-                                    continuing {
-                                        phi_4265_ = _e2864;
-                                        phi_4268_ = _e2904;
-                                        phi_4270_ = _e2906;
-                                        break if !(_e2870);
-                                    }
-                                }
-                                if (_e2830 < 0f) {
-                                    phi_4364_ = -(_e2830);
+                                let _e2289 = phi_3922_;
+                                let _e2291 = local_2.member_3;
+                                let _e2294 = (((_e2181 + _e2183) + (_e2235 + _e2237)) + (_e2289 + _e2291));
+                                let _e2297 = local_2.member_3;
+                                let _e2301 = (((_e1525 * 1.0001f) + (_e2297 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                let _e2304 = ((_e2073 * _e2052) - (_e2076 * _e2051));
+                                let _e2307 = ((_e2076 * _e2050) - (_e2070 * _e2052));
+                                let _e2310 = ((_e2070 * _e2051) - (_e2073 * _e2050));
+                                let _e2315 = (((_e2304 * _e2079[0]) + (_e2307 * _e2079[1])) + (_e2310 * _e2079[2]));
+                                let _e2320 = (((_e2304 * _e2095) + (_e2307 * _e2096)) + (_e2310 * _e2097));
+                                let _e2325 = (((_e2304 * _e2101) + (_e2307 * _e2102)) + (_e2310 * _e2103));
+                                let _e2330 = (((_e2304 * _e2098) + (_e2307 * _e2099)) + (_e2310 * _e2100));
+                                let _e2335 = (((_e2304 * _e2106[0]) + (_e2307 * _e2106[1])) + (_e2310 * _e2106[2]));
+                                let _e2340 = (((_e2304 * _e2122) + (_e2307 * _e2123)) + (_e2310 * _e2124));
+                                let _e2345 = (((_e2304 * _e2128) + (_e2307 * _e2129)) + (_e2310 * _e2130));
+                                let _e2350 = (((_e2304 * _e2125) + (_e2307 * _e2126)) + (_e2310 * _e2127));
+                                if (_e2315 < _e2320) {
+                                    phi_4000_ = _e2315;
                                 } else {
-                                    phi_4364_ = _e2830;
+                                    phi_4000_ = _e2320;
                                 }
-                                let _e2911 = phi_4364_;
-                                if (_e2833 < 0f) {
-                                    phi_4370_ = -(_e2833);
+                                let _e2353 = phi_4000_;
+                                if (_e2325 < _e2330) {
+                                    phi_4005_ = _e2325;
                                 } else {
-                                    phi_4370_ = _e2833;
+                                    phi_4005_ = _e2330;
                                 }
-                                let _e2915 = phi_4370_;
-                                if (_e2836 < 0f) {
-                                    phi_4377_ = -(_e2836);
+                                let _e2356 = phi_4005_;
+                                if (_e2353 < _e2356) {
+                                    phi_4010_ = _e2353;
                                 } else {
-                                    phi_4377_ = _e2836;
+                                    phi_4010_ = _e2356;
                                 }
-                                let _e2920 = phi_4377_;
-                                let _e2921 = ((_e2911 + _e2915) + _e2920);
-                                let _e2926 = local_52;
-                                let _e2927 = -(_e2926);
-                                let _e2929 = local_53;
-                                if (_e2929 > _e2927) {
-                                    let _e5444 = local_67;
-                                    phi_4387_ = _e5444;
+                                let _e2359 = phi_4010_;
+                                if (_e2335 < _e2340) {
+                                    phi_4015_ = _e2335;
                                 } else {
-                                    phi_4387_ = _e2927;
+                                    phi_4015_ = _e2340;
                                 }
-                                let _e2932 = phi_4387_;
-                                let _e2937 = (((_e2932 - ((_e2921 * _e2820) * (0.000000059604645f * 17f))) - (_e2921 * _e2827)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                let _e2940 = ((_e2591 * _e2585) - (_e2594 * _e2584));
-                                let _e2943 = ((_e2594 * _e2583) - (_e2588 * _e2585));
-                                let _e2946 = ((_e2588 * _e2584) - (_e2591 * _e2583));
-                                let _e2948 = local_5[0u];
-                                let _e2956 = (((_e2940 * _e2948[0]) + (_e2943 * _e2948[1])) + (_e2946 * _e2948[2]));
-                                phi_4418_ = type_21(0u, 4u);
-                                phi_4421_ = _e2956;
-                                phi_4423_ = _e2956;
-                                loop {
-                                    let _e2958 = phi_4418_;
-                                    let _e2960 = phi_4421_;
-                                    let _e2962 = phi_4423_;
-                                    local_54 = _e2960;
-                                    local_55 = _e2962;
-                                    local_68 = _e2962;
-                                    if (_e2958.member < _e2958.member_1) {
-                                        phi_4419_ = type_21((_e2958.member + 1u), _e2958.member_1);
-                                        phi_4446_ = type_21(1u, _e2958.member);
-                                    } else {
-                                        phi_4419_ = _e2958;
-                                        phi_4446_ = type_21(0u, type_21().member_1);
-                                    }
-                                    let _e2974 = phi_4419_;
-                                    let _e2976 = phi_4446_;
-                                    let _e2980 = (bitcast<i32>(_e2976.member) != 0i);
-                                    if _e2980 {
-                                        let _e2982 = local_5[_e2976.member_1];
-                                        let _e2990 = (((_e2940 * _e2982[0]) + (_e2943 * _e2982[1])) + (_e2946 * _e2982[2]));
-                                        let _e2992 = local_6[_e2976.member_1];
-                                        let _e3000 = (((_e2940 * _e2992[0]) + (_e2943 * _e2992[1])) + (_e2946 * _e2992[2]));
-                                        if (_e2962 < _e2990) {
-                                            phi_4496_ = _e2962;
-                                        } else {
-                                            phi_4496_ = _e2990;
-                                        }
-                                        let _e3003 = phi_4496_;
-                                        if (_e3003 < _e3000) {
-                                            phi_4501_ = _e3003;
-                                        } else {
-                                            phi_4501_ = _e3000;
-                                        }
-                                        let _e3006 = phi_4501_;
-                                        if (_e2960 > _e2990) {
-                                            phi_4506_ = _e2960;
-                                        } else {
-                                            phi_4506_ = _e2990;
-                                        }
-                                        let _e3009 = phi_4506_;
-                                        if (_e3009 > _e3000) {
-                                            phi_4511_ = _e3009;
-                                        } else {
-                                            phi_4511_ = _e3000;
-                                        }
-                                        let _e3012 = phi_4511_;
-                                        phi_4422_ = _e3012;
-                                        phi_4424_ = _e3006;
-                                    } else {
-                                        phi_4422_ = f32();
-                                        phi_4424_ = f32();
-                                    }
-                                    let _e3014 = phi_4422_;
-                                    let _e3016 = phi_4424_;
-                                    continue;
-                                    continuing {
-                                        phi_4418_ = _e2974;
-                                        phi_4421_ = _e3014;
-                                        phi_4423_ = _e3016;
-                                        break if !(_e2980);
-                                    }
-                                }
-                                if (_e2940 < 0f) {
-                                    phi_4517_ = -(_e2940);
+                                let _e2362 = phi_4015_;
+                                if (_e2345 < _e2350) {
+                                    phi_4020_ = _e2345;
                                 } else {
-                                    phi_4517_ = _e2940;
+                                    phi_4020_ = _e2350;
                                 }
-                                let _e3021 = phi_4517_;
-                                if (_e2943 < 0f) {
-                                    phi_4523_ = -(_e2943);
+                                let _e2365 = phi_4020_;
+                                if (_e2362 < _e2365) {
+                                    phi_4025_ = _e2362;
                                 } else {
-                                    phi_4523_ = _e2943;
+                                    phi_4025_ = _e2365;
                                 }
-                                let _e3025 = phi_4523_;
-                                if (_e2946 < 0f) {
-                                    phi_4530_ = -(_e2946);
+                                let _e2368 = phi_4025_;
+                                if (_e2359 < _e2368) {
+                                    phi_4030_ = _e2359;
                                 } else {
-                                    phi_4530_ = _e2946;
+                                    phi_4030_ = _e2368;
                                 }
-                                let _e3030 = phi_4530_;
-                                let _e3031 = ((_e3021 + _e3025) + _e3030);
-                                let _e3036 = local_54;
-                                let _e3037 = -(_e3036);
-                                let _e3039 = local_55;
-                                if (_e3039 > _e3037) {
-                                    let _e5463 = local_68;
-                                    phi_4540_ = _e5463;
+                                let _e2371 = phi_4030_;
+                                if (_e2315 > _e2320) {
+                                    phi_4035_ = _e2315;
                                 } else {
-                                    phi_4540_ = _e3037;
+                                    phi_4035_ = _e2320;
                                 }
-                                let _e3042 = phi_4540_;
-                                let _e3047 = (((_e3042 - ((_e3031 * _e2820) * (0.000000059604645f * 17f))) - (_e3031 * _e2827)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2937 > _e3047) {
-                                    phi_4550_ = _e2937;
+                                let _e2374 = phi_4035_;
+                                if (_e2325 > _e2330) {
+                                    phi_4040_ = _e2325;
                                 } else {
-                                    phi_4550_ = _e3047;
+                                    phi_4040_ = _e2330;
                                 }
-                                let _e3050 = phi_4550_;
-                                phi_4718_ = (_e3050 > 0f);
+                                let _e2377 = phi_4040_;
+                                if (_e2374 > _e2377) {
+                                    phi_4045_ = _e2374;
+                                } else {
+                                    phi_4045_ = _e2377;
+                                }
+                                let _e2380 = phi_4045_;
+                                if (_e2335 > _e2340) {
+                                    phi_4050_ = _e2335;
+                                } else {
+                                    phi_4050_ = _e2340;
+                                }
+                                let _e2383 = phi_4050_;
+                                if (_e2345 > _e2350) {
+                                    phi_4055_ = _e2345;
+                                } else {
+                                    phi_4055_ = _e2350;
+                                }
+                                let _e2386 = phi_4055_;
+                                if (_e2383 > _e2386) {
+                                    phi_4060_ = _e2383;
+                                } else {
+                                    phi_4060_ = _e2386;
+                                }
+                                let _e2389 = phi_4060_;
+                                if (_e2380 > _e2389) {
+                                    phi_4065_ = _e2380;
+                                } else {
+                                    phi_4065_ = _e2389;
+                                }
+                                let _e2392 = phi_4065_;
+                                if (_e2304 < 0f) {
+                                    phi_4071_ = -(_e2304);
+                                } else {
+                                    phi_4071_ = _e2304;
+                                }
+                                let _e2396 = phi_4071_;
+                                if (_e2307 < 0f) {
+                                    phi_4077_ = -(_e2307);
+                                } else {
+                                    phi_4077_ = _e2307;
+                                }
+                                let _e2400 = phi_4077_;
+                                if (_e2310 < 0f) {
+                                    phi_4084_ = -(_e2310);
+                                } else {
+                                    phi_4084_ = _e2310;
+                                }
+                                let _e2405 = phi_4084_;
+                                let _e2406 = ((_e2396 + _e2400) + _e2405);
+                                let _e2410 = -(_e2392);
+                                if (_e2371 > _e2410) {
+                                    phi_4094_ = _e2371;
+                                } else {
+                                    phi_4094_ = _e2410;
+                                }
+                                let _e2413 = phi_4094_;
+                                let _e2418 = (((_e2413 - ((_e2406 * _e2294) * (0.000000059604645f * 17f))) - (_e2406 * _e2301)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                let _e2421 = ((_e2073 * _e2067) - (_e2076 * _e2066));
+                                let _e2424 = ((_e2076 * _e2065) - (_e2070 * _e2067));
+                                let _e2427 = ((_e2070 * _e2066) - (_e2073 * _e2065));
+                                let _e2432 = (((_e2421 * _e2079[0]) + (_e2424 * _e2079[1])) + (_e2427 * _e2079[2]));
+                                let _e2437 = (((_e2421 * _e2095) + (_e2424 * _e2096)) + (_e2427 * _e2097));
+                                let _e2442 = (((_e2421 * _e2101) + (_e2424 * _e2102)) + (_e2427 * _e2103));
+                                let _e2447 = (((_e2421 * _e2098) + (_e2424 * _e2099)) + (_e2427 * _e2100));
+                                let _e2452 = (((_e2421 * _e2106[0]) + (_e2424 * _e2106[1])) + (_e2427 * _e2106[2]));
+                                let _e2457 = (((_e2421 * _e2122) + (_e2424 * _e2123)) + (_e2427 * _e2124));
+                                let _e2462 = (((_e2421 * _e2128) + (_e2424 * _e2129)) + (_e2427 * _e2130));
+                                let _e2467 = (((_e2421 * _e2125) + (_e2424 * _e2126)) + (_e2427 * _e2127));
+                                if (_e2432 < _e2437) {
+                                    phi_4165_ = _e2432;
+                                } else {
+                                    phi_4165_ = _e2437;
+                                }
+                                let _e2470 = phi_4165_;
+                                if (_e2442 < _e2447) {
+                                    phi_4170_ = _e2442;
+                                } else {
+                                    phi_4170_ = _e2447;
+                                }
+                                let _e2473 = phi_4170_;
+                                if (_e2470 < _e2473) {
+                                    phi_4175_ = _e2470;
+                                } else {
+                                    phi_4175_ = _e2473;
+                                }
+                                let _e2476 = phi_4175_;
+                                if (_e2452 < _e2457) {
+                                    phi_4180_ = _e2452;
+                                } else {
+                                    phi_4180_ = _e2457;
+                                }
+                                let _e2479 = phi_4180_;
+                                if (_e2462 < _e2467) {
+                                    phi_4185_ = _e2462;
+                                } else {
+                                    phi_4185_ = _e2467;
+                                }
+                                let _e2482 = phi_4185_;
+                                if (_e2479 < _e2482) {
+                                    phi_4190_ = _e2479;
+                                } else {
+                                    phi_4190_ = _e2482;
+                                }
+                                let _e2485 = phi_4190_;
+                                if (_e2476 < _e2485) {
+                                    phi_4195_ = _e2476;
+                                } else {
+                                    phi_4195_ = _e2485;
+                                }
+                                let _e2488 = phi_4195_;
+                                if (_e2432 > _e2437) {
+                                    phi_4200_ = _e2432;
+                                } else {
+                                    phi_4200_ = _e2437;
+                                }
+                                let _e2491 = phi_4200_;
+                                if (_e2442 > _e2447) {
+                                    phi_4205_ = _e2442;
+                                } else {
+                                    phi_4205_ = _e2447;
+                                }
+                                let _e2494 = phi_4205_;
+                                if (_e2491 > _e2494) {
+                                    phi_4210_ = _e2491;
+                                } else {
+                                    phi_4210_ = _e2494;
+                                }
+                                let _e2497 = phi_4210_;
+                                if (_e2452 > _e2457) {
+                                    phi_4215_ = _e2452;
+                                } else {
+                                    phi_4215_ = _e2457;
+                                }
+                                let _e2500 = phi_4215_;
+                                if (_e2462 > _e2467) {
+                                    phi_4220_ = _e2462;
+                                } else {
+                                    phi_4220_ = _e2467;
+                                }
+                                let _e2503 = phi_4220_;
+                                if (_e2500 > _e2503) {
+                                    phi_4225_ = _e2500;
+                                } else {
+                                    phi_4225_ = _e2503;
+                                }
+                                let _e2506 = phi_4225_;
+                                if (_e2497 > _e2506) {
+                                    phi_4230_ = _e2497;
+                                } else {
+                                    phi_4230_ = _e2506;
+                                }
+                                let _e2509 = phi_4230_;
+                                if (_e2421 < 0f) {
+                                    phi_4236_ = -(_e2421);
+                                } else {
+                                    phi_4236_ = _e2421;
+                                }
+                                let _e2513 = phi_4236_;
+                                if (_e2424 < 0f) {
+                                    phi_4242_ = -(_e2424);
+                                } else {
+                                    phi_4242_ = _e2424;
+                                }
+                                let _e2517 = phi_4242_;
+                                if (_e2427 < 0f) {
+                                    phi_4249_ = -(_e2427);
+                                } else {
+                                    phi_4249_ = _e2427;
+                                }
+                                let _e2522 = phi_4249_;
+                                let _e2523 = ((_e2513 + _e2517) + _e2522);
+                                let _e2527 = -(_e2509);
+                                if (_e2488 > _e2527) {
+                                    phi_4259_ = _e2488;
+                                } else {
+                                    phi_4259_ = _e2527;
+                                }
+                                let _e2530 = phi_4259_;
+                                let _e2535 = (((_e2530 - ((_e2523 * _e2294) * (0.000000059604645f * 17f))) - (_e2523 * _e2301)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e2418 > _e2535) {
+                                    phi_4269_ = _e2418;
+                                } else {
+                                    phi_4269_ = _e2535;
+                                }
+                                let _e2538 = phi_4269_;
+                                phi_4449_ = (_e2538 > 0f);
                             }
-                            let _e3053 = phi_4718_;
-                            if _e3053 {
-                                phi_8154_ = false;
+                            let _e2541 = phi_4449_;
+                            if _e2541 {
+                                phi_7855_ = false;
                             } else {
-                                let _e3056 = local_7.member[0u];
-                                let _e3062 = local_7.member[1u];
-                                let _e3069 = ((_e3056[0] + _e3062[0]) * 0.5f);
-                                let _e3070 = ((_e3056[1] + _e3062[1]) * 0.5f);
-                                let _e3071 = ((_e3056[2] + _e3062[2]) * 0.5f);
-                                let _e3074 = local_7.member_1[0u];
-                                let _e3080 = local_7.member_1[1u];
-                                let _e3087 = ((_e3074[0] + _e3080[0]) * 0.5f);
-                                let _e3088 = ((_e3074[1] + _e3080[1]) * 0.5f);
-                                let _e3089 = ((_e3074[2] + _e3080[2]) * 0.5f);
-                                let _e3092 = local_7.member_2[0u];
-                                let _e3098 = local_7.member_2[1u];
-                                let _e3105 = ((_e3092[0] + _e3098[0]) * 0.5f);
-                                let _e3106 = ((_e3092[1] + _e3098[1]) * 0.5f);
-                                let _e3107 = ((_e3092[2] + _e3098[2]) * 0.5f);
-                                let _e3110 = local_7.member[0u];
-                                let _e3113 = local_7.member_1[0u];
-                                let _e3116 = local_7.member_2[0u];
-                                let _e3118 = local_7.member_3;
-                                let _e3121 = local_7.member[1u];
-                                let _e3124 = local_7.member_1[1u];
-                                let _e3127 = local_7.member_2[1u];
-                                let _e3129 = local_7.member_3;
-                                local_4 = array<type_35, 2>(type_35(array<array<f32, 3>, 2>(_e3110, array<f32, 3>(_e3069, _e3070, _e3071)), array<array<f32, 3>, 2>(_e3113, array<f32, 3>(_e3087, _e3088, _e3089)), array<array<f32, 3>, 2>(_e3116, array<f32, 3>(_e3105, _e3106, _e3107)), _e3118), type_35(array<array<f32, 3>, 2>(array<f32, 3>(_e3069, _e3070, _e3071), _e3121), array<array<f32, 3>, 2>(array<f32, 3>(_e3087, _e3088, _e3089), _e3124), array<array<f32, 3>, 2>(array<f32, 3>(_e3105, _e3106, _e3107), _e3127), _e3129));
-                                let _e3148 = local_4[0u].member_1[0u];
-                                let _e3154 = local_4[0u].member_2[0u];
-                                let _e3160 = ((_e3148[1] * _e3154[2]) - (_e3148[2] * _e3154[1]));
-                                let _e3163 = ((_e3148[2] * _e3154[0]) - (_e3148[0] * _e3154[2]));
-                                let _e3166 = ((_e3148[0] * _e3154[1]) - (_e3148[1] * _e3154[0]));
-                                let _e3169 = local_4[0u].member_1[1u];
-                                let _e3175 = local_4[0u].member_2[1u];
-                                let _e3181 = ((_e3169[1] * _e3175[2]) - (_e3169[2] * _e3175[1]));
-                                let _e3184 = ((_e3169[2] * _e3175[0]) - (_e3169[0] * _e3175[2]));
-                                let _e3187 = ((_e3169[0] * _e3175[1]) - (_e3169[1] * _e3175[0]));
-                                let _e3190 = local_4[0u].member_1[0u];
-                                let _e3196 = local_4[0u].member_2[1u];
-                                let _e3211 = local_4[0u].member_1[1u];
-                                let _e3217 = local_4[0u].member_2[0u];
-                                let _e3230 = (((_e3190[1] * _e3196[2]) - (_e3190[2] * _e3196[1])) + ((_e3211[1] * _e3217[2]) - (_e3211[2] * _e3217[1])));
-                                let _e3231 = (((_e3190[2] * _e3196[0]) - (_e3190[0] * _e3196[2])) + ((_e3211[2] * _e3217[0]) - (_e3211[0] * _e3217[2])));
-                                let _e3232 = (((_e3190[0] * _e3196[1]) - (_e3190[1] * _e3196[0])) + ((_e3211[0] * _e3217[1]) - (_e3211[1] * _e3217[0])));
-                                let _e3235 = local_4[0u].member[0u];
-                                let _e3246 = local_4[0u].member[1u];
-                                let _e3257 = local_4[0u].member[0u];
-                                let _e3266 = ((((_e3246[0] * _e3160) + (_e3246[1] * _e3163)) + (_e3246[2] * _e3166)) + (((_e3257[0] * _e3230) + (_e3257[1] * _e3231)) + (_e3257[2] * _e3232)));
-                                let _e3269 = local_4[0u].member[0u];
-                                let _e3280 = local_4[0u].member[1u];
-                                let _e3289 = ((((_e3269[0] * _e3181) + (_e3269[1] * _e3184)) + (_e3269[2] * _e3187)) + (((_e3280[0] * _e3230) + (_e3280[1] * _e3231)) + (_e3280[2] * _e3232)));
-                                let _e3292 = local_4[0u].member[1u];
-                                let _e3303 = local_4[0u].member[0u];
-                                if (_e3303[0] < 0f) {
-                                    phi_5175_ = -(_e3303[0]);
+                                let _e2544 = local_2.member[0u];
+                                let _e2550 = local_2.member[1u];
+                                let _e2557 = ((_e2544[0] + _e2550[0]) * 0.5f);
+                                let _e2558 = ((_e2544[1] + _e2550[1]) * 0.5f);
+                                let _e2559 = ((_e2544[2] + _e2550[2]) * 0.5f);
+                                let _e2562 = local_2.member_1[0u];
+                                let _e2568 = local_2.member_1[1u];
+                                let _e2575 = ((_e2562[0] + _e2568[0]) * 0.5f);
+                                let _e2576 = ((_e2562[1] + _e2568[1]) * 0.5f);
+                                let _e2577 = ((_e2562[2] + _e2568[2]) * 0.5f);
+                                let _e2580 = local_2.member_2[0u];
+                                let _e2586 = local_2.member_2[1u];
+                                let _e2593 = ((_e2580[0] + _e2586[0]) * 0.5f);
+                                let _e2594 = ((_e2580[1] + _e2586[1]) * 0.5f);
+                                let _e2595 = ((_e2580[2] + _e2586[2]) * 0.5f);
+                                let _e2598 = local_2.member[0u];
+                                let _e2601 = local_2.member_1[0u];
+                                let _e2604 = local_2.member_2[0u];
+                                let _e2606 = local_2.member_3;
+                                let _e2609 = local_2.member[1u];
+                                let _e2612 = local_2.member_1[1u];
+                                let _e2615 = local_2.member_2[1u];
+                                let _e2617 = local_2.member_3;
+                                local = type_34(array<array<f32, 3>, 2>(_e2598, array<f32, 3>(_e2557, _e2558, _e2559)), array<array<f32, 3>, 2>(_e2601, array<f32, 3>(_e2575, _e2576, _e2577)), array<array<f32, 3>, 2>(_e2604, array<f32, 3>(_e2593, _e2594, _e2595)), _e2606);
+                                local_1 = type_34(array<array<f32, 3>, 2>(array<f32, 3>(_e2557, _e2558, _e2559), _e2609), array<array<f32, 3>, 2>(array<f32, 3>(_e2575, _e2576, _e2577), _e2612), array<array<f32, 3>, 2>(array<f32, 3>(_e2593, _e2594, _e2595), _e2615), _e2617);
+                                let _e2634 = local.member_1[0u];
+                                let _e2640 = local.member_2[0u];
+                                let _e2646 = ((_e2634[1] * _e2640[2]) - (_e2634[2] * _e2640[1]));
+                                let _e2649 = ((_e2634[2] * _e2640[0]) - (_e2634[0] * _e2640[2]));
+                                let _e2652 = ((_e2634[0] * _e2640[1]) - (_e2634[1] * _e2640[0]));
+                                let _e2655 = local.member_1[1u];
+                                let _e2661 = local.member_2[1u];
+                                let _e2667 = ((_e2655[1] * _e2661[2]) - (_e2655[2] * _e2661[1]));
+                                let _e2670 = ((_e2655[2] * _e2661[0]) - (_e2655[0] * _e2661[2]));
+                                let _e2673 = ((_e2655[0] * _e2661[1]) - (_e2655[1] * _e2661[0]));
+                                let _e2676 = local.member_1[0u];
+                                let _e2682 = local.member_2[1u];
+                                let _e2697 = local.member_1[1u];
+                                let _e2703 = local.member_2[0u];
+                                let _e2716 = (((_e2676[1] * _e2682[2]) - (_e2676[2] * _e2682[1])) + ((_e2697[1] * _e2703[2]) - (_e2697[2] * _e2703[1])));
+                                let _e2717 = (((_e2676[2] * _e2682[0]) - (_e2676[0] * _e2682[2])) + ((_e2697[2] * _e2703[0]) - (_e2697[0] * _e2703[2])));
+                                let _e2718 = (((_e2676[0] * _e2682[1]) - (_e2676[1] * _e2682[0])) + ((_e2697[0] * _e2703[1]) - (_e2697[1] * _e2703[0])));
+                                let _e2721 = local.member[0u];
+                                let _e2732 = local.member[1u];
+                                let _e2743 = local.member[0u];
+                                let _e2752 = ((((_e2732[0] * _e2646) + (_e2732[1] * _e2649)) + (_e2732[2] * _e2652)) + (((_e2743[0] * _e2716) + (_e2743[1] * _e2717)) + (_e2743[2] * _e2718)));
+                                let _e2755 = local.member[0u];
+                                let _e2766 = local.member[1u];
+                                let _e2775 = ((((_e2755[0] * _e2667) + (_e2755[1] * _e2670)) + (_e2755[2] * _e2673)) + (((_e2766[0] * _e2716) + (_e2766[1] * _e2717)) + (_e2766[2] * _e2718)));
+                                let _e2778 = local.member[1u];
+                                let _e2789 = local.member[0u];
+                                if (_e2789[0] < 0f) {
+                                    phi_4901_ = -(_e2789[0]);
                                 } else {
-                                    phi_5175_ = _e3303[0];
+                                    phi_4901_ = _e2789[0];
                                 }
-                                let _e3310 = phi_5175_;
-                                if (_e3303[1] < 0f) {
-                                    phi_5182_ = -(_e3303[1]);
+                                let _e2796 = phi_4901_;
+                                if (_e2789[1] < 0f) {
+                                    phi_4908_ = -(_e2789[1]);
                                 } else {
-                                    phi_5182_ = _e3303[1];
+                                    phi_4908_ = _e2789[1];
                                 }
-                                let _e3314 = phi_5182_;
-                                if (_e3310 > _e3314) {
-                                    phi_5187_ = _e3310;
+                                let _e2800 = phi_4908_;
+                                if (_e2796 > _e2800) {
+                                    phi_4913_ = _e2796;
                                 } else {
-                                    phi_5187_ = _e3314;
+                                    phi_4913_ = _e2800;
                                 }
-                                let _e3317 = phi_5187_;
-                                if (_e3303[2] < 0f) {
-                                    phi_5194_ = -(_e3303[2]);
+                                let _e2803 = phi_4913_;
+                                if (_e2789[2] < 0f) {
+                                    phi_4920_ = -(_e2789[2]);
                                 } else {
-                                    phi_5194_ = _e3303[2];
+                                    phi_4920_ = _e2789[2];
                                 }
-                                let _e3321 = phi_5194_;
-                                if (_e3317 > _e3321) {
-                                    phi_5199_ = _e3317;
+                                let _e2807 = phi_4920_;
+                                if (_e2803 > _e2807) {
+                                    phi_4925_ = _e2803;
                                 } else {
-                                    phi_5199_ = _e3321;
+                                    phi_4925_ = _e2807;
                                 }
-                                let _e3324 = phi_5199_;
-                                let _e3327 = local_4[0u].member[1u];
-                                if (_e3327[0] < 0f) {
-                                    phi_5212_ = -(_e3327[0]);
+                                let _e2810 = phi_4925_;
+                                let _e2813 = local.member[1u];
+                                if (_e2813[0] < 0f) {
+                                    phi_4938_ = -(_e2813[0]);
                                 } else {
-                                    phi_5212_ = _e3327[0];
+                                    phi_4938_ = _e2813[0];
                                 }
-                                let _e3334 = phi_5212_;
-                                if (_e3327[1] < 0f) {
-                                    phi_5219_ = -(_e3327[1]);
+                                let _e2820 = phi_4938_;
+                                if (_e2813[1] < 0f) {
+                                    phi_4945_ = -(_e2813[1]);
                                 } else {
-                                    phi_5219_ = _e3327[1];
+                                    phi_4945_ = _e2813[1];
                                 }
-                                let _e3338 = phi_5219_;
-                                if (_e3334 > _e3338) {
-                                    phi_5224_ = _e3334;
+                                let _e2824 = phi_4945_;
+                                if (_e2820 > _e2824) {
+                                    phi_4950_ = _e2820;
                                 } else {
-                                    phi_5224_ = _e3338;
+                                    phi_4950_ = _e2824;
                                 }
-                                let _e3341 = phi_5224_;
-                                if (_e3327[2] < 0f) {
-                                    phi_5231_ = -(_e3327[2]);
+                                let _e2827 = phi_4950_;
+                                if (_e2813[2] < 0f) {
+                                    phi_4957_ = -(_e2813[2]);
                                 } else {
-                                    phi_5231_ = _e3327[2];
+                                    phi_4957_ = _e2813[2];
                                 }
-                                let _e3345 = phi_5231_;
-                                if (_e3341 > _e3345) {
-                                    phi_5236_ = _e3341;
+                                let _e2831 = phi_4957_;
+                                if (_e2827 > _e2831) {
+                                    phi_4962_ = _e2827;
                                 } else {
-                                    phi_5236_ = _e3345;
+                                    phi_4962_ = _e2831;
                                 }
-                                let _e3348 = phi_5236_;
-                                if (_e3324 > _e3348) {
-                                    phi_5241_ = _e3324;
+                                let _e2834 = phi_4962_;
+                                if (_e2810 > _e2834) {
+                                    phi_4967_ = _e2810;
                                 } else {
-                                    phi_5241_ = _e3348;
+                                    phi_4967_ = _e2834;
                                 }
-                                let _e3351 = phi_5241_;
-                                let _e3353 = local_4[0u].member_3;
-                                let _e3354 = (_e3351 + _e3353);
-                                let _e3357 = local_4[0u].member_1[0u];
-                                if (_e3357[0] < 0f) {
-                                    phi_5258_ = -(_e3357[0]);
+                                let _e2837 = phi_4967_;
+                                let _e2839 = local.member_3;
+                                let _e2840 = (_e2837 + _e2839);
+                                let _e2843 = local.member_1[0u];
+                                if (_e2843[0] < 0f) {
+                                    phi_4984_ = -(_e2843[0]);
                                 } else {
-                                    phi_5258_ = _e3357[0];
+                                    phi_4984_ = _e2843[0];
                                 }
-                                let _e3364 = phi_5258_;
-                                if (_e3357[1] < 0f) {
-                                    phi_5265_ = -(_e3357[1]);
+                                let _e2850 = phi_4984_;
+                                if (_e2843[1] < 0f) {
+                                    phi_4991_ = -(_e2843[1]);
                                 } else {
-                                    phi_5265_ = _e3357[1];
+                                    phi_4991_ = _e2843[1];
                                 }
-                                let _e3368 = phi_5265_;
-                                if (_e3364 > _e3368) {
-                                    phi_5270_ = _e3364;
+                                let _e2854 = phi_4991_;
+                                if (_e2850 > _e2854) {
+                                    phi_4996_ = _e2850;
                                 } else {
-                                    phi_5270_ = _e3368;
+                                    phi_4996_ = _e2854;
                                 }
-                                let _e3371 = phi_5270_;
-                                if (_e3357[2] < 0f) {
-                                    phi_5277_ = -(_e3357[2]);
+                                let _e2857 = phi_4996_;
+                                if (_e2843[2] < 0f) {
+                                    phi_5003_ = -(_e2843[2]);
                                 } else {
-                                    phi_5277_ = _e3357[2];
+                                    phi_5003_ = _e2843[2];
                                 }
-                                let _e3375 = phi_5277_;
-                                if (_e3371 > _e3375) {
-                                    phi_5282_ = _e3371;
+                                let _e2861 = phi_5003_;
+                                if (_e2857 > _e2861) {
+                                    phi_5008_ = _e2857;
                                 } else {
-                                    phi_5282_ = _e3375;
+                                    phi_5008_ = _e2861;
                                 }
-                                let _e3378 = phi_5282_;
-                                let _e3381 = local_4[0u].member_1[1u];
-                                if (_e3381[0] < 0f) {
-                                    phi_5296_ = -(_e3381[0]);
+                                let _e2864 = phi_5008_;
+                                let _e2867 = local.member_1[1u];
+                                if (_e2867[0] < 0f) {
+                                    phi_5022_ = -(_e2867[0]);
                                 } else {
-                                    phi_5296_ = _e3381[0];
+                                    phi_5022_ = _e2867[0];
                                 }
-                                let _e3388 = phi_5296_;
-                                if (_e3381[1] < 0f) {
-                                    phi_5303_ = -(_e3381[1]);
+                                let _e2874 = phi_5022_;
+                                if (_e2867[1] < 0f) {
+                                    phi_5029_ = -(_e2867[1]);
                                 } else {
-                                    phi_5303_ = _e3381[1];
+                                    phi_5029_ = _e2867[1];
                                 }
-                                let _e3392 = phi_5303_;
-                                if (_e3388 > _e3392) {
-                                    phi_5308_ = _e3388;
+                                let _e2878 = phi_5029_;
+                                if (_e2874 > _e2878) {
+                                    phi_5034_ = _e2874;
                                 } else {
-                                    phi_5308_ = _e3392;
+                                    phi_5034_ = _e2878;
                                 }
-                                let _e3395 = phi_5308_;
-                                if (_e3381[2] < 0f) {
-                                    phi_5315_ = -(_e3381[2]);
+                                let _e2881 = phi_5034_;
+                                if (_e2867[2] < 0f) {
+                                    phi_5041_ = -(_e2867[2]);
                                 } else {
-                                    phi_5315_ = _e3381[2];
+                                    phi_5041_ = _e2867[2];
                                 }
-                                let _e3399 = phi_5315_;
-                                if (_e3395 > _e3399) {
-                                    phi_5320_ = _e3395;
+                                let _e2885 = phi_5041_;
+                                if (_e2881 > _e2885) {
+                                    phi_5046_ = _e2881;
                                 } else {
-                                    phi_5320_ = _e3399;
+                                    phi_5046_ = _e2885;
                                 }
-                                let _e3402 = phi_5320_;
-                                if (_e3378 > _e3402) {
-                                    phi_5325_ = _e3378;
+                                let _e2888 = phi_5046_;
+                                if (_e2864 > _e2888) {
+                                    phi_5051_ = _e2864;
                                 } else {
-                                    phi_5325_ = _e3402;
+                                    phi_5051_ = _e2888;
                                 }
-                                let _e3405 = phi_5325_;
-                                let _e3407 = local_4[0u].member_3;
-                                let _e3408 = (_e3405 + _e3407);
-                                let _e3411 = local_4[0u].member_2[0u];
-                                if (_e3411[0] < 0f) {
-                                    phi_5342_ = -(_e3411[0]);
+                                let _e2891 = phi_5051_;
+                                let _e2893 = local.member_3;
+                                let _e2894 = (_e2891 + _e2893);
+                                let _e2897 = local.member_2[0u];
+                                if (_e2897[0] < 0f) {
+                                    phi_5068_ = -(_e2897[0]);
                                 } else {
-                                    phi_5342_ = _e3411[0];
+                                    phi_5068_ = _e2897[0];
                                 }
-                                let _e3418 = phi_5342_;
-                                if (_e3411[1] < 0f) {
-                                    phi_5349_ = -(_e3411[1]);
+                                let _e2904 = phi_5068_;
+                                if (_e2897[1] < 0f) {
+                                    phi_5075_ = -(_e2897[1]);
                                 } else {
-                                    phi_5349_ = _e3411[1];
+                                    phi_5075_ = _e2897[1];
                                 }
-                                let _e3422 = phi_5349_;
-                                if (_e3418 > _e3422) {
-                                    phi_5354_ = _e3418;
+                                let _e2908 = phi_5075_;
+                                if (_e2904 > _e2908) {
+                                    phi_5080_ = _e2904;
                                 } else {
-                                    phi_5354_ = _e3422;
+                                    phi_5080_ = _e2908;
                                 }
-                                let _e3425 = phi_5354_;
-                                if (_e3411[2] < 0f) {
-                                    phi_5361_ = -(_e3411[2]);
+                                let _e2911 = phi_5080_;
+                                if (_e2897[2] < 0f) {
+                                    phi_5087_ = -(_e2897[2]);
                                 } else {
-                                    phi_5361_ = _e3411[2];
+                                    phi_5087_ = _e2897[2];
                                 }
-                                let _e3429 = phi_5361_;
-                                if (_e3425 > _e3429) {
-                                    phi_5366_ = _e3425;
+                                let _e2915 = phi_5087_;
+                                if (_e2911 > _e2915) {
+                                    phi_5092_ = _e2911;
                                 } else {
-                                    phi_5366_ = _e3429;
+                                    phi_5092_ = _e2915;
                                 }
-                                let _e3432 = phi_5366_;
-                                let _e3435 = local_4[0u].member_2[1u];
-                                if (_e3435[0] < 0f) {
-                                    phi_5380_ = -(_e3435[0]);
+                                let _e2918 = phi_5092_;
+                                let _e2921 = local.member_2[1u];
+                                if (_e2921[0] < 0f) {
+                                    phi_5106_ = -(_e2921[0]);
                                 } else {
-                                    phi_5380_ = _e3435[0];
+                                    phi_5106_ = _e2921[0];
                                 }
-                                let _e3442 = phi_5380_;
-                                if (_e3435[1] < 0f) {
-                                    phi_5387_ = -(_e3435[1]);
+                                let _e2928 = phi_5106_;
+                                if (_e2921[1] < 0f) {
+                                    phi_5113_ = -(_e2921[1]);
                                 } else {
-                                    phi_5387_ = _e3435[1];
+                                    phi_5113_ = _e2921[1];
                                 }
-                                let _e3446 = phi_5387_;
-                                if (_e3442 > _e3446) {
-                                    phi_5392_ = _e3442;
+                                let _e2932 = phi_5113_;
+                                if (_e2928 > _e2932) {
+                                    phi_5118_ = _e2928;
                                 } else {
-                                    phi_5392_ = _e3446;
+                                    phi_5118_ = _e2932;
                                 }
-                                let _e3449 = phi_5392_;
-                                if (_e3435[2] < 0f) {
-                                    phi_5399_ = -(_e3435[2]);
+                                let _e2935 = phi_5118_;
+                                if (_e2921[2] < 0f) {
+                                    phi_5125_ = -(_e2921[2]);
                                 } else {
-                                    phi_5399_ = _e3435[2];
+                                    phi_5125_ = _e2921[2];
                                 }
-                                let _e3453 = phi_5399_;
-                                if (_e3449 > _e3453) {
-                                    phi_5404_ = _e3449;
+                                let _e2939 = phi_5125_;
+                                if (_e2935 > _e2939) {
+                                    phi_5130_ = _e2935;
                                 } else {
-                                    phi_5404_ = _e3453;
+                                    phi_5130_ = _e2939;
                                 }
-                                let _e3456 = phi_5404_;
-                                if (_e3432 > _e3456) {
-                                    phi_5409_ = _e3432;
+                                let _e2942 = phi_5130_;
+                                if (_e2918 > _e2942) {
+                                    phi_5135_ = _e2918;
                                 } else {
-                                    phi_5409_ = _e3456;
+                                    phi_5135_ = _e2942;
                                 }
-                                let _e3459 = phi_5409_;
-                                let _e3461 = local_4[0u].member_3;
-                                let _e3462 = (_e3459 + _e3461);
-                                let _e3464 = ((_e3408 * 8f) * _e3462);
-                                let _e3471 = local_4[0u].member_3;
-                                if (_e3160 < 0f) {
-                                    phi_5440_ = -(_e3160);
+                                let _e2945 = phi_5135_;
+                                let _e2947 = local.member_3;
+                                let _e2948 = (_e2945 + _e2947);
+                                let _e2950 = ((_e2894 * 8f) * _e2948);
+                                let _e2957 = local.member_3;
+                                if (_e2646 < 0f) {
+                                    phi_5166_ = -(_e2646);
                                 } else {
-                                    phi_5440_ = _e3160;
+                                    phi_5166_ = _e2646;
                                 }
-                                let _e3488 = phi_5440_;
-                                if (_e3163 < 0f) {
-                                    phi_5446_ = -(_e3163);
+                                let _e2974 = phi_5166_;
+                                if (_e2649 < 0f) {
+                                    phi_5172_ = -(_e2649);
                                 } else {
-                                    phi_5446_ = _e3163;
+                                    phi_5172_ = _e2649;
                                 }
-                                let _e3492 = phi_5446_;
-                                if (_e3166 < 0f) {
-                                    phi_5453_ = -(_e3166);
+                                let _e2978 = phi_5172_;
+                                if (_e2652 < 0f) {
+                                    phi_5179_ = -(_e2652);
                                 } else {
-                                    phi_5453_ = _e3166;
+                                    phi_5179_ = _e2652;
                                 }
-                                let _e3497 = phi_5453_;
-                                let _e3498 = ((_e3488 + _e3492) + _e3497);
-                                if (_e3181 < 0f) {
-                                    phi_5460_ = -(_e3181);
+                                let _e2983 = phi_5179_;
+                                let _e2984 = ((_e2974 + _e2978) + _e2983);
+                                if (_e2667 < 0f) {
+                                    phi_5186_ = -(_e2667);
                                 } else {
-                                    phi_5460_ = _e3181;
+                                    phi_5186_ = _e2667;
                                 }
-                                let _e3502 = phi_5460_;
-                                if (_e3184 < 0f) {
-                                    phi_5466_ = -(_e3184);
+                                let _e2988 = phi_5186_;
+                                if (_e2670 < 0f) {
+                                    phi_5192_ = -(_e2670);
                                 } else {
-                                    phi_5466_ = _e3184;
+                                    phi_5192_ = _e2670;
                                 }
-                                let _e3506 = phi_5466_;
-                                if (_e3187 < 0f) {
-                                    phi_5473_ = -(_e3187);
+                                let _e2992 = phi_5192_;
+                                if (_e2673 < 0f) {
+                                    phi_5199_ = -(_e2673);
                                 } else {
-                                    phi_5473_ = _e3187;
+                                    phi_5199_ = _e2673;
                                 }
-                                let _e3511 = phi_5473_;
-                                let _e3512 = ((_e3502 + _e3506) + _e3511);
-                                if (_e3498 > _e3512) {
-                                    phi_5479_ = _e3498;
+                                let _e2997 = phi_5199_;
+                                let _e2998 = ((_e2988 + _e2992) + _e2997);
+                                if (_e2984 > _e2998) {
+                                    phi_5205_ = _e2984;
                                 } else {
-                                    phi_5479_ = _e3512;
+                                    phi_5205_ = _e2998;
                                 }
-                                let _e3515 = phi_5479_;
-                                if (_e3230 < 0f) {
-                                    phi_5485_ = -(_e3230);
+                                let _e3001 = phi_5205_;
+                                if (_e2716 < 0f) {
+                                    phi_5211_ = -(_e2716);
                                 } else {
-                                    phi_5485_ = _e3230;
+                                    phi_5211_ = _e2716;
                                 }
-                                let _e3519 = phi_5485_;
-                                if (_e3231 < 0f) {
-                                    phi_5491_ = -(_e3231);
+                                let _e3005 = phi_5211_;
+                                if (_e2717 < 0f) {
+                                    phi_5217_ = -(_e2717);
                                 } else {
-                                    phi_5491_ = _e3231;
+                                    phi_5217_ = _e2717;
                                 }
-                                let _e3523 = phi_5491_;
-                                if (_e3232 < 0f) {
-                                    phi_5498_ = -(_e3232);
+                                let _e3009 = phi_5217_;
+                                if (_e2718 < 0f) {
+                                    phi_5224_ = -(_e2718);
                                 } else {
-                                    phi_5498_ = _e3232;
+                                    phi_5224_ = _e2718;
                                 }
-                                let _e3528 = phi_5498_;
-                                let _e3530 = (((_e3519 + _e3523) + _e3528) * 0.5f);
-                                if (_e3515 > _e3530) {
-                                    phi_5505_ = _e3515;
+                                let _e3014 = phi_5224_;
+                                let _e3016 = (((_e3005 + _e3009) + _e3014) * 0.5f);
+                                if (_e3001 > _e3016) {
+                                    phi_5231_ = _e3001;
                                 } else {
-                                    phi_5505_ = _e3530;
+                                    phi_5231_ = _e3016;
                                 }
-                                let _e3533 = phi_5505_;
-                                let _e3538 = local_4[0u].member_3;
-                                let _e3551 = ((((_e3235[0] * _e3160) + (_e3235[1] * _e3163)) + (_e3235[2] * _e3166)) * 3f);
-                                let _e3552 = ((((_e3292[0] * _e3181) + (_e3292[1] * _e3184)) + (_e3292[2] * _e3187)) * 3f);
-                                if (_e3551 < _e3552) {
-                                    phi_5529_ = _e3551;
+                                let _e3019 = phi_5231_;
+                                let _e3024 = local.member_3;
+                                let _e3037 = ((((_e2721[0] * _e2646) + (_e2721[1] * _e2649)) + (_e2721[2] * _e2652)) * 3f);
+                                let _e3038 = ((((_e2778[0] * _e2667) + (_e2778[1] * _e2670)) + (_e2778[2] * _e2673)) * 3f);
+                                if (_e3037 < _e3038) {
+                                    phi_5255_ = _e3037;
                                 } else {
-                                    phi_5529_ = _e3552;
+                                    phi_5255_ = _e3038;
                                 }
-                                let _e3555 = phi_5529_;
-                                if (_e3266 < _e3289) {
-                                    phi_5534_ = _e3266;
+                                let _e3041 = phi_5255_;
+                                if (_e2752 < _e2775) {
+                                    phi_5260_ = _e2752;
                                 } else {
-                                    phi_5534_ = _e3289;
+                                    phi_5260_ = _e2775;
                                 }
-                                let _e3558 = phi_5534_;
-                                if (_e3555 < _e3558) {
-                                    phi_5539_ = _e3555;
+                                let _e3044 = phi_5260_;
+                                if (_e3041 < _e3044) {
+                                    phi_5265_ = _e3041;
                                 } else {
-                                    phi_5539_ = _e3558;
+                                    phi_5265_ = _e3044;
                                 }
-                                let _e3561 = phi_5539_;
-                                if (_e3551 > _e3552) {
-                                    phi_5544_ = _e3551;
+                                let _e3047 = phi_5265_;
+                                if (_e3037 > _e3038) {
+                                    phi_5270_ = _e3037;
                                 } else {
-                                    phi_5544_ = _e3552;
+                                    phi_5270_ = _e3038;
                                 }
-                                let _e3564 = phi_5544_;
-                                if (_e3266 > _e3289) {
-                                    phi_5549_ = _e3266;
+                                let _e3050 = phi_5270_;
+                                if (_e2752 > _e2775) {
+                                    phi_5275_ = _e2752;
                                 } else {
-                                    phi_5549_ = _e3289;
+                                    phi_5275_ = _e2775;
                                 }
-                                let _e3567 = phi_5549_;
-                                if (_e3564 > _e3567) {
-                                    phi_5554_ = _e3564;
+                                let _e3053 = phi_5275_;
+                                if (_e3050 > _e3053) {
+                                    phi_5280_ = _e3050;
                                 } else {
-                                    phi_5554_ = _e3567;
+                                    phi_5280_ = _e3053;
                                 }
-                                let _e3570 = phi_5554_;
-                                let _e3575 = -(_e3570);
-                                if (_e3561 > _e3575) {
-                                    phi_5564_ = _e3561;
+                                let _e3056 = phi_5280_;
+                                let _e3061 = -(_e3056);
+                                if (_e3047 > _e3061) {
+                                    phi_5290_ = _e3047;
                                 } else {
-                                    phi_5564_ = _e3575;
+                                    phi_5290_ = _e3061;
                                 }
-                                let _e3578 = phi_5564_;
-                                if ((_e3578 - ((((((_e3354 * 8f) * _e3464) * (0.000000059604645f * (490f / 64f))) + ((_e3471 * 19f) * ((_e3354 * (_e3408 + _e3462)) + (_e3408 * _e3462)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3354) * ((1f + _e3408) * (1f + _e3462))))) + ((_e2043 * (((_e3533 + (_e3464 * (0.000000059604645f * 4f))) + ((_e3538 * 6f) * (_e3408 + _e3462))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3408) * (1f + _e3462))))) * (3f * 1.0001f)))) > 0f) {
-                                    phi_6540_ = true;
+                                let _e3064 = phi_5290_;
+                                if ((_e3064 - ((((((_e2840 * 8f) * _e2950) * (0.000000059604645f * (490f / 64f))) + ((_e2957 * 19f) * ((_e2840 * (_e2894 + _e2948)) + (_e2894 * _e2948)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2840) * ((1f + _e2894) * (1f + _e2948))))) + ((_e1525 * (((_e3019 + (_e2950 * (0.000000059604645f * 4f))) + ((_e3024 * 6f) * (_e2894 + _e2948))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2894) * (1f + _e2948))))) * (3f * 1.0001f)))) > 0f) {
+                                    phi_6254_ = true;
                                 } else {
-                                    let _e3583 = local_4[0u].member_1[0u];
-                                    let _e3589 = local_4[0u].member_1[1u];
-                                    let _e3593 = (_e3583[0] + _e3589[0]);
-                                    let _e3594 = (_e3583[1] + _e3589[1]);
-                                    let _e3595 = (_e3583[2] + _e3589[2]);
-                                    let _e3598 = local_4[0u].member_2[0u];
-                                    let _e3604 = local_4[0u].member_2[1u];
-                                    let _e3608 = (_e3598[0] + _e3604[0]);
-                                    let _e3609 = (_e3598[1] + _e3604[1]);
-                                    let _e3610 = (_e3598[2] + _e3604[2]);
-                                    let _e3613 = ((_e3594 * _e3610) - (_e3595 * _e3609));
-                                    let _e3616 = ((_e3595 * _e3608) - (_e3593 * _e3610));
-                                    let _e3619 = ((_e3593 * _e3609) - (_e3594 * _e3608));
-                                    let _e3622 = local_4[0u].member[0u];
-                                    let _e3628 = local_4[0u].member_1[0u];
-                                    let _e3634 = local_4[0u].member_2[0u];
-                                    let _e3638 = (_e3622[0] - _e3628[0]);
-                                    let _e3639 = (_e3622[1] - _e3628[1]);
-                                    let _e3640 = (_e3622[2] - _e3628[2]);
-                                    let _e3649 = local_4[0u].member[1u];
-                                    let _e3655 = local_4[0u].member_1[1u];
-                                    let _e3661 = local_4[0u].member_2[1u];
-                                    let _e3665 = (_e3649[0] - _e3655[0]);
-                                    let _e3666 = (_e3649[1] - _e3655[1]);
-                                    let _e3667 = (_e3649[2] - _e3655[2]);
-                                    local_2 = array<array<f32, 3>, 4>(_e3622, array<f32, 3>(_e3638, _e3639, _e3640), array<f32, 3>((_e3622[0] - _e3634[0]), (_e3622[1] - _e3634[1]), (_e3622[2] - _e3634[2])), array<f32, 3>((_e3638 - _e3634[0]), (_e3639 - _e3634[1]), (_e3640 - _e3634[2])));
-                                    local_3 = array<array<f32, 3>, 4>(_e3649, array<f32, 3>(_e3665, _e3666, _e3667), array<f32, 3>((_e3649[0] - _e3661[0]), (_e3649[1] - _e3661[1]), (_e3649[2] - _e3661[2])), array<f32, 3>((_e3665 - _e3661[0]), (_e3666 - _e3661[1]), (_e3667 - _e3661[2])));
-                                    let _e3684 = local_4[0u].member[0u];
-                                    if (_e3684[0] < 0f) {
-                                        phi_5815_ = -(_e3684[0]);
+                                    let _e3069 = local.member_1[0u];
+                                    let _e3075 = local.member_1[1u];
+                                    let _e3079 = (_e3069[0] + _e3075[0]);
+                                    let _e3080 = (_e3069[1] + _e3075[1]);
+                                    let _e3081 = (_e3069[2] + _e3075[2]);
+                                    let _e3084 = local.member_2[0u];
+                                    let _e3090 = local.member_2[1u];
+                                    let _e3094 = (_e3084[0] + _e3090[0]);
+                                    let _e3095 = (_e3084[1] + _e3090[1]);
+                                    let _e3096 = (_e3084[2] + _e3090[2]);
+                                    let _e3099 = ((_e3080 * _e3096) - (_e3081 * _e3095));
+                                    let _e3102 = ((_e3081 * _e3094) - (_e3079 * _e3096));
+                                    let _e3105 = ((_e3079 * _e3095) - (_e3080 * _e3094));
+                                    let _e3108 = local.member[0u];
+                                    let _e3114 = local.member_1[0u];
+                                    let _e3120 = local.member_2[0u];
+                                    let _e3124 = (_e3108[0] - _e3114[0]);
+                                    let _e3125 = (_e3108[1] - _e3114[1]);
+                                    let _e3126 = (_e3108[2] - _e3114[2]);
+                                    let _e3127 = (_e3124 - _e3120[0]);
+                                    let _e3128 = (_e3125 - _e3120[1]);
+                                    let _e3129 = (_e3126 - _e3120[2]);
+                                    let _e3130 = (_e3108[0] - _e3120[0]);
+                                    let _e3131 = (_e3108[1] - _e3120[1]);
+                                    let _e3132 = (_e3108[2] - _e3120[2]);
+                                    let _e3135 = local.member[1u];
+                                    let _e3141 = local.member_1[1u];
+                                    let _e3147 = local.member_2[1u];
+                                    let _e3151 = (_e3135[0] - _e3141[0]);
+                                    let _e3152 = (_e3135[1] - _e3141[1]);
+                                    let _e3153 = (_e3135[2] - _e3141[2]);
+                                    let _e3154 = (_e3151 - _e3147[0]);
+                                    let _e3155 = (_e3152 - _e3147[1]);
+                                    let _e3156 = (_e3153 - _e3147[2]);
+                                    let _e3157 = (_e3135[0] - _e3147[0]);
+                                    let _e3158 = (_e3135[1] - _e3147[1]);
+                                    let _e3159 = (_e3135[2] - _e3147[2]);
+                                    let _e3162 = local.member[0u];
+                                    if (_e3162[0] < 0f) {
+                                        phi_5493_ = -(_e3162[0]);
                                     } else {
-                                        phi_5815_ = _e3684[0];
+                                        phi_5493_ = _e3162[0];
                                     }
-                                    let _e3691 = phi_5815_;
-                                    if (_e3684[1] < 0f) {
-                                        phi_5822_ = -(_e3684[1]);
+                                    let _e3169 = phi_5493_;
+                                    if (_e3162[1] < 0f) {
+                                        phi_5500_ = -(_e3162[1]);
                                     } else {
-                                        phi_5822_ = _e3684[1];
+                                        phi_5500_ = _e3162[1];
                                     }
-                                    let _e3695 = phi_5822_;
-                                    if (_e3691 > _e3695) {
-                                        phi_5827_ = _e3691;
+                                    let _e3173 = phi_5500_;
+                                    if (_e3169 > _e3173) {
+                                        phi_5505_ = _e3169;
                                     } else {
-                                        phi_5827_ = _e3695;
+                                        phi_5505_ = _e3173;
                                     }
-                                    let _e3698 = phi_5827_;
-                                    if (_e3684[2] < 0f) {
-                                        phi_5834_ = -(_e3684[2]);
+                                    let _e3176 = phi_5505_;
+                                    if (_e3162[2] < 0f) {
+                                        phi_5512_ = -(_e3162[2]);
                                     } else {
-                                        phi_5834_ = _e3684[2];
+                                        phi_5512_ = _e3162[2];
                                     }
-                                    let _e3702 = phi_5834_;
-                                    if (_e3698 > _e3702) {
-                                        phi_5839_ = _e3698;
+                                    let _e3180 = phi_5512_;
+                                    if (_e3176 > _e3180) {
+                                        phi_5517_ = _e3176;
                                     } else {
-                                        phi_5839_ = _e3702;
+                                        phi_5517_ = _e3180;
                                     }
-                                    let _e3705 = phi_5839_;
-                                    let _e3708 = local_4[0u].member[1u];
-                                    if (_e3708[0] < 0f) {
-                                        phi_5852_ = -(_e3708[0]);
+                                    let _e3183 = phi_5517_;
+                                    let _e3186 = local.member[1u];
+                                    if (_e3186[0] < 0f) {
+                                        phi_5530_ = -(_e3186[0]);
                                     } else {
-                                        phi_5852_ = _e3708[0];
+                                        phi_5530_ = _e3186[0];
                                     }
-                                    let _e3715 = phi_5852_;
-                                    if (_e3708[1] < 0f) {
-                                        phi_5859_ = -(_e3708[1]);
+                                    let _e3193 = phi_5530_;
+                                    if (_e3186[1] < 0f) {
+                                        phi_5537_ = -(_e3186[1]);
                                     } else {
-                                        phi_5859_ = _e3708[1];
+                                        phi_5537_ = _e3186[1];
                                     }
-                                    let _e3719 = phi_5859_;
-                                    if (_e3715 > _e3719) {
-                                        phi_5864_ = _e3715;
+                                    let _e3197 = phi_5537_;
+                                    if (_e3193 > _e3197) {
+                                        phi_5542_ = _e3193;
                                     } else {
-                                        phi_5864_ = _e3719;
+                                        phi_5542_ = _e3197;
                                     }
-                                    let _e3722 = phi_5864_;
-                                    if (_e3708[2] < 0f) {
-                                        phi_5871_ = -(_e3708[2]);
+                                    let _e3200 = phi_5542_;
+                                    if (_e3186[2] < 0f) {
+                                        phi_5549_ = -(_e3186[2]);
                                     } else {
-                                        phi_5871_ = _e3708[2];
+                                        phi_5549_ = _e3186[2];
                                     }
-                                    let _e3726 = phi_5871_;
-                                    if (_e3722 > _e3726) {
-                                        phi_5876_ = _e3722;
+                                    let _e3204 = phi_5549_;
+                                    if (_e3200 > _e3204) {
+                                        phi_5554_ = _e3200;
                                     } else {
-                                        phi_5876_ = _e3726;
+                                        phi_5554_ = _e3204;
                                     }
-                                    let _e3729 = phi_5876_;
-                                    if (_e3705 > _e3729) {
-                                        phi_5881_ = _e3705;
+                                    let _e3207 = phi_5554_;
+                                    if (_e3183 > _e3207) {
+                                        phi_5559_ = _e3183;
                                     } else {
-                                        phi_5881_ = _e3729;
+                                        phi_5559_ = _e3207;
                                     }
-                                    let _e3732 = phi_5881_;
-                                    let _e3734 = local_4[0u].member_3;
-                                    let _e3738 = local_4[0u].member_1[0u];
-                                    if (_e3738[0] < 0f) {
-                                        phi_5898_ = -(_e3738[0]);
+                                    let _e3210 = phi_5559_;
+                                    let _e3212 = local.member_3;
+                                    let _e3216 = local.member_1[0u];
+                                    if (_e3216[0] < 0f) {
+                                        phi_5576_ = -(_e3216[0]);
                                     } else {
-                                        phi_5898_ = _e3738[0];
+                                        phi_5576_ = _e3216[0];
                                     }
-                                    let _e3745 = phi_5898_;
-                                    if (_e3738[1] < 0f) {
-                                        phi_5905_ = -(_e3738[1]);
+                                    let _e3223 = phi_5576_;
+                                    if (_e3216[1] < 0f) {
+                                        phi_5583_ = -(_e3216[1]);
                                     } else {
-                                        phi_5905_ = _e3738[1];
+                                        phi_5583_ = _e3216[1];
                                     }
-                                    let _e3749 = phi_5905_;
-                                    if (_e3745 > _e3749) {
-                                        phi_5910_ = _e3745;
+                                    let _e3227 = phi_5583_;
+                                    if (_e3223 > _e3227) {
+                                        phi_5588_ = _e3223;
                                     } else {
-                                        phi_5910_ = _e3749;
+                                        phi_5588_ = _e3227;
                                     }
-                                    let _e3752 = phi_5910_;
-                                    if (_e3738[2] < 0f) {
-                                        phi_5917_ = -(_e3738[2]);
+                                    let _e3230 = phi_5588_;
+                                    if (_e3216[2] < 0f) {
+                                        phi_5595_ = -(_e3216[2]);
                                     } else {
-                                        phi_5917_ = _e3738[2];
+                                        phi_5595_ = _e3216[2];
                                     }
-                                    let _e3756 = phi_5917_;
-                                    if (_e3752 > _e3756) {
-                                        phi_5922_ = _e3752;
+                                    let _e3234 = phi_5595_;
+                                    if (_e3230 > _e3234) {
+                                        phi_5600_ = _e3230;
                                     } else {
-                                        phi_5922_ = _e3756;
+                                        phi_5600_ = _e3234;
                                     }
-                                    let _e3759 = phi_5922_;
-                                    let _e3762 = local_4[0u].member_1[1u];
-                                    if (_e3762[0] < 0f) {
-                                        phi_5936_ = -(_e3762[0]);
+                                    let _e3237 = phi_5600_;
+                                    let _e3240 = local.member_1[1u];
+                                    if (_e3240[0] < 0f) {
+                                        phi_5614_ = -(_e3240[0]);
                                     } else {
-                                        phi_5936_ = _e3762[0];
+                                        phi_5614_ = _e3240[0];
                                     }
-                                    let _e3769 = phi_5936_;
-                                    if (_e3762[1] < 0f) {
-                                        phi_5943_ = -(_e3762[1]);
+                                    let _e3247 = phi_5614_;
+                                    if (_e3240[1] < 0f) {
+                                        phi_5621_ = -(_e3240[1]);
                                     } else {
-                                        phi_5943_ = _e3762[1];
+                                        phi_5621_ = _e3240[1];
                                     }
-                                    let _e3773 = phi_5943_;
-                                    if (_e3769 > _e3773) {
-                                        phi_5948_ = _e3769;
+                                    let _e3251 = phi_5621_;
+                                    if (_e3247 > _e3251) {
+                                        phi_5626_ = _e3247;
                                     } else {
-                                        phi_5948_ = _e3773;
+                                        phi_5626_ = _e3251;
                                     }
-                                    let _e3776 = phi_5948_;
-                                    if (_e3762[2] < 0f) {
-                                        phi_5955_ = -(_e3762[2]);
+                                    let _e3254 = phi_5626_;
+                                    if (_e3240[2] < 0f) {
+                                        phi_5633_ = -(_e3240[2]);
                                     } else {
-                                        phi_5955_ = _e3762[2];
+                                        phi_5633_ = _e3240[2];
                                     }
-                                    let _e3780 = phi_5955_;
-                                    if (_e3776 > _e3780) {
-                                        phi_5960_ = _e3776;
+                                    let _e3258 = phi_5633_;
+                                    if (_e3254 > _e3258) {
+                                        phi_5638_ = _e3254;
                                     } else {
-                                        phi_5960_ = _e3780;
+                                        phi_5638_ = _e3258;
                                     }
-                                    let _e3783 = phi_5960_;
-                                    if (_e3759 > _e3783) {
-                                        phi_5965_ = _e3759;
+                                    let _e3261 = phi_5638_;
+                                    if (_e3237 > _e3261) {
+                                        phi_5643_ = _e3237;
                                     } else {
-                                        phi_5965_ = _e3783;
+                                        phi_5643_ = _e3261;
                                     }
-                                    let _e3786 = phi_5965_;
-                                    let _e3788 = local_4[0u].member_3;
-                                    let _e3792 = local_4[0u].member_2[0u];
-                                    if (_e3792[0] < 0f) {
-                                        phi_5982_ = -(_e3792[0]);
+                                    let _e3264 = phi_5643_;
+                                    let _e3266 = local.member_3;
+                                    let _e3270 = local.member_2[0u];
+                                    if (_e3270[0] < 0f) {
+                                        phi_5660_ = -(_e3270[0]);
                                     } else {
-                                        phi_5982_ = _e3792[0];
+                                        phi_5660_ = _e3270[0];
                                     }
-                                    let _e3799 = phi_5982_;
-                                    if (_e3792[1] < 0f) {
-                                        phi_5989_ = -(_e3792[1]);
+                                    let _e3277 = phi_5660_;
+                                    if (_e3270[1] < 0f) {
+                                        phi_5667_ = -(_e3270[1]);
                                     } else {
-                                        phi_5989_ = _e3792[1];
+                                        phi_5667_ = _e3270[1];
                                     }
-                                    let _e3803 = phi_5989_;
-                                    if (_e3799 > _e3803) {
-                                        phi_5994_ = _e3799;
+                                    let _e3281 = phi_5667_;
+                                    if (_e3277 > _e3281) {
+                                        phi_5672_ = _e3277;
                                     } else {
-                                        phi_5994_ = _e3803;
+                                        phi_5672_ = _e3281;
                                     }
-                                    let _e3806 = phi_5994_;
-                                    if (_e3792[2] < 0f) {
-                                        phi_6001_ = -(_e3792[2]);
+                                    let _e3284 = phi_5672_;
+                                    if (_e3270[2] < 0f) {
+                                        phi_5679_ = -(_e3270[2]);
                                     } else {
-                                        phi_6001_ = _e3792[2];
+                                        phi_5679_ = _e3270[2];
                                     }
-                                    let _e3810 = phi_6001_;
-                                    if (_e3806 > _e3810) {
-                                        phi_6006_ = _e3806;
+                                    let _e3288 = phi_5679_;
+                                    if (_e3284 > _e3288) {
+                                        phi_5684_ = _e3284;
                                     } else {
-                                        phi_6006_ = _e3810;
+                                        phi_5684_ = _e3288;
                                     }
-                                    let _e3813 = phi_6006_;
-                                    let _e3816 = local_4[0u].member_2[1u];
-                                    if (_e3816[0] < 0f) {
-                                        phi_6020_ = -(_e3816[0]);
+                                    let _e3291 = phi_5684_;
+                                    let _e3294 = local.member_2[1u];
+                                    if (_e3294[0] < 0f) {
+                                        phi_5698_ = -(_e3294[0]);
                                     } else {
-                                        phi_6020_ = _e3816[0];
+                                        phi_5698_ = _e3294[0];
                                     }
-                                    let _e3823 = phi_6020_;
-                                    if (_e3816[1] < 0f) {
-                                        phi_6027_ = -(_e3816[1]);
+                                    let _e3301 = phi_5698_;
+                                    if (_e3294[1] < 0f) {
+                                        phi_5705_ = -(_e3294[1]);
                                     } else {
-                                        phi_6027_ = _e3816[1];
+                                        phi_5705_ = _e3294[1];
                                     }
-                                    let _e3827 = phi_6027_;
-                                    if (_e3823 > _e3827) {
-                                        phi_6032_ = _e3823;
+                                    let _e3305 = phi_5705_;
+                                    if (_e3301 > _e3305) {
+                                        phi_5710_ = _e3301;
                                     } else {
-                                        phi_6032_ = _e3827;
+                                        phi_5710_ = _e3305;
                                     }
-                                    let _e3830 = phi_6032_;
-                                    if (_e3816[2] < 0f) {
-                                        phi_6039_ = -(_e3816[2]);
+                                    let _e3308 = phi_5710_;
+                                    if (_e3294[2] < 0f) {
+                                        phi_5717_ = -(_e3294[2]);
                                     } else {
-                                        phi_6039_ = _e3816[2];
+                                        phi_5717_ = _e3294[2];
                                     }
-                                    let _e3834 = phi_6039_;
-                                    if (_e3830 > _e3834) {
-                                        phi_6044_ = _e3830;
+                                    let _e3312 = phi_5717_;
+                                    if (_e3308 > _e3312) {
+                                        phi_5722_ = _e3308;
                                     } else {
-                                        phi_6044_ = _e3834;
+                                        phi_5722_ = _e3312;
                                     }
-                                    let _e3837 = phi_6044_;
-                                    if (_e3813 > _e3837) {
-                                        phi_6049_ = _e3813;
+                                    let _e3315 = phi_5722_;
+                                    if (_e3291 > _e3315) {
+                                        phi_5727_ = _e3291;
                                     } else {
-                                        phi_6049_ = _e3837;
+                                        phi_5727_ = _e3315;
                                     }
-                                    let _e3840 = phi_6049_;
-                                    let _e3842 = local_4[0u].member_3;
-                                    let _e3845 = (((_e3732 + _e3734) + (_e3786 + _e3788)) + (_e3840 + _e3842));
-                                    let _e3848 = local_4[0u].member_3;
-                                    let _e3852 = (((_e2043 * 1.0001f) + (_e3848 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                    let _e3855 = ((_e3616 * _e3595) - (_e3619 * _e3594));
-                                    let _e3858 = ((_e3619 * _e3593) - (_e3613 * _e3595));
-                                    let _e3861 = ((_e3613 * _e3594) - (_e3616 * _e3593));
-                                    let _e3863 = local_2[0u];
-                                    let _e3871 = (((_e3855 * _e3863[0]) + (_e3858 * _e3863[1])) + (_e3861 * _e3863[2]));
-                                    phi_6087_ = type_21(0u, 4u);
-                                    phi_6090_ = _e3871;
-                                    phi_6092_ = _e3871;
-                                    loop {
-                                        let _e3873 = phi_6087_;
-                                        let _e3875 = phi_6090_;
-                                        let _e3877 = phi_6092_;
-                                        local_56 = _e3875;
-                                        local_57 = _e3877;
-                                        local_69 = _e3877;
-                                        if (_e3873.member < _e3873.member_1) {
-                                            phi_6088_ = type_21((_e3873.member + 1u), _e3873.member_1);
-                                            phi_6115_ = type_21(1u, _e3873.member);
+                                    let _e3318 = phi_5727_;
+                                    let _e3320 = local.member_3;
+                                    let _e3323 = (((_e3210 + _e3212) + (_e3264 + _e3266)) + (_e3318 + _e3320));
+                                    let _e3326 = local.member_3;
+                                    let _e3330 = (((_e1525 * 1.0001f) + (_e3326 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                    let _e3333 = ((_e3102 * _e3081) - (_e3105 * _e3080));
+                                    let _e3336 = ((_e3105 * _e3079) - (_e3099 * _e3081));
+                                    let _e3339 = ((_e3099 * _e3080) - (_e3102 * _e3079));
+                                    let _e3344 = (((_e3333 * _e3108[0]) + (_e3336 * _e3108[1])) + (_e3339 * _e3108[2]));
+                                    let _e3349 = (((_e3333 * _e3124) + (_e3336 * _e3125)) + (_e3339 * _e3126));
+                                    let _e3354 = (((_e3333 * _e3130) + (_e3336 * _e3131)) + (_e3339 * _e3132));
+                                    let _e3359 = (((_e3333 * _e3127) + (_e3336 * _e3128)) + (_e3339 * _e3129));
+                                    let _e3364 = (((_e3333 * _e3135[0]) + (_e3336 * _e3135[1])) + (_e3339 * _e3135[2]));
+                                    let _e3369 = (((_e3333 * _e3151) + (_e3336 * _e3152)) + (_e3339 * _e3153));
+                                    let _e3374 = (((_e3333 * _e3157) + (_e3336 * _e3158)) + (_e3339 * _e3159));
+                                    let _e3379 = (((_e3333 * _e3154) + (_e3336 * _e3155)) + (_e3339 * _e3156));
+                                    if (_e3344 < _e3349) {
+                                        phi_5805_ = _e3344;
+                                    } else {
+                                        phi_5805_ = _e3349;
+                                    }
+                                    let _e3382 = phi_5805_;
+                                    if (_e3354 < _e3359) {
+                                        phi_5810_ = _e3354;
+                                    } else {
+                                        phi_5810_ = _e3359;
+                                    }
+                                    let _e3385 = phi_5810_;
+                                    if (_e3382 < _e3385) {
+                                        phi_5815_ = _e3382;
+                                    } else {
+                                        phi_5815_ = _e3385;
+                                    }
+                                    let _e3388 = phi_5815_;
+                                    if (_e3364 < _e3369) {
+                                        phi_5820_ = _e3364;
+                                    } else {
+                                        phi_5820_ = _e3369;
+                                    }
+                                    let _e3391 = phi_5820_;
+                                    if (_e3374 < _e3379) {
+                                        phi_5825_ = _e3374;
+                                    } else {
+                                        phi_5825_ = _e3379;
+                                    }
+                                    let _e3394 = phi_5825_;
+                                    if (_e3391 < _e3394) {
+                                        phi_5830_ = _e3391;
+                                    } else {
+                                        phi_5830_ = _e3394;
+                                    }
+                                    let _e3397 = phi_5830_;
+                                    if (_e3388 < _e3397) {
+                                        phi_5835_ = _e3388;
+                                    } else {
+                                        phi_5835_ = _e3397;
+                                    }
+                                    let _e3400 = phi_5835_;
+                                    if (_e3344 > _e3349) {
+                                        phi_5840_ = _e3344;
+                                    } else {
+                                        phi_5840_ = _e3349;
+                                    }
+                                    let _e3403 = phi_5840_;
+                                    if (_e3354 > _e3359) {
+                                        phi_5845_ = _e3354;
+                                    } else {
+                                        phi_5845_ = _e3359;
+                                    }
+                                    let _e3406 = phi_5845_;
+                                    if (_e3403 > _e3406) {
+                                        phi_5850_ = _e3403;
+                                    } else {
+                                        phi_5850_ = _e3406;
+                                    }
+                                    let _e3409 = phi_5850_;
+                                    if (_e3364 > _e3369) {
+                                        phi_5855_ = _e3364;
+                                    } else {
+                                        phi_5855_ = _e3369;
+                                    }
+                                    let _e3412 = phi_5855_;
+                                    if (_e3374 > _e3379) {
+                                        phi_5860_ = _e3374;
+                                    } else {
+                                        phi_5860_ = _e3379;
+                                    }
+                                    let _e3415 = phi_5860_;
+                                    if (_e3412 > _e3415) {
+                                        phi_5865_ = _e3412;
+                                    } else {
+                                        phi_5865_ = _e3415;
+                                    }
+                                    let _e3418 = phi_5865_;
+                                    if (_e3409 > _e3418) {
+                                        phi_5870_ = _e3409;
+                                    } else {
+                                        phi_5870_ = _e3418;
+                                    }
+                                    let _e3421 = phi_5870_;
+                                    if (_e3333 < 0f) {
+                                        phi_5876_ = -(_e3333);
+                                    } else {
+                                        phi_5876_ = _e3333;
+                                    }
+                                    let _e3425 = phi_5876_;
+                                    if (_e3336 < 0f) {
+                                        phi_5882_ = -(_e3336);
+                                    } else {
+                                        phi_5882_ = _e3336;
+                                    }
+                                    let _e3429 = phi_5882_;
+                                    if (_e3339 < 0f) {
+                                        phi_5889_ = -(_e3339);
+                                    } else {
+                                        phi_5889_ = _e3339;
+                                    }
+                                    let _e3434 = phi_5889_;
+                                    let _e3435 = ((_e3425 + _e3429) + _e3434);
+                                    let _e3439 = -(_e3421);
+                                    if (_e3400 > _e3439) {
+                                        phi_5899_ = _e3400;
+                                    } else {
+                                        phi_5899_ = _e3439;
+                                    }
+                                    let _e3442 = phi_5899_;
+                                    let _e3447 = (((_e3442 - ((_e3435 * _e3323) * (0.000000059604645f * 17f))) - (_e3435 * _e3330)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    let _e3450 = ((_e3102 * _e3096) - (_e3105 * _e3095));
+                                    let _e3453 = ((_e3105 * _e3094) - (_e3099 * _e3096));
+                                    let _e3456 = ((_e3099 * _e3095) - (_e3102 * _e3094));
+                                    let _e3461 = (((_e3450 * _e3108[0]) + (_e3453 * _e3108[1])) + (_e3456 * _e3108[2]));
+                                    let _e3466 = (((_e3450 * _e3124) + (_e3453 * _e3125)) + (_e3456 * _e3126));
+                                    let _e3471 = (((_e3450 * _e3130) + (_e3453 * _e3131)) + (_e3456 * _e3132));
+                                    let _e3476 = (((_e3450 * _e3127) + (_e3453 * _e3128)) + (_e3456 * _e3129));
+                                    let _e3481 = (((_e3450 * _e3135[0]) + (_e3453 * _e3135[1])) + (_e3456 * _e3135[2]));
+                                    let _e3486 = (((_e3450 * _e3151) + (_e3453 * _e3152)) + (_e3456 * _e3153));
+                                    let _e3491 = (((_e3450 * _e3157) + (_e3453 * _e3158)) + (_e3456 * _e3159));
+                                    let _e3496 = (((_e3450 * _e3154) + (_e3453 * _e3155)) + (_e3456 * _e3156));
+                                    if (_e3461 < _e3466) {
+                                        phi_5970_ = _e3461;
+                                    } else {
+                                        phi_5970_ = _e3466;
+                                    }
+                                    let _e3499 = phi_5970_;
+                                    if (_e3471 < _e3476) {
+                                        phi_5975_ = _e3471;
+                                    } else {
+                                        phi_5975_ = _e3476;
+                                    }
+                                    let _e3502 = phi_5975_;
+                                    if (_e3499 < _e3502) {
+                                        phi_5980_ = _e3499;
+                                    } else {
+                                        phi_5980_ = _e3502;
+                                    }
+                                    let _e3505 = phi_5980_;
+                                    if (_e3481 < _e3486) {
+                                        phi_5985_ = _e3481;
+                                    } else {
+                                        phi_5985_ = _e3486;
+                                    }
+                                    let _e3508 = phi_5985_;
+                                    if (_e3491 < _e3496) {
+                                        phi_5990_ = _e3491;
+                                    } else {
+                                        phi_5990_ = _e3496;
+                                    }
+                                    let _e3511 = phi_5990_;
+                                    if (_e3508 < _e3511) {
+                                        phi_5995_ = _e3508;
+                                    } else {
+                                        phi_5995_ = _e3511;
+                                    }
+                                    let _e3514 = phi_5995_;
+                                    if (_e3505 < _e3514) {
+                                        phi_6000_ = _e3505;
+                                    } else {
+                                        phi_6000_ = _e3514;
+                                    }
+                                    let _e3517 = phi_6000_;
+                                    if (_e3461 > _e3466) {
+                                        phi_6005_ = _e3461;
+                                    } else {
+                                        phi_6005_ = _e3466;
+                                    }
+                                    let _e3520 = phi_6005_;
+                                    if (_e3471 > _e3476) {
+                                        phi_6010_ = _e3471;
+                                    } else {
+                                        phi_6010_ = _e3476;
+                                    }
+                                    let _e3523 = phi_6010_;
+                                    if (_e3520 > _e3523) {
+                                        phi_6015_ = _e3520;
+                                    } else {
+                                        phi_6015_ = _e3523;
+                                    }
+                                    let _e3526 = phi_6015_;
+                                    if (_e3481 > _e3486) {
+                                        phi_6020_ = _e3481;
+                                    } else {
+                                        phi_6020_ = _e3486;
+                                    }
+                                    let _e3529 = phi_6020_;
+                                    if (_e3491 > _e3496) {
+                                        phi_6025_ = _e3491;
+                                    } else {
+                                        phi_6025_ = _e3496;
+                                    }
+                                    let _e3532 = phi_6025_;
+                                    if (_e3529 > _e3532) {
+                                        phi_6030_ = _e3529;
+                                    } else {
+                                        phi_6030_ = _e3532;
+                                    }
+                                    let _e3535 = phi_6030_;
+                                    if (_e3526 > _e3535) {
+                                        phi_6035_ = _e3526;
+                                    } else {
+                                        phi_6035_ = _e3535;
+                                    }
+                                    let _e3538 = phi_6035_;
+                                    if (_e3450 < 0f) {
+                                        phi_6041_ = -(_e3450);
+                                    } else {
+                                        phi_6041_ = _e3450;
+                                    }
+                                    let _e3542 = phi_6041_;
+                                    if (_e3453 < 0f) {
+                                        phi_6047_ = -(_e3453);
+                                    } else {
+                                        phi_6047_ = _e3453;
+                                    }
+                                    let _e3546 = phi_6047_;
+                                    if (_e3456 < 0f) {
+                                        phi_6054_ = -(_e3456);
+                                    } else {
+                                        phi_6054_ = _e3456;
+                                    }
+                                    let _e3551 = phi_6054_;
+                                    let _e3552 = ((_e3542 + _e3546) + _e3551);
+                                    let _e3556 = -(_e3538);
+                                    if (_e3517 > _e3556) {
+                                        phi_6064_ = _e3517;
+                                    } else {
+                                        phi_6064_ = _e3556;
+                                    }
+                                    let _e3559 = phi_6064_;
+                                    let _e3564 = (((_e3559 - ((_e3552 * _e3323) * (0.000000059604645f * 17f))) - (_e3552 * _e3330)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e3447 > _e3564) {
+                                        phi_6074_ = _e3447;
+                                    } else {
+                                        phi_6074_ = _e3564;
+                                    }
+                                    let _e3567 = phi_6074_;
+                                    phi_6254_ = (_e3567 > 0f);
+                                }
+                                let _e3570 = phi_6254_;
+                                if _e3570 {
+                                    let _e3573 = local_1.member_1[0u];
+                                    let _e3579 = local_1.member_2[0u];
+                                    let _e3585 = ((_e3573[1] * _e3579[2]) - (_e3573[2] * _e3579[1]));
+                                    let _e3588 = ((_e3573[2] * _e3579[0]) - (_e3573[0] * _e3579[2]));
+                                    let _e3591 = ((_e3573[0] * _e3579[1]) - (_e3573[1] * _e3579[0]));
+                                    let _e3594 = local_1.member_1[1u];
+                                    let _e3600 = local_1.member_2[1u];
+                                    let _e3606 = ((_e3594[1] * _e3600[2]) - (_e3594[2] * _e3600[1]));
+                                    let _e3609 = ((_e3594[2] * _e3600[0]) - (_e3594[0] * _e3600[2]));
+                                    let _e3612 = ((_e3594[0] * _e3600[1]) - (_e3594[1] * _e3600[0]));
+                                    let _e3615 = local_1.member_1[0u];
+                                    let _e3621 = local_1.member_2[1u];
+                                    let _e3636 = local_1.member_1[1u];
+                                    let _e3642 = local_1.member_2[0u];
+                                    let _e3655 = (((_e3615[1] * _e3621[2]) - (_e3615[2] * _e3621[1])) + ((_e3636[1] * _e3642[2]) - (_e3636[2] * _e3642[1])));
+                                    let _e3656 = (((_e3615[2] * _e3621[0]) - (_e3615[0] * _e3621[2])) + ((_e3636[2] * _e3642[0]) - (_e3636[0] * _e3642[2])));
+                                    let _e3657 = (((_e3615[0] * _e3621[1]) - (_e3615[1] * _e3621[0])) + ((_e3636[0] * _e3642[1]) - (_e3636[1] * _e3642[0])));
+                                    let _e3660 = local_1.member[0u];
+                                    let _e3671 = local_1.member[1u];
+                                    let _e3682 = local_1.member[0u];
+                                    let _e3691 = ((((_e3671[0] * _e3585) + (_e3671[1] * _e3588)) + (_e3671[2] * _e3591)) + (((_e3682[0] * _e3655) + (_e3682[1] * _e3656)) + (_e3682[2] * _e3657)));
+                                    let _e3694 = local_1.member[0u];
+                                    let _e3705 = local_1.member[1u];
+                                    let _e3714 = ((((_e3694[0] * _e3606) + (_e3694[1] * _e3609)) + (_e3694[2] * _e3612)) + (((_e3705[0] * _e3655) + (_e3705[1] * _e3656)) + (_e3705[2] * _e3657)));
+                                    let _e3717 = local_1.member[1u];
+                                    let _e3728 = local_1.member[0u];
+                                    if (_e3728[0] < 0f) {
+                                        phi_6499_ = -(_e3728[0]);
+                                    } else {
+                                        phi_6499_ = _e3728[0];
+                                    }
+                                    let _e3735 = phi_6499_;
+                                    if (_e3728[1] < 0f) {
+                                        phi_6506_ = -(_e3728[1]);
+                                    } else {
+                                        phi_6506_ = _e3728[1];
+                                    }
+                                    let _e3739 = phi_6506_;
+                                    if (_e3735 > _e3739) {
+                                        phi_6511_ = _e3735;
+                                    } else {
+                                        phi_6511_ = _e3739;
+                                    }
+                                    let _e3742 = phi_6511_;
+                                    if (_e3728[2] < 0f) {
+                                        phi_6518_ = -(_e3728[2]);
+                                    } else {
+                                        phi_6518_ = _e3728[2];
+                                    }
+                                    let _e3746 = phi_6518_;
+                                    if (_e3742 > _e3746) {
+                                        phi_6523_ = _e3742;
+                                    } else {
+                                        phi_6523_ = _e3746;
+                                    }
+                                    let _e3749 = phi_6523_;
+                                    let _e3752 = local_1.member[1u];
+                                    if (_e3752[0] < 0f) {
+                                        phi_6536_ = -(_e3752[0]);
+                                    } else {
+                                        phi_6536_ = _e3752[0];
+                                    }
+                                    let _e3759 = phi_6536_;
+                                    if (_e3752[1] < 0f) {
+                                        phi_6543_ = -(_e3752[1]);
+                                    } else {
+                                        phi_6543_ = _e3752[1];
+                                    }
+                                    let _e3763 = phi_6543_;
+                                    if (_e3759 > _e3763) {
+                                        phi_6548_ = _e3759;
+                                    } else {
+                                        phi_6548_ = _e3763;
+                                    }
+                                    let _e3766 = phi_6548_;
+                                    if (_e3752[2] < 0f) {
+                                        phi_6555_ = -(_e3752[2]);
+                                    } else {
+                                        phi_6555_ = _e3752[2];
+                                    }
+                                    let _e3770 = phi_6555_;
+                                    if (_e3766 > _e3770) {
+                                        phi_6560_ = _e3766;
+                                    } else {
+                                        phi_6560_ = _e3770;
+                                    }
+                                    let _e3773 = phi_6560_;
+                                    if (_e3749 > _e3773) {
+                                        phi_6565_ = _e3749;
+                                    } else {
+                                        phi_6565_ = _e3773;
+                                    }
+                                    let _e3776 = phi_6565_;
+                                    let _e3778 = local_1.member_3;
+                                    let _e3779 = (_e3776 + _e3778);
+                                    let _e3782 = local_1.member_1[0u];
+                                    if (_e3782[0] < 0f) {
+                                        phi_6582_ = -(_e3782[0]);
+                                    } else {
+                                        phi_6582_ = _e3782[0];
+                                    }
+                                    let _e3789 = phi_6582_;
+                                    if (_e3782[1] < 0f) {
+                                        phi_6589_ = -(_e3782[1]);
+                                    } else {
+                                        phi_6589_ = _e3782[1];
+                                    }
+                                    let _e3793 = phi_6589_;
+                                    if (_e3789 > _e3793) {
+                                        phi_6594_ = _e3789;
+                                    } else {
+                                        phi_6594_ = _e3793;
+                                    }
+                                    let _e3796 = phi_6594_;
+                                    if (_e3782[2] < 0f) {
+                                        phi_6601_ = -(_e3782[2]);
+                                    } else {
+                                        phi_6601_ = _e3782[2];
+                                    }
+                                    let _e3800 = phi_6601_;
+                                    if (_e3796 > _e3800) {
+                                        phi_6606_ = _e3796;
+                                    } else {
+                                        phi_6606_ = _e3800;
+                                    }
+                                    let _e3803 = phi_6606_;
+                                    let _e3806 = local_1.member_1[1u];
+                                    if (_e3806[0] < 0f) {
+                                        phi_6620_ = -(_e3806[0]);
+                                    } else {
+                                        phi_6620_ = _e3806[0];
+                                    }
+                                    let _e3813 = phi_6620_;
+                                    if (_e3806[1] < 0f) {
+                                        phi_6627_ = -(_e3806[1]);
+                                    } else {
+                                        phi_6627_ = _e3806[1];
+                                    }
+                                    let _e3817 = phi_6627_;
+                                    if (_e3813 > _e3817) {
+                                        phi_6632_ = _e3813;
+                                    } else {
+                                        phi_6632_ = _e3817;
+                                    }
+                                    let _e3820 = phi_6632_;
+                                    if (_e3806[2] < 0f) {
+                                        phi_6639_ = -(_e3806[2]);
+                                    } else {
+                                        phi_6639_ = _e3806[2];
+                                    }
+                                    let _e3824 = phi_6639_;
+                                    if (_e3820 > _e3824) {
+                                        phi_6644_ = _e3820;
+                                    } else {
+                                        phi_6644_ = _e3824;
+                                    }
+                                    let _e3827 = phi_6644_;
+                                    if (_e3803 > _e3827) {
+                                        phi_6649_ = _e3803;
+                                    } else {
+                                        phi_6649_ = _e3827;
+                                    }
+                                    let _e3830 = phi_6649_;
+                                    let _e3832 = local_1.member_3;
+                                    let _e3833 = (_e3830 + _e3832);
+                                    let _e3836 = local_1.member_2[0u];
+                                    if (_e3836[0] < 0f) {
+                                        phi_6666_ = -(_e3836[0]);
+                                    } else {
+                                        phi_6666_ = _e3836[0];
+                                    }
+                                    let _e3843 = phi_6666_;
+                                    if (_e3836[1] < 0f) {
+                                        phi_6673_ = -(_e3836[1]);
+                                    } else {
+                                        phi_6673_ = _e3836[1];
+                                    }
+                                    let _e3847 = phi_6673_;
+                                    if (_e3843 > _e3847) {
+                                        phi_6678_ = _e3843;
+                                    } else {
+                                        phi_6678_ = _e3847;
+                                    }
+                                    let _e3850 = phi_6678_;
+                                    if (_e3836[2] < 0f) {
+                                        phi_6685_ = -(_e3836[2]);
+                                    } else {
+                                        phi_6685_ = _e3836[2];
+                                    }
+                                    let _e3854 = phi_6685_;
+                                    if (_e3850 > _e3854) {
+                                        phi_6690_ = _e3850;
+                                    } else {
+                                        phi_6690_ = _e3854;
+                                    }
+                                    let _e3857 = phi_6690_;
+                                    let _e3860 = local_1.member_2[1u];
+                                    if (_e3860[0] < 0f) {
+                                        phi_6704_ = -(_e3860[0]);
+                                    } else {
+                                        phi_6704_ = _e3860[0];
+                                    }
+                                    let _e3867 = phi_6704_;
+                                    if (_e3860[1] < 0f) {
+                                        phi_6711_ = -(_e3860[1]);
+                                    } else {
+                                        phi_6711_ = _e3860[1];
+                                    }
+                                    let _e3871 = phi_6711_;
+                                    if (_e3867 > _e3871) {
+                                        phi_6716_ = _e3867;
+                                    } else {
+                                        phi_6716_ = _e3871;
+                                    }
+                                    let _e3874 = phi_6716_;
+                                    if (_e3860[2] < 0f) {
+                                        phi_6723_ = -(_e3860[2]);
+                                    } else {
+                                        phi_6723_ = _e3860[2];
+                                    }
+                                    let _e3878 = phi_6723_;
+                                    if (_e3874 > _e3878) {
+                                        phi_6728_ = _e3874;
+                                    } else {
+                                        phi_6728_ = _e3878;
+                                    }
+                                    let _e3881 = phi_6728_;
+                                    if (_e3857 > _e3881) {
+                                        phi_6733_ = _e3857;
+                                    } else {
+                                        phi_6733_ = _e3881;
+                                    }
+                                    let _e3884 = phi_6733_;
+                                    let _e3886 = local_1.member_3;
+                                    let _e3887 = (_e3884 + _e3886);
+                                    let _e3889 = ((_e3833 * 8f) * _e3887);
+                                    let _e3896 = local_1.member_3;
+                                    if (_e3585 < 0f) {
+                                        phi_6764_ = -(_e3585);
+                                    } else {
+                                        phi_6764_ = _e3585;
+                                    }
+                                    let _e3913 = phi_6764_;
+                                    if (_e3588 < 0f) {
+                                        phi_6770_ = -(_e3588);
+                                    } else {
+                                        phi_6770_ = _e3588;
+                                    }
+                                    let _e3917 = phi_6770_;
+                                    if (_e3591 < 0f) {
+                                        phi_6777_ = -(_e3591);
+                                    } else {
+                                        phi_6777_ = _e3591;
+                                    }
+                                    let _e3922 = phi_6777_;
+                                    let _e3923 = ((_e3913 + _e3917) + _e3922);
+                                    if (_e3606 < 0f) {
+                                        phi_6784_ = -(_e3606);
+                                    } else {
+                                        phi_6784_ = _e3606;
+                                    }
+                                    let _e3927 = phi_6784_;
+                                    if (_e3609 < 0f) {
+                                        phi_6790_ = -(_e3609);
+                                    } else {
+                                        phi_6790_ = _e3609;
+                                    }
+                                    let _e3931 = phi_6790_;
+                                    if (_e3612 < 0f) {
+                                        phi_6797_ = -(_e3612);
+                                    } else {
+                                        phi_6797_ = _e3612;
+                                    }
+                                    let _e3936 = phi_6797_;
+                                    let _e3937 = ((_e3927 + _e3931) + _e3936);
+                                    if (_e3923 > _e3937) {
+                                        phi_6803_ = _e3923;
+                                    } else {
+                                        phi_6803_ = _e3937;
+                                    }
+                                    let _e3940 = phi_6803_;
+                                    if (_e3655 < 0f) {
+                                        phi_6809_ = -(_e3655);
+                                    } else {
+                                        phi_6809_ = _e3655;
+                                    }
+                                    let _e3944 = phi_6809_;
+                                    if (_e3656 < 0f) {
+                                        phi_6815_ = -(_e3656);
+                                    } else {
+                                        phi_6815_ = _e3656;
+                                    }
+                                    let _e3948 = phi_6815_;
+                                    if (_e3657 < 0f) {
+                                        phi_6822_ = -(_e3657);
+                                    } else {
+                                        phi_6822_ = _e3657;
+                                    }
+                                    let _e3953 = phi_6822_;
+                                    let _e3955 = (((_e3944 + _e3948) + _e3953) * 0.5f);
+                                    if (_e3940 > _e3955) {
+                                        phi_6829_ = _e3940;
+                                    } else {
+                                        phi_6829_ = _e3955;
+                                    }
+                                    let _e3958 = phi_6829_;
+                                    let _e3963 = local_1.member_3;
+                                    let _e3976 = ((((_e3660[0] * _e3585) + (_e3660[1] * _e3588)) + (_e3660[2] * _e3591)) * 3f);
+                                    let _e3977 = ((((_e3717[0] * _e3606) + (_e3717[1] * _e3609)) + (_e3717[2] * _e3612)) * 3f);
+                                    if (_e3976 < _e3977) {
+                                        phi_6853_ = _e3976;
+                                    } else {
+                                        phi_6853_ = _e3977;
+                                    }
+                                    let _e3980 = phi_6853_;
+                                    if (_e3691 < _e3714) {
+                                        phi_6858_ = _e3691;
+                                    } else {
+                                        phi_6858_ = _e3714;
+                                    }
+                                    let _e3983 = phi_6858_;
+                                    if (_e3980 < _e3983) {
+                                        phi_6863_ = _e3980;
+                                    } else {
+                                        phi_6863_ = _e3983;
+                                    }
+                                    let _e3986 = phi_6863_;
+                                    if (_e3976 > _e3977) {
+                                        phi_6868_ = _e3976;
+                                    } else {
+                                        phi_6868_ = _e3977;
+                                    }
+                                    let _e3989 = phi_6868_;
+                                    if (_e3691 > _e3714) {
+                                        phi_6873_ = _e3691;
+                                    } else {
+                                        phi_6873_ = _e3714;
+                                    }
+                                    let _e3992 = phi_6873_;
+                                    if (_e3989 > _e3992) {
+                                        phi_6878_ = _e3989;
+                                    } else {
+                                        phi_6878_ = _e3992;
+                                    }
+                                    let _e3995 = phi_6878_;
+                                    let _e4000 = -(_e3995);
+                                    if (_e3986 > _e4000) {
+                                        phi_6888_ = _e3986;
+                                    } else {
+                                        phi_6888_ = _e4000;
+                                    }
+                                    let _e4003 = phi_6888_;
+                                    if ((_e4003 - ((((((_e3779 * 8f) * _e3889) * (0.000000059604645f * (490f / 64f))) + ((_e3896 * 19f) * ((_e3779 * (_e3833 + _e3887)) + (_e3833 * _e3887)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3779) * ((1f + _e3833) * (1f + _e3887))))) + ((_e1525 * (((_e3958 + (_e3889 * (0.000000059604645f * 4f))) + ((_e3963 * 6f) * (_e3833 + _e3887))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3833) * (1f + _e3887))))) * (3f * 1.0001f)))) > 0f) {
+                                        phi_7852_ = true;
+                                    } else {
+                                        let _e4008 = local_1.member_1[0u];
+                                        let _e4014 = local_1.member_1[1u];
+                                        let _e4018 = (_e4008[0] + _e4014[0]);
+                                        let _e4019 = (_e4008[1] + _e4014[1]);
+                                        let _e4020 = (_e4008[2] + _e4014[2]);
+                                        let _e4023 = local_1.member_2[0u];
+                                        let _e4029 = local_1.member_2[1u];
+                                        let _e4033 = (_e4023[0] + _e4029[0]);
+                                        let _e4034 = (_e4023[1] + _e4029[1]);
+                                        let _e4035 = (_e4023[2] + _e4029[2]);
+                                        let _e4038 = ((_e4019 * _e4035) - (_e4020 * _e4034));
+                                        let _e4041 = ((_e4020 * _e4033) - (_e4018 * _e4035));
+                                        let _e4044 = ((_e4018 * _e4034) - (_e4019 * _e4033));
+                                        let _e4047 = local_1.member[0u];
+                                        let _e4053 = local_1.member_1[0u];
+                                        let _e4059 = local_1.member_2[0u];
+                                        let _e4063 = (_e4047[0] - _e4053[0]);
+                                        let _e4064 = (_e4047[1] - _e4053[1]);
+                                        let _e4065 = (_e4047[2] - _e4053[2]);
+                                        let _e4066 = (_e4063 - _e4059[0]);
+                                        let _e4067 = (_e4064 - _e4059[1]);
+                                        let _e4068 = (_e4065 - _e4059[2]);
+                                        let _e4069 = (_e4047[0] - _e4059[0]);
+                                        let _e4070 = (_e4047[1] - _e4059[1]);
+                                        let _e4071 = (_e4047[2] - _e4059[2]);
+                                        let _e4074 = local_1.member[1u];
+                                        let _e4080 = local_1.member_1[1u];
+                                        let _e4086 = local_1.member_2[1u];
+                                        let _e4090 = (_e4074[0] - _e4080[0]);
+                                        let _e4091 = (_e4074[1] - _e4080[1]);
+                                        let _e4092 = (_e4074[2] - _e4080[2]);
+                                        let _e4093 = (_e4090 - _e4086[0]);
+                                        let _e4094 = (_e4091 - _e4086[1]);
+                                        let _e4095 = (_e4092 - _e4086[2]);
+                                        let _e4096 = (_e4074[0] - _e4086[0]);
+                                        let _e4097 = (_e4074[1] - _e4086[1]);
+                                        let _e4098 = (_e4074[2] - _e4086[2]);
+                                        let _e4101 = local_1.member[0u];
+                                        if (_e4101[0] < 0f) {
+                                            phi_7091_ = -(_e4101[0]);
                                         } else {
-                                            phi_6088_ = _e3873;
-                                            phi_6115_ = type_21(0u, type_21().member_1);
+                                            phi_7091_ = _e4101[0];
                                         }
-                                        let _e3889 = phi_6088_;
-                                        let _e3891 = phi_6115_;
-                                        let _e3895 = (bitcast<i32>(_e3891.member) != 0i);
-                                        if _e3895 {
-                                            let _e3897 = local_2[_e3891.member_1];
-                                            let _e3905 = (((_e3855 * _e3897[0]) + (_e3858 * _e3897[1])) + (_e3861 * _e3897[2]));
-                                            let _e3907 = local_3[_e3891.member_1];
-                                            let _e3915 = (((_e3855 * _e3907[0]) + (_e3858 * _e3907[1])) + (_e3861 * _e3907[2]));
-                                            if (_e3877 < _e3905) {
-                                                phi_6165_ = _e3877;
-                                            } else {
-                                                phi_6165_ = _e3905;
-                                            }
-                                            let _e3918 = phi_6165_;
-                                            if (_e3918 < _e3915) {
-                                                phi_6170_ = _e3918;
-                                            } else {
-                                                phi_6170_ = _e3915;
-                                            }
-                                            let _e3921 = phi_6170_;
-                                            if (_e3875 > _e3905) {
-                                                phi_6175_ = _e3875;
-                                            } else {
-                                                phi_6175_ = _e3905;
-                                            }
-                                            let _e3924 = phi_6175_;
-                                            if (_e3924 > _e3915) {
-                                                phi_6180_ = _e3924;
-                                            } else {
-                                                phi_6180_ = _e3915;
-                                            }
-                                            let _e3927 = phi_6180_;
-                                            phi_6091_ = _e3927;
-                                            phi_6093_ = _e3921;
+                                        let _e4108 = phi_7091_;
+                                        if (_e4101[1] < 0f) {
+                                            phi_7098_ = -(_e4101[1]);
                                         } else {
-                                            phi_6091_ = f32();
-                                            phi_6093_ = f32();
+                                            phi_7098_ = _e4101[1];
                                         }
-                                        let _e3929 = phi_6091_;
-                                        let _e3931 = phi_6093_;
-                                        continue;
-                                        continuing {
-                                            phi_6087_ = _e3889;
-                                            phi_6090_ = _e3929;
-                                            phi_6092_ = _e3931;
-                                            break if !(_e3895);
-                                        }
-                                    }
-                                    if (_e3855 < 0f) {
-                                        phi_6186_ = -(_e3855);
-                                    } else {
-                                        phi_6186_ = _e3855;
-                                    }
-                                    let _e3936 = phi_6186_;
-                                    if (_e3858 < 0f) {
-                                        phi_6192_ = -(_e3858);
-                                    } else {
-                                        phi_6192_ = _e3858;
-                                    }
-                                    let _e3940 = phi_6192_;
-                                    if (_e3861 < 0f) {
-                                        phi_6199_ = -(_e3861);
-                                    } else {
-                                        phi_6199_ = _e3861;
-                                    }
-                                    let _e3945 = phi_6199_;
-                                    let _e3946 = ((_e3936 + _e3940) + _e3945);
-                                    let _e3951 = local_56;
-                                    let _e3952 = -(_e3951);
-                                    let _e3954 = local_57;
-                                    if (_e3954 > _e3952) {
-                                        let _e5568 = local_69;
-                                        phi_6209_ = _e5568;
-                                    } else {
-                                        phi_6209_ = _e3952;
-                                    }
-                                    let _e3957 = phi_6209_;
-                                    let _e3962 = (((_e3957 - ((_e3946 * _e3845) * (0.000000059604645f * 17f))) - (_e3946 * _e3852)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    let _e3965 = ((_e3616 * _e3610) - (_e3619 * _e3609));
-                                    let _e3968 = ((_e3619 * _e3608) - (_e3613 * _e3610));
-                                    let _e3971 = ((_e3613 * _e3609) - (_e3616 * _e3608));
-                                    let _e3973 = local_2[0u];
-                                    let _e3981 = (((_e3965 * _e3973[0]) + (_e3968 * _e3973[1])) + (_e3971 * _e3973[2]));
-                                    phi_6240_ = type_21(0u, 4u);
-                                    phi_6243_ = _e3981;
-                                    phi_6245_ = _e3981;
-                                    loop {
-                                        let _e3983 = phi_6240_;
-                                        let _e3985 = phi_6243_;
-                                        let _e3987 = phi_6245_;
-                                        local_58 = _e3985;
-                                        local_59 = _e3987;
-                                        local_70 = _e3987;
-                                        if (_e3983.member < _e3983.member_1) {
-                                            phi_6241_ = type_21((_e3983.member + 1u), _e3983.member_1);
-                                            phi_6268_ = type_21(1u, _e3983.member);
+                                        let _e4112 = phi_7098_;
+                                        if (_e4108 > _e4112) {
+                                            phi_7103_ = _e4108;
                                         } else {
-                                            phi_6241_ = _e3983;
-                                            phi_6268_ = type_21(0u, type_21().member_1);
+                                            phi_7103_ = _e4112;
                                         }
-                                        let _e3999 = phi_6241_;
-                                        let _e4001 = phi_6268_;
-                                        let _e4005 = (bitcast<i32>(_e4001.member) != 0i);
-                                        if _e4005 {
-                                            let _e4007 = local_2[_e4001.member_1];
-                                            let _e4015 = (((_e3965 * _e4007[0]) + (_e3968 * _e4007[1])) + (_e3971 * _e4007[2]));
-                                            let _e4017 = local_3[_e4001.member_1];
-                                            let _e4025 = (((_e3965 * _e4017[0]) + (_e3968 * _e4017[1])) + (_e3971 * _e4017[2]));
-                                            if (_e3987 < _e4015) {
-                                                phi_6318_ = _e3987;
-                                            } else {
-                                                phi_6318_ = _e4015;
-                                            }
-                                            let _e4028 = phi_6318_;
-                                            if (_e4028 < _e4025) {
-                                                phi_6323_ = _e4028;
-                                            } else {
-                                                phi_6323_ = _e4025;
-                                            }
-                                            let _e4031 = phi_6323_;
-                                            if (_e3985 > _e4015) {
-                                                phi_6328_ = _e3985;
-                                            } else {
-                                                phi_6328_ = _e4015;
-                                            }
-                                            let _e4034 = phi_6328_;
-                                            if (_e4034 > _e4025) {
-                                                phi_6333_ = _e4034;
-                                            } else {
-                                                phi_6333_ = _e4025;
-                                            }
-                                            let _e4037 = phi_6333_;
-                                            phi_6244_ = _e4037;
-                                            phi_6246_ = _e4031;
+                                        let _e4115 = phi_7103_;
+                                        if (_e4101[2] < 0f) {
+                                            phi_7110_ = -(_e4101[2]);
                                         } else {
-                                            phi_6244_ = f32();
-                                            phi_6246_ = f32();
+                                            phi_7110_ = _e4101[2];
                                         }
-                                        let _e4039 = phi_6244_;
-                                        let _e4041 = phi_6246_;
-                                        continue;
-                                        continuing {
-                                            phi_6240_ = _e3999;
-                                            phi_6243_ = _e4039;
-                                            phi_6245_ = _e4041;
-                                            break if !(_e4005);
-                                        }
-                                    }
-                                    if (_e3965 < 0f) {
-                                        phi_6339_ = -(_e3965);
-                                    } else {
-                                        phi_6339_ = _e3965;
-                                    }
-                                    let _e4046 = phi_6339_;
-                                    if (_e3968 < 0f) {
-                                        phi_6345_ = -(_e3968);
-                                    } else {
-                                        phi_6345_ = _e3968;
-                                    }
-                                    let _e4050 = phi_6345_;
-                                    if (_e3971 < 0f) {
-                                        phi_6352_ = -(_e3971);
-                                    } else {
-                                        phi_6352_ = _e3971;
-                                    }
-                                    let _e4055 = phi_6352_;
-                                    let _e4056 = ((_e4046 + _e4050) + _e4055);
-                                    let _e4061 = local_58;
-                                    let _e4062 = -(_e4061);
-                                    let _e4064 = local_59;
-                                    if (_e4064 > _e4062) {
-                                        let _e5587 = local_70;
-                                        phi_6362_ = _e5587;
-                                    } else {
-                                        phi_6362_ = _e4062;
-                                    }
-                                    let _e4067 = phi_6362_;
-                                    let _e4072 = (((_e4067 - ((_e4056 * _e3845) * (0.000000059604645f * 17f))) - (_e4056 * _e3852)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3962 > _e4072) {
-                                        phi_6372_ = _e3962;
-                                    } else {
-                                        phi_6372_ = _e4072;
-                                    }
-                                    let _e4075 = phi_6372_;
-                                    phi_6540_ = (_e4075 > 0f);
-                                }
-                                let _e4078 = phi_6540_;
-                                if _e4078 {
-                                    let _e4082 = local_4[1u].member_1[0u];
-                                    let _e4088 = local_4[1u].member_2[0u];
-                                    let _e4094 = ((_e4082[1] * _e4088[2]) - (_e4082[2] * _e4088[1]));
-                                    let _e4097 = ((_e4082[2] * _e4088[0]) - (_e4082[0] * _e4088[2]));
-                                    let _e4100 = ((_e4082[0] * _e4088[1]) - (_e4082[1] * _e4088[0]));
-                                    let _e4103 = local_4[1u].member_1[1u];
-                                    let _e4109 = local_4[1u].member_2[1u];
-                                    let _e4115 = ((_e4103[1] * _e4109[2]) - (_e4103[2] * _e4109[1]));
-                                    let _e4118 = ((_e4103[2] * _e4109[0]) - (_e4103[0] * _e4109[2]));
-                                    let _e4121 = ((_e4103[0] * _e4109[1]) - (_e4103[1] * _e4109[0]));
-                                    let _e4124 = local_4[1u].member_1[0u];
-                                    let _e4130 = local_4[1u].member_2[1u];
-                                    let _e4145 = local_4[1u].member_1[1u];
-                                    let _e4151 = local_4[1u].member_2[0u];
-                                    let _e4164 = (((_e4124[1] * _e4130[2]) - (_e4124[2] * _e4130[1])) + ((_e4145[1] * _e4151[2]) - (_e4145[2] * _e4151[1])));
-                                    let _e4165 = (((_e4124[2] * _e4130[0]) - (_e4124[0] * _e4130[2])) + ((_e4145[2] * _e4151[0]) - (_e4145[0] * _e4151[2])));
-                                    let _e4166 = (((_e4124[0] * _e4130[1]) - (_e4124[1] * _e4130[0])) + ((_e4145[0] * _e4151[1]) - (_e4145[1] * _e4151[0])));
-                                    let _e4169 = local_4[1u].member[0u];
-                                    let _e4180 = local_4[1u].member[1u];
-                                    let _e4191 = local_4[1u].member[0u];
-                                    let _e4200 = ((((_e4180[0] * _e4094) + (_e4180[1] * _e4097)) + (_e4180[2] * _e4100)) + (((_e4191[0] * _e4164) + (_e4191[1] * _e4165)) + (_e4191[2] * _e4166)));
-                                    let _e4203 = local_4[1u].member[0u];
-                                    let _e4214 = local_4[1u].member[1u];
-                                    let _e4223 = ((((_e4203[0] * _e4115) + (_e4203[1] * _e4118)) + (_e4203[2] * _e4121)) + (((_e4214[0] * _e4164) + (_e4214[1] * _e4165)) + (_e4214[2] * _e4166)));
-                                    let _e4226 = local_4[1u].member[1u];
-                                    let _e4237 = local_4[1u].member[0u];
-                                    if (_e4237[0] < 0f) {
-                                        phi_6786_ = -(_e4237[0]);
-                                    } else {
-                                        phi_6786_ = _e4237[0];
-                                    }
-                                    let _e4244 = phi_6786_;
-                                    if (_e4237[1] < 0f) {
-                                        phi_6793_ = -(_e4237[1]);
-                                    } else {
-                                        phi_6793_ = _e4237[1];
-                                    }
-                                    let _e4248 = phi_6793_;
-                                    if (_e4244 > _e4248) {
-                                        phi_6798_ = _e4244;
-                                    } else {
-                                        phi_6798_ = _e4248;
-                                    }
-                                    let _e4251 = phi_6798_;
-                                    if (_e4237[2] < 0f) {
-                                        phi_6805_ = -(_e4237[2]);
-                                    } else {
-                                        phi_6805_ = _e4237[2];
-                                    }
-                                    let _e4255 = phi_6805_;
-                                    if (_e4251 > _e4255) {
-                                        phi_6810_ = _e4251;
-                                    } else {
-                                        phi_6810_ = _e4255;
-                                    }
-                                    let _e4258 = phi_6810_;
-                                    let _e4261 = local_4[1u].member[1u];
-                                    if (_e4261[0] < 0f) {
-                                        phi_6823_ = -(_e4261[0]);
-                                    } else {
-                                        phi_6823_ = _e4261[0];
-                                    }
-                                    let _e4268 = phi_6823_;
-                                    if (_e4261[1] < 0f) {
-                                        phi_6830_ = -(_e4261[1]);
-                                    } else {
-                                        phi_6830_ = _e4261[1];
-                                    }
-                                    let _e4272 = phi_6830_;
-                                    if (_e4268 > _e4272) {
-                                        phi_6835_ = _e4268;
-                                    } else {
-                                        phi_6835_ = _e4272;
-                                    }
-                                    let _e4275 = phi_6835_;
-                                    if (_e4261[2] < 0f) {
-                                        phi_6842_ = -(_e4261[2]);
-                                    } else {
-                                        phi_6842_ = _e4261[2];
-                                    }
-                                    let _e4279 = phi_6842_;
-                                    if (_e4275 > _e4279) {
-                                        phi_6847_ = _e4275;
-                                    } else {
-                                        phi_6847_ = _e4279;
-                                    }
-                                    let _e4282 = phi_6847_;
-                                    if (_e4258 > _e4282) {
-                                        phi_6852_ = _e4258;
-                                    } else {
-                                        phi_6852_ = _e4282;
-                                    }
-                                    let _e4285 = phi_6852_;
-                                    let _e4287 = local_4[1u].member_3;
-                                    let _e4288 = (_e4285 + _e4287);
-                                    let _e4291 = local_4[1u].member_1[0u];
-                                    if (_e4291[0] < 0f) {
-                                        phi_6869_ = -(_e4291[0]);
-                                    } else {
-                                        phi_6869_ = _e4291[0];
-                                    }
-                                    let _e4298 = phi_6869_;
-                                    if (_e4291[1] < 0f) {
-                                        phi_6876_ = -(_e4291[1]);
-                                    } else {
-                                        phi_6876_ = _e4291[1];
-                                    }
-                                    let _e4302 = phi_6876_;
-                                    if (_e4298 > _e4302) {
-                                        phi_6881_ = _e4298;
-                                    } else {
-                                        phi_6881_ = _e4302;
-                                    }
-                                    let _e4305 = phi_6881_;
-                                    if (_e4291[2] < 0f) {
-                                        phi_6888_ = -(_e4291[2]);
-                                    } else {
-                                        phi_6888_ = _e4291[2];
-                                    }
-                                    let _e4309 = phi_6888_;
-                                    if (_e4305 > _e4309) {
-                                        phi_6893_ = _e4305;
-                                    } else {
-                                        phi_6893_ = _e4309;
-                                    }
-                                    let _e4312 = phi_6893_;
-                                    let _e4315 = local_4[1u].member_1[1u];
-                                    if (_e4315[0] < 0f) {
-                                        phi_6907_ = -(_e4315[0]);
-                                    } else {
-                                        phi_6907_ = _e4315[0];
-                                    }
-                                    let _e4322 = phi_6907_;
-                                    if (_e4315[1] < 0f) {
-                                        phi_6914_ = -(_e4315[1]);
-                                    } else {
-                                        phi_6914_ = _e4315[1];
-                                    }
-                                    let _e4326 = phi_6914_;
-                                    if (_e4322 > _e4326) {
-                                        phi_6919_ = _e4322;
-                                    } else {
-                                        phi_6919_ = _e4326;
-                                    }
-                                    let _e4329 = phi_6919_;
-                                    if (_e4315[2] < 0f) {
-                                        phi_6926_ = -(_e4315[2]);
-                                    } else {
-                                        phi_6926_ = _e4315[2];
-                                    }
-                                    let _e4333 = phi_6926_;
-                                    if (_e4329 > _e4333) {
-                                        phi_6931_ = _e4329;
-                                    } else {
-                                        phi_6931_ = _e4333;
-                                    }
-                                    let _e4336 = phi_6931_;
-                                    if (_e4312 > _e4336) {
-                                        phi_6936_ = _e4312;
-                                    } else {
-                                        phi_6936_ = _e4336;
-                                    }
-                                    let _e4339 = phi_6936_;
-                                    let _e4341 = local_4[1u].member_3;
-                                    let _e4342 = (_e4339 + _e4341);
-                                    let _e4345 = local_4[1u].member_2[0u];
-                                    if (_e4345[0] < 0f) {
-                                        phi_6953_ = -(_e4345[0]);
-                                    } else {
-                                        phi_6953_ = _e4345[0];
-                                    }
-                                    let _e4352 = phi_6953_;
-                                    if (_e4345[1] < 0f) {
-                                        phi_6960_ = -(_e4345[1]);
-                                    } else {
-                                        phi_6960_ = _e4345[1];
-                                    }
-                                    let _e4356 = phi_6960_;
-                                    if (_e4352 > _e4356) {
-                                        phi_6965_ = _e4352;
-                                    } else {
-                                        phi_6965_ = _e4356;
-                                    }
-                                    let _e4359 = phi_6965_;
-                                    if (_e4345[2] < 0f) {
-                                        phi_6972_ = -(_e4345[2]);
-                                    } else {
-                                        phi_6972_ = _e4345[2];
-                                    }
-                                    let _e4363 = phi_6972_;
-                                    if (_e4359 > _e4363) {
-                                        phi_6977_ = _e4359;
-                                    } else {
-                                        phi_6977_ = _e4363;
-                                    }
-                                    let _e4366 = phi_6977_;
-                                    let _e4369 = local_4[1u].member_2[1u];
-                                    if (_e4369[0] < 0f) {
-                                        phi_6991_ = -(_e4369[0]);
-                                    } else {
-                                        phi_6991_ = _e4369[0];
-                                    }
-                                    let _e4376 = phi_6991_;
-                                    if (_e4369[1] < 0f) {
-                                        phi_6998_ = -(_e4369[1]);
-                                    } else {
-                                        phi_6998_ = _e4369[1];
-                                    }
-                                    let _e4380 = phi_6998_;
-                                    if (_e4376 > _e4380) {
-                                        phi_7003_ = _e4376;
-                                    } else {
-                                        phi_7003_ = _e4380;
-                                    }
-                                    let _e4383 = phi_7003_;
-                                    if (_e4369[2] < 0f) {
-                                        phi_7010_ = -(_e4369[2]);
-                                    } else {
-                                        phi_7010_ = _e4369[2];
-                                    }
-                                    let _e4387 = phi_7010_;
-                                    if (_e4383 > _e4387) {
-                                        phi_7015_ = _e4383;
-                                    } else {
-                                        phi_7015_ = _e4387;
-                                    }
-                                    let _e4390 = phi_7015_;
-                                    if (_e4366 > _e4390) {
-                                        phi_7020_ = _e4366;
-                                    } else {
-                                        phi_7020_ = _e4390;
-                                    }
-                                    let _e4393 = phi_7020_;
-                                    let _e4395 = local_4[1u].member_3;
-                                    let _e4396 = (_e4393 + _e4395);
-                                    let _e4398 = ((_e4342 * 8f) * _e4396);
-                                    let _e4405 = local_4[1u].member_3;
-                                    if (_e4094 < 0f) {
-                                        phi_7051_ = -(_e4094);
-                                    } else {
-                                        phi_7051_ = _e4094;
-                                    }
-                                    let _e4422 = phi_7051_;
-                                    if (_e4097 < 0f) {
-                                        phi_7057_ = -(_e4097);
-                                    } else {
-                                        phi_7057_ = _e4097;
-                                    }
-                                    let _e4426 = phi_7057_;
-                                    if (_e4100 < 0f) {
-                                        phi_7064_ = -(_e4100);
-                                    } else {
-                                        phi_7064_ = _e4100;
-                                    }
-                                    let _e4431 = phi_7064_;
-                                    let _e4432 = ((_e4422 + _e4426) + _e4431);
-                                    if (_e4115 < 0f) {
-                                        phi_7071_ = -(_e4115);
-                                    } else {
-                                        phi_7071_ = _e4115;
-                                    }
-                                    let _e4436 = phi_7071_;
-                                    if (_e4118 < 0f) {
-                                        phi_7077_ = -(_e4118);
-                                    } else {
-                                        phi_7077_ = _e4118;
-                                    }
-                                    let _e4440 = phi_7077_;
-                                    if (_e4121 < 0f) {
-                                        phi_7084_ = -(_e4121);
-                                    } else {
-                                        phi_7084_ = _e4121;
-                                    }
-                                    let _e4445 = phi_7084_;
-                                    let _e4446 = ((_e4436 + _e4440) + _e4445);
-                                    if (_e4432 > _e4446) {
-                                        phi_7090_ = _e4432;
-                                    } else {
-                                        phi_7090_ = _e4446;
-                                    }
-                                    let _e4449 = phi_7090_;
-                                    if (_e4164 < 0f) {
-                                        phi_7096_ = -(_e4164);
-                                    } else {
-                                        phi_7096_ = _e4164;
-                                    }
-                                    let _e4453 = phi_7096_;
-                                    if (_e4165 < 0f) {
-                                        phi_7102_ = -(_e4165);
-                                    } else {
-                                        phi_7102_ = _e4165;
-                                    }
-                                    let _e4457 = phi_7102_;
-                                    if (_e4166 < 0f) {
-                                        phi_7109_ = -(_e4166);
-                                    } else {
-                                        phi_7109_ = _e4166;
-                                    }
-                                    let _e4462 = phi_7109_;
-                                    let _e4464 = (((_e4453 + _e4457) + _e4462) * 0.5f);
-                                    if (_e4449 > _e4464) {
-                                        phi_7116_ = _e4449;
-                                    } else {
-                                        phi_7116_ = _e4464;
-                                    }
-                                    let _e4467 = phi_7116_;
-                                    let _e4472 = local_4[1u].member_3;
-                                    let _e4485 = ((((_e4169[0] * _e4094) + (_e4169[1] * _e4097)) + (_e4169[2] * _e4100)) * 3f);
-                                    let _e4486 = ((((_e4226[0] * _e4115) + (_e4226[1] * _e4118)) + (_e4226[2] * _e4121)) * 3f);
-                                    if (_e4485 < _e4486) {
-                                        phi_7140_ = _e4485;
-                                    } else {
-                                        phi_7140_ = _e4486;
-                                    }
-                                    let _e4489 = phi_7140_;
-                                    if (_e4200 < _e4223) {
-                                        phi_7145_ = _e4200;
-                                    } else {
-                                        phi_7145_ = _e4223;
-                                    }
-                                    let _e4492 = phi_7145_;
-                                    if (_e4489 < _e4492) {
-                                        phi_7150_ = _e4489;
-                                    } else {
-                                        phi_7150_ = _e4492;
-                                    }
-                                    let _e4495 = phi_7150_;
-                                    if (_e4485 > _e4486) {
-                                        phi_7155_ = _e4485;
-                                    } else {
-                                        phi_7155_ = _e4486;
-                                    }
-                                    let _e4498 = phi_7155_;
-                                    if (_e4200 > _e4223) {
-                                        phi_7160_ = _e4200;
-                                    } else {
-                                        phi_7160_ = _e4223;
-                                    }
-                                    let _e4501 = phi_7160_;
-                                    if (_e4498 > _e4501) {
-                                        phi_7165_ = _e4498;
-                                    } else {
-                                        phi_7165_ = _e4501;
-                                    }
-                                    let _e4504 = phi_7165_;
-                                    let _e4509 = -(_e4504);
-                                    if (_e4495 > _e4509) {
-                                        phi_7175_ = _e4495;
-                                    } else {
-                                        phi_7175_ = _e4509;
-                                    }
-                                    let _e4512 = phi_7175_;
-                                    if ((_e4512 - ((((((_e4288 * 8f) * _e4398) * (0.000000059604645f * (490f / 64f))) + ((_e4405 * 19f) * ((_e4288 * (_e4342 + _e4396)) + (_e4342 * _e4396)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4288) * ((1f + _e4342) * (1f + _e4396))))) + ((_e2043 * (((_e4467 + (_e4398 * (0.000000059604645f * 4f))) + ((_e4472 * 6f) * (_e4342 + _e4396))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4342) * (1f + _e4396))))) * (3f * 1.0001f)))) > 0f) {
-                                        phi_8151_ = true;
-                                    } else {
-                                        let _e4517 = local_4[1u].member_1[0u];
-                                        let _e4523 = local_4[1u].member_1[1u];
-                                        let _e4527 = (_e4517[0] + _e4523[0]);
-                                        let _e4528 = (_e4517[1] + _e4523[1]);
-                                        let _e4529 = (_e4517[2] + _e4523[2]);
-                                        let _e4532 = local_4[1u].member_2[0u];
-                                        let _e4538 = local_4[1u].member_2[1u];
-                                        let _e4542 = (_e4532[0] + _e4538[0]);
-                                        let _e4543 = (_e4532[1] + _e4538[1]);
-                                        let _e4544 = (_e4532[2] + _e4538[2]);
-                                        let _e4547 = ((_e4528 * _e4544) - (_e4529 * _e4543));
-                                        let _e4550 = ((_e4529 * _e4542) - (_e4527 * _e4544));
-                                        let _e4553 = ((_e4527 * _e4543) - (_e4528 * _e4542));
-                                        let _e4556 = local_4[1u].member[0u];
-                                        let _e4562 = local_4[1u].member_1[0u];
-                                        let _e4568 = local_4[1u].member_2[0u];
-                                        let _e4572 = (_e4556[0] - _e4562[0]);
-                                        let _e4573 = (_e4556[1] - _e4562[1]);
-                                        let _e4574 = (_e4556[2] - _e4562[2]);
-                                        let _e4583 = local_4[1u].member[1u];
-                                        let _e4589 = local_4[1u].member_1[1u];
-                                        let _e4595 = local_4[1u].member_2[1u];
-                                        let _e4599 = (_e4583[0] - _e4589[0]);
-                                        let _e4600 = (_e4583[1] - _e4589[1]);
-                                        let _e4601 = (_e4583[2] - _e4589[2]);
-                                        local = array<array<f32, 3>, 4>(_e4556, array<f32, 3>(_e4572, _e4573, _e4574), array<f32, 3>((_e4556[0] - _e4568[0]), (_e4556[1] - _e4568[1]), (_e4556[2] - _e4568[2])), array<f32, 3>((_e4572 - _e4568[0]), (_e4573 - _e4568[1]), (_e4574 - _e4568[2])));
-                                        local_1 = array<array<f32, 3>, 4>(_e4583, array<f32, 3>(_e4599, _e4600, _e4601), array<f32, 3>((_e4583[0] - _e4595[0]), (_e4583[1] - _e4595[1]), (_e4583[2] - _e4595[2])), array<f32, 3>((_e4599 - _e4595[0]), (_e4600 - _e4595[1]), (_e4601 - _e4595[2])));
-                                        let _e4618 = local_4[1u].member[0u];
-                                        if (_e4618[0] < 0f) {
-                                            phi_7426_ = -(_e4618[0]);
+                                        let _e4119 = phi_7110_;
+                                        if (_e4115 > _e4119) {
+                                            phi_7115_ = _e4115;
                                         } else {
-                                            phi_7426_ = _e4618[0];
+                                            phi_7115_ = _e4119;
                                         }
-                                        let _e4625 = phi_7426_;
-                                        if (_e4618[1] < 0f) {
-                                            phi_7433_ = -(_e4618[1]);
+                                        let _e4122 = phi_7115_;
+                                        let _e4125 = local_1.member[1u];
+                                        if (_e4125[0] < 0f) {
+                                            phi_7128_ = -(_e4125[0]);
                                         } else {
-                                            phi_7433_ = _e4618[1];
+                                            phi_7128_ = _e4125[0];
                                         }
-                                        let _e4629 = phi_7433_;
-                                        if (_e4625 > _e4629) {
-                                            phi_7438_ = _e4625;
+                                        let _e4132 = phi_7128_;
+                                        if (_e4125[1] < 0f) {
+                                            phi_7135_ = -(_e4125[1]);
                                         } else {
-                                            phi_7438_ = _e4629;
+                                            phi_7135_ = _e4125[1];
                                         }
-                                        let _e4632 = phi_7438_;
-                                        if (_e4618[2] < 0f) {
-                                            phi_7445_ = -(_e4618[2]);
+                                        let _e4136 = phi_7135_;
+                                        if (_e4132 > _e4136) {
+                                            phi_7140_ = _e4132;
                                         } else {
-                                            phi_7445_ = _e4618[2];
+                                            phi_7140_ = _e4136;
                                         }
-                                        let _e4636 = phi_7445_;
-                                        if (_e4632 > _e4636) {
-                                            phi_7450_ = _e4632;
+                                        let _e4139 = phi_7140_;
+                                        if (_e4125[2] < 0f) {
+                                            phi_7147_ = -(_e4125[2]);
                                         } else {
-                                            phi_7450_ = _e4636;
+                                            phi_7147_ = _e4125[2];
                                         }
-                                        let _e4639 = phi_7450_;
-                                        let _e4642 = local_4[1u].member[1u];
-                                        if (_e4642[0] < 0f) {
-                                            phi_7463_ = -(_e4642[0]);
+                                        let _e4143 = phi_7147_;
+                                        if (_e4139 > _e4143) {
+                                            phi_7152_ = _e4139;
                                         } else {
-                                            phi_7463_ = _e4642[0];
+                                            phi_7152_ = _e4143;
                                         }
-                                        let _e4649 = phi_7463_;
-                                        if (_e4642[1] < 0f) {
-                                            phi_7470_ = -(_e4642[1]);
+                                        let _e4146 = phi_7152_;
+                                        if (_e4122 > _e4146) {
+                                            phi_7157_ = _e4122;
                                         } else {
-                                            phi_7470_ = _e4642[1];
+                                            phi_7157_ = _e4146;
                                         }
-                                        let _e4653 = phi_7470_;
-                                        if (_e4649 > _e4653) {
-                                            phi_7475_ = _e4649;
+                                        let _e4149 = phi_7157_;
+                                        let _e4151 = local_1.member_3;
+                                        let _e4155 = local_1.member_1[0u];
+                                        if (_e4155[0] < 0f) {
+                                            phi_7174_ = -(_e4155[0]);
                                         } else {
-                                            phi_7475_ = _e4653;
+                                            phi_7174_ = _e4155[0];
                                         }
-                                        let _e4656 = phi_7475_;
-                                        if (_e4642[2] < 0f) {
-                                            phi_7482_ = -(_e4642[2]);
+                                        let _e4162 = phi_7174_;
+                                        if (_e4155[1] < 0f) {
+                                            phi_7181_ = -(_e4155[1]);
                                         } else {
-                                            phi_7482_ = _e4642[2];
+                                            phi_7181_ = _e4155[1];
                                         }
-                                        let _e4660 = phi_7482_;
-                                        if (_e4656 > _e4660) {
-                                            phi_7487_ = _e4656;
+                                        let _e4166 = phi_7181_;
+                                        if (_e4162 > _e4166) {
+                                            phi_7186_ = _e4162;
                                         } else {
-                                            phi_7487_ = _e4660;
+                                            phi_7186_ = _e4166;
                                         }
-                                        let _e4663 = phi_7487_;
-                                        if (_e4639 > _e4663) {
-                                            phi_7492_ = _e4639;
+                                        let _e4169 = phi_7186_;
+                                        if (_e4155[2] < 0f) {
+                                            phi_7193_ = -(_e4155[2]);
                                         } else {
-                                            phi_7492_ = _e4663;
+                                            phi_7193_ = _e4155[2];
                                         }
-                                        let _e4666 = phi_7492_;
-                                        let _e4668 = local_4[1u].member_3;
-                                        let _e4672 = local_4[1u].member_1[0u];
-                                        if (_e4672[0] < 0f) {
-                                            phi_7509_ = -(_e4672[0]);
+                                        let _e4173 = phi_7193_;
+                                        if (_e4169 > _e4173) {
+                                            phi_7198_ = _e4169;
                                         } else {
-                                            phi_7509_ = _e4672[0];
+                                            phi_7198_ = _e4173;
                                         }
-                                        let _e4679 = phi_7509_;
-                                        if (_e4672[1] < 0f) {
-                                            phi_7516_ = -(_e4672[1]);
+                                        let _e4176 = phi_7198_;
+                                        let _e4179 = local_1.member_1[1u];
+                                        if (_e4179[0] < 0f) {
+                                            phi_7212_ = -(_e4179[0]);
                                         } else {
-                                            phi_7516_ = _e4672[1];
+                                            phi_7212_ = _e4179[0];
                                         }
-                                        let _e4683 = phi_7516_;
-                                        if (_e4679 > _e4683) {
-                                            phi_7521_ = _e4679;
+                                        let _e4186 = phi_7212_;
+                                        if (_e4179[1] < 0f) {
+                                            phi_7219_ = -(_e4179[1]);
                                         } else {
-                                            phi_7521_ = _e4683;
+                                            phi_7219_ = _e4179[1];
                                         }
-                                        let _e4686 = phi_7521_;
-                                        if (_e4672[2] < 0f) {
-                                            phi_7528_ = -(_e4672[2]);
+                                        let _e4190 = phi_7219_;
+                                        if (_e4186 > _e4190) {
+                                            phi_7224_ = _e4186;
                                         } else {
-                                            phi_7528_ = _e4672[2];
+                                            phi_7224_ = _e4190;
                                         }
-                                        let _e4690 = phi_7528_;
-                                        if (_e4686 > _e4690) {
-                                            phi_7533_ = _e4686;
+                                        let _e4193 = phi_7224_;
+                                        if (_e4179[2] < 0f) {
+                                            phi_7231_ = -(_e4179[2]);
                                         } else {
-                                            phi_7533_ = _e4690;
+                                            phi_7231_ = _e4179[2];
                                         }
-                                        let _e4693 = phi_7533_;
-                                        let _e4696 = local_4[1u].member_1[1u];
-                                        if (_e4696[0] < 0f) {
-                                            phi_7547_ = -(_e4696[0]);
+                                        let _e4197 = phi_7231_;
+                                        if (_e4193 > _e4197) {
+                                            phi_7236_ = _e4193;
                                         } else {
-                                            phi_7547_ = _e4696[0];
+                                            phi_7236_ = _e4197;
                                         }
-                                        let _e4703 = phi_7547_;
-                                        if (_e4696[1] < 0f) {
-                                            phi_7554_ = -(_e4696[1]);
+                                        let _e4200 = phi_7236_;
+                                        if (_e4176 > _e4200) {
+                                            phi_7241_ = _e4176;
                                         } else {
-                                            phi_7554_ = _e4696[1];
+                                            phi_7241_ = _e4200;
                                         }
-                                        let _e4707 = phi_7554_;
-                                        if (_e4703 > _e4707) {
-                                            phi_7559_ = _e4703;
+                                        let _e4203 = phi_7241_;
+                                        let _e4205 = local_1.member_3;
+                                        let _e4209 = local_1.member_2[0u];
+                                        if (_e4209[0] < 0f) {
+                                            phi_7258_ = -(_e4209[0]);
                                         } else {
-                                            phi_7559_ = _e4707;
+                                            phi_7258_ = _e4209[0];
                                         }
-                                        let _e4710 = phi_7559_;
-                                        if (_e4696[2] < 0f) {
-                                            phi_7566_ = -(_e4696[2]);
+                                        let _e4216 = phi_7258_;
+                                        if (_e4209[1] < 0f) {
+                                            phi_7265_ = -(_e4209[1]);
                                         } else {
-                                            phi_7566_ = _e4696[2];
+                                            phi_7265_ = _e4209[1];
                                         }
-                                        let _e4714 = phi_7566_;
-                                        if (_e4710 > _e4714) {
-                                            phi_7571_ = _e4710;
+                                        let _e4220 = phi_7265_;
+                                        if (_e4216 > _e4220) {
+                                            phi_7270_ = _e4216;
                                         } else {
-                                            phi_7571_ = _e4714;
+                                            phi_7270_ = _e4220;
                                         }
-                                        let _e4717 = phi_7571_;
-                                        if (_e4693 > _e4717) {
-                                            phi_7576_ = _e4693;
+                                        let _e4223 = phi_7270_;
+                                        if (_e4209[2] < 0f) {
+                                            phi_7277_ = -(_e4209[2]);
                                         } else {
-                                            phi_7576_ = _e4717;
+                                            phi_7277_ = _e4209[2];
                                         }
-                                        let _e4720 = phi_7576_;
-                                        let _e4722 = local_4[1u].member_3;
-                                        let _e4726 = local_4[1u].member_2[0u];
-                                        if (_e4726[0] < 0f) {
-                                            phi_7593_ = -(_e4726[0]);
+                                        let _e4227 = phi_7277_;
+                                        if (_e4223 > _e4227) {
+                                            phi_7282_ = _e4223;
                                         } else {
-                                            phi_7593_ = _e4726[0];
+                                            phi_7282_ = _e4227;
                                         }
-                                        let _e4733 = phi_7593_;
-                                        if (_e4726[1] < 0f) {
-                                            phi_7600_ = -(_e4726[1]);
+                                        let _e4230 = phi_7282_;
+                                        let _e4233 = local_1.member_2[1u];
+                                        if (_e4233[0] < 0f) {
+                                            phi_7296_ = -(_e4233[0]);
                                         } else {
-                                            phi_7600_ = _e4726[1];
+                                            phi_7296_ = _e4233[0];
                                         }
-                                        let _e4737 = phi_7600_;
-                                        if (_e4733 > _e4737) {
-                                            phi_7605_ = _e4733;
+                                        let _e4240 = phi_7296_;
+                                        if (_e4233[1] < 0f) {
+                                            phi_7303_ = -(_e4233[1]);
                                         } else {
-                                            phi_7605_ = _e4737;
+                                            phi_7303_ = _e4233[1];
                                         }
-                                        let _e4740 = phi_7605_;
-                                        if (_e4726[2] < 0f) {
-                                            phi_7612_ = -(_e4726[2]);
+                                        let _e4244 = phi_7303_;
+                                        if (_e4240 > _e4244) {
+                                            phi_7308_ = _e4240;
                                         } else {
-                                            phi_7612_ = _e4726[2];
+                                            phi_7308_ = _e4244;
                                         }
-                                        let _e4744 = phi_7612_;
-                                        if (_e4740 > _e4744) {
-                                            phi_7617_ = _e4740;
+                                        let _e4247 = phi_7308_;
+                                        if (_e4233[2] < 0f) {
+                                            phi_7315_ = -(_e4233[2]);
                                         } else {
-                                            phi_7617_ = _e4744;
+                                            phi_7315_ = _e4233[2];
                                         }
-                                        let _e4747 = phi_7617_;
-                                        let _e4750 = local_4[1u].member_2[1u];
-                                        if (_e4750[0] < 0f) {
-                                            phi_7631_ = -(_e4750[0]);
+                                        let _e4251 = phi_7315_;
+                                        if (_e4247 > _e4251) {
+                                            phi_7320_ = _e4247;
                                         } else {
-                                            phi_7631_ = _e4750[0];
+                                            phi_7320_ = _e4251;
                                         }
-                                        let _e4757 = phi_7631_;
-                                        if (_e4750[1] < 0f) {
-                                            phi_7638_ = -(_e4750[1]);
+                                        let _e4254 = phi_7320_;
+                                        if (_e4230 > _e4254) {
+                                            phi_7325_ = _e4230;
                                         } else {
-                                            phi_7638_ = _e4750[1];
+                                            phi_7325_ = _e4254;
                                         }
-                                        let _e4761 = phi_7638_;
-                                        if (_e4757 > _e4761) {
-                                            phi_7643_ = _e4757;
+                                        let _e4257 = phi_7325_;
+                                        let _e4259 = local_1.member_3;
+                                        let _e4262 = (((_e4149 + _e4151) + (_e4203 + _e4205)) + (_e4257 + _e4259));
+                                        let _e4265 = local_1.member_3;
+                                        let _e4269 = (((_e1525 * 1.0001f) + (_e4265 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                        let _e4272 = ((_e4041 * _e4020) - (_e4044 * _e4019));
+                                        let _e4275 = ((_e4044 * _e4018) - (_e4038 * _e4020));
+                                        let _e4278 = ((_e4038 * _e4019) - (_e4041 * _e4018));
+                                        let _e4283 = (((_e4272 * _e4047[0]) + (_e4275 * _e4047[1])) + (_e4278 * _e4047[2]));
+                                        let _e4288 = (((_e4272 * _e4063) + (_e4275 * _e4064)) + (_e4278 * _e4065));
+                                        let _e4293 = (((_e4272 * _e4069) + (_e4275 * _e4070)) + (_e4278 * _e4071));
+                                        let _e4298 = (((_e4272 * _e4066) + (_e4275 * _e4067)) + (_e4278 * _e4068));
+                                        let _e4303 = (((_e4272 * _e4074[0]) + (_e4275 * _e4074[1])) + (_e4278 * _e4074[2]));
+                                        let _e4308 = (((_e4272 * _e4090) + (_e4275 * _e4091)) + (_e4278 * _e4092));
+                                        let _e4313 = (((_e4272 * _e4096) + (_e4275 * _e4097)) + (_e4278 * _e4098));
+                                        let _e4318 = (((_e4272 * _e4093) + (_e4275 * _e4094)) + (_e4278 * _e4095));
+                                        if (_e4283 < _e4288) {
+                                            phi_7403_ = _e4283;
                                         } else {
-                                            phi_7643_ = _e4761;
+                                            phi_7403_ = _e4288;
                                         }
-                                        let _e4764 = phi_7643_;
-                                        if (_e4750[2] < 0f) {
-                                            phi_7650_ = -(_e4750[2]);
+                                        let _e4321 = phi_7403_;
+                                        if (_e4293 < _e4298) {
+                                            phi_7408_ = _e4293;
                                         } else {
-                                            phi_7650_ = _e4750[2];
+                                            phi_7408_ = _e4298;
                                         }
-                                        let _e4768 = phi_7650_;
-                                        if (_e4764 > _e4768) {
-                                            phi_7655_ = _e4764;
+                                        let _e4324 = phi_7408_;
+                                        if (_e4321 < _e4324) {
+                                            phi_7413_ = _e4321;
                                         } else {
-                                            phi_7655_ = _e4768;
+                                            phi_7413_ = _e4324;
                                         }
-                                        let _e4771 = phi_7655_;
-                                        if (_e4747 > _e4771) {
-                                            phi_7660_ = _e4747;
+                                        let _e4327 = phi_7413_;
+                                        if (_e4303 < _e4308) {
+                                            phi_7418_ = _e4303;
                                         } else {
-                                            phi_7660_ = _e4771;
+                                            phi_7418_ = _e4308;
                                         }
-                                        let _e4774 = phi_7660_;
-                                        let _e4776 = local_4[1u].member_3;
-                                        let _e4779 = (((_e4666 + _e4668) + (_e4720 + _e4722)) + (_e4774 + _e4776));
-                                        let _e4782 = local_4[1u].member_3;
-                                        let _e4786 = (((_e2043 * 1.0001f) + (_e4782 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                        let _e4789 = ((_e4550 * _e4529) - (_e4553 * _e4528));
-                                        let _e4792 = ((_e4553 * _e4527) - (_e4547 * _e4529));
-                                        let _e4795 = ((_e4547 * _e4528) - (_e4550 * _e4527));
-                                        let _e4797 = local[0u];
-                                        let _e4805 = (((_e4789 * _e4797[0]) + (_e4792 * _e4797[1])) + (_e4795 * _e4797[2]));
-                                        phi_7698_ = type_21(0u, 4u);
-                                        phi_7701_ = _e4805;
-                                        phi_7703_ = _e4805;
-                                        loop {
-                                            let _e4807 = phi_7698_;
-                                            let _e4809 = phi_7701_;
-                                            let _e4811 = phi_7703_;
-                                            local_60 = _e4809;
-                                            local_61 = _e4811;
-                                            local_71 = _e4811;
-                                            if (_e4807.member < _e4807.member_1) {
-                                                phi_7699_ = type_21((_e4807.member + 1u), _e4807.member_1);
-                                                phi_7726_ = type_21(1u, _e4807.member);
-                                            } else {
-                                                phi_7699_ = _e4807;
-                                                phi_7726_ = type_21(0u, type_21().member_1);
-                                            }
-                                            let _e4823 = phi_7699_;
-                                            let _e4825 = phi_7726_;
-                                            let _e4829 = (bitcast<i32>(_e4825.member) != 0i);
-                                            if _e4829 {
-                                                let _e4831 = local[_e4825.member_1];
-                                                let _e4839 = (((_e4789 * _e4831[0]) + (_e4792 * _e4831[1])) + (_e4795 * _e4831[2]));
-                                                let _e4841 = local_1[_e4825.member_1];
-                                                let _e4849 = (((_e4789 * _e4841[0]) + (_e4792 * _e4841[1])) + (_e4795 * _e4841[2]));
-                                                if (_e4811 < _e4839) {
-                                                    phi_7776_ = _e4811;
-                                                } else {
-                                                    phi_7776_ = _e4839;
-                                                }
-                                                let _e4852 = phi_7776_;
-                                                if (_e4852 < _e4849) {
-                                                    phi_7781_ = _e4852;
-                                                } else {
-                                                    phi_7781_ = _e4849;
-                                                }
-                                                let _e4855 = phi_7781_;
-                                                if (_e4809 > _e4839) {
-                                                    phi_7786_ = _e4809;
-                                                } else {
-                                                    phi_7786_ = _e4839;
-                                                }
-                                                let _e4858 = phi_7786_;
-                                                if (_e4858 > _e4849) {
-                                                    phi_7791_ = _e4858;
-                                                } else {
-                                                    phi_7791_ = _e4849;
-                                                }
-                                                let _e4861 = phi_7791_;
-                                                phi_7702_ = _e4861;
-                                                phi_7704_ = _e4855;
-                                            } else {
-                                                phi_7702_ = f32();
-                                                phi_7704_ = f32();
-                                            }
-                                            let _e4863 = phi_7702_;
-                                            let _e4865 = phi_7704_;
-                                            continue;
-                                            continuing {
-                                                phi_7698_ = _e4823;
-                                                phi_7701_ = _e4863;
-                                                phi_7703_ = _e4865;
-                                                break if !(_e4829);
-                                            }
-                                        }
-                                        if (_e4789 < 0f) {
-                                            phi_7797_ = -(_e4789);
+                                        let _e4330 = phi_7418_;
+                                        if (_e4313 < _e4318) {
+                                            phi_7423_ = _e4313;
                                         } else {
-                                            phi_7797_ = _e4789;
+                                            phi_7423_ = _e4318;
                                         }
-                                        let _e4870 = phi_7797_;
-                                        if (_e4792 < 0f) {
-                                            phi_7803_ = -(_e4792);
+                                        let _e4333 = phi_7423_;
+                                        if (_e4330 < _e4333) {
+                                            phi_7428_ = _e4330;
                                         } else {
-                                            phi_7803_ = _e4792;
+                                            phi_7428_ = _e4333;
                                         }
-                                        let _e4874 = phi_7803_;
-                                        if (_e4795 < 0f) {
-                                            phi_7810_ = -(_e4795);
+                                        let _e4336 = phi_7428_;
+                                        if (_e4327 < _e4336) {
+                                            phi_7433_ = _e4327;
                                         } else {
-                                            phi_7810_ = _e4795;
+                                            phi_7433_ = _e4336;
                                         }
-                                        let _e4879 = phi_7810_;
-                                        let _e4880 = ((_e4870 + _e4874) + _e4879);
-                                        let _e4885 = local_60;
-                                        let _e4886 = -(_e4885);
-                                        let _e4888 = local_61;
-                                        if (_e4888 > _e4886) {
-                                            let _e5692 = local_71;
-                                            phi_7820_ = _e5692;
+                                        let _e4339 = phi_7433_;
+                                        if (_e4283 > _e4288) {
+                                            phi_7438_ = _e4283;
                                         } else {
-                                            phi_7820_ = _e4886;
+                                            phi_7438_ = _e4288;
                                         }
-                                        let _e4891 = phi_7820_;
-                                        let _e4896 = (((_e4891 - ((_e4880 * _e4779) * (0.000000059604645f * 17f))) - (_e4880 * _e4786)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        let _e4899 = ((_e4550 * _e4544) - (_e4553 * _e4543));
-                                        let _e4902 = ((_e4553 * _e4542) - (_e4547 * _e4544));
-                                        let _e4905 = ((_e4547 * _e4543) - (_e4550 * _e4542));
-                                        let _e4907 = local[0u];
-                                        let _e4915 = (((_e4899 * _e4907[0]) + (_e4902 * _e4907[1])) + (_e4905 * _e4907[2]));
-                                        phi_7851_ = type_21(0u, 4u);
-                                        phi_7854_ = _e4915;
-                                        phi_7856_ = _e4915;
-                                        loop {
-                                            let _e4917 = phi_7851_;
-                                            let _e4919 = phi_7854_;
-                                            let _e4921 = phi_7856_;
-                                            local_62 = _e4919;
-                                            local_63 = _e4921;
-                                            local_72 = _e4921;
-                                            if (_e4917.member < _e4917.member_1) {
-                                                phi_7852_ = type_21((_e4917.member + 1u), _e4917.member_1);
-                                                phi_7879_ = type_21(1u, _e4917.member);
-                                            } else {
-                                                phi_7852_ = _e4917;
-                                                phi_7879_ = type_21(0u, type_21().member_1);
-                                            }
-                                            let _e4933 = phi_7852_;
-                                            let _e4935 = phi_7879_;
-                                            let _e4939 = (bitcast<i32>(_e4935.member) != 0i);
-                                            if _e4939 {
-                                                let _e4941 = local[_e4935.member_1];
-                                                let _e4949 = (((_e4899 * _e4941[0]) + (_e4902 * _e4941[1])) + (_e4905 * _e4941[2]));
-                                                let _e4951 = local_1[_e4935.member_1];
-                                                let _e4959 = (((_e4899 * _e4951[0]) + (_e4902 * _e4951[1])) + (_e4905 * _e4951[2]));
-                                                if (_e4921 < _e4949) {
-                                                    phi_7929_ = _e4921;
-                                                } else {
-                                                    phi_7929_ = _e4949;
-                                                }
-                                                let _e4962 = phi_7929_;
-                                                if (_e4962 < _e4959) {
-                                                    phi_7934_ = _e4962;
-                                                } else {
-                                                    phi_7934_ = _e4959;
-                                                }
-                                                let _e4965 = phi_7934_;
-                                                if (_e4919 > _e4949) {
-                                                    phi_7939_ = _e4919;
-                                                } else {
-                                                    phi_7939_ = _e4949;
-                                                }
-                                                let _e4968 = phi_7939_;
-                                                if (_e4968 > _e4959) {
-                                                    phi_7944_ = _e4968;
-                                                } else {
-                                                    phi_7944_ = _e4959;
-                                                }
-                                                let _e4971 = phi_7944_;
-                                                phi_7855_ = _e4971;
-                                                phi_7857_ = _e4965;
-                                            } else {
-                                                phi_7855_ = f32();
-                                                phi_7857_ = f32();
-                                            }
-                                            let _e4973 = phi_7855_;
-                                            let _e4975 = phi_7857_;
-                                            continue;
-                                            continuing {
-                                                phi_7851_ = _e4933;
-                                                phi_7854_ = _e4973;
-                                                phi_7856_ = _e4975;
-                                                break if !(_e4939);
-                                            }
-                                        }
-                                        if (_e4899 < 0f) {
-                                            phi_7950_ = -(_e4899);
+                                        let _e4342 = phi_7438_;
+                                        if (_e4293 > _e4298) {
+                                            phi_7443_ = _e4293;
                                         } else {
-                                            phi_7950_ = _e4899;
+                                            phi_7443_ = _e4298;
                                         }
-                                        let _e4980 = phi_7950_;
-                                        if (_e4902 < 0f) {
-                                            phi_7956_ = -(_e4902);
+                                        let _e4345 = phi_7443_;
+                                        if (_e4342 > _e4345) {
+                                            phi_7448_ = _e4342;
                                         } else {
-                                            phi_7956_ = _e4902;
+                                            phi_7448_ = _e4345;
                                         }
-                                        let _e4984 = phi_7956_;
-                                        if (_e4905 < 0f) {
-                                            phi_7963_ = -(_e4905);
+                                        let _e4348 = phi_7448_;
+                                        if (_e4303 > _e4308) {
+                                            phi_7453_ = _e4303;
                                         } else {
-                                            phi_7963_ = _e4905;
+                                            phi_7453_ = _e4308;
                                         }
-                                        let _e4989 = phi_7963_;
-                                        let _e4990 = ((_e4980 + _e4984) + _e4989);
-                                        let _e4995 = local_62;
-                                        let _e4996 = -(_e4995);
-                                        let _e4998 = local_63;
-                                        if (_e4998 > _e4996) {
-                                            let _e5711 = local_72;
-                                            phi_7973_ = _e5711;
+                                        let _e4351 = phi_7453_;
+                                        if (_e4313 > _e4318) {
+                                            phi_7458_ = _e4313;
                                         } else {
-                                            phi_7973_ = _e4996;
+                                            phi_7458_ = _e4318;
                                         }
-                                        let _e5001 = phi_7973_;
-                                        let _e5006 = (((_e5001 - ((_e4990 * _e4779) * (0.000000059604645f * 17f))) - (_e4990 * _e4786)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4896 > _e5006) {
-                                            phi_7983_ = _e4896;
+                                        let _e4354 = phi_7458_;
+                                        if (_e4351 > _e4354) {
+                                            phi_7463_ = _e4351;
                                         } else {
-                                            phi_7983_ = _e5006;
+                                            phi_7463_ = _e4354;
                                         }
-                                        let _e5009 = phi_7983_;
-                                        phi_8151_ = (_e5009 > 0f);
+                                        let _e4357 = phi_7463_;
+                                        if (_e4348 > _e4357) {
+                                            phi_7468_ = _e4348;
+                                        } else {
+                                            phi_7468_ = _e4357;
+                                        }
+                                        let _e4360 = phi_7468_;
+                                        if (_e4272 < 0f) {
+                                            phi_7474_ = -(_e4272);
+                                        } else {
+                                            phi_7474_ = _e4272;
+                                        }
+                                        let _e4364 = phi_7474_;
+                                        if (_e4275 < 0f) {
+                                            phi_7480_ = -(_e4275);
+                                        } else {
+                                            phi_7480_ = _e4275;
+                                        }
+                                        let _e4368 = phi_7480_;
+                                        if (_e4278 < 0f) {
+                                            phi_7487_ = -(_e4278);
+                                        } else {
+                                            phi_7487_ = _e4278;
+                                        }
+                                        let _e4373 = phi_7487_;
+                                        let _e4374 = ((_e4364 + _e4368) + _e4373);
+                                        let _e4378 = -(_e4360);
+                                        if (_e4339 > _e4378) {
+                                            phi_7497_ = _e4339;
+                                        } else {
+                                            phi_7497_ = _e4378;
+                                        }
+                                        let _e4381 = phi_7497_;
+                                        let _e4386 = (((_e4381 - ((_e4374 * _e4262) * (0.000000059604645f * 17f))) - (_e4374 * _e4269)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        let _e4389 = ((_e4041 * _e4035) - (_e4044 * _e4034));
+                                        let _e4392 = ((_e4044 * _e4033) - (_e4038 * _e4035));
+                                        let _e4395 = ((_e4038 * _e4034) - (_e4041 * _e4033));
+                                        let _e4400 = (((_e4389 * _e4047[0]) + (_e4392 * _e4047[1])) + (_e4395 * _e4047[2]));
+                                        let _e4405 = (((_e4389 * _e4063) + (_e4392 * _e4064)) + (_e4395 * _e4065));
+                                        let _e4410 = (((_e4389 * _e4069) + (_e4392 * _e4070)) + (_e4395 * _e4071));
+                                        let _e4415 = (((_e4389 * _e4066) + (_e4392 * _e4067)) + (_e4395 * _e4068));
+                                        let _e4420 = (((_e4389 * _e4074[0]) + (_e4392 * _e4074[1])) + (_e4395 * _e4074[2]));
+                                        let _e4425 = (((_e4389 * _e4090) + (_e4392 * _e4091)) + (_e4395 * _e4092));
+                                        let _e4430 = (((_e4389 * _e4096) + (_e4392 * _e4097)) + (_e4395 * _e4098));
+                                        let _e4435 = (((_e4389 * _e4093) + (_e4392 * _e4094)) + (_e4395 * _e4095));
+                                        if (_e4400 < _e4405) {
+                                            phi_7568_ = _e4400;
+                                        } else {
+                                            phi_7568_ = _e4405;
+                                        }
+                                        let _e4438 = phi_7568_;
+                                        if (_e4410 < _e4415) {
+                                            phi_7573_ = _e4410;
+                                        } else {
+                                            phi_7573_ = _e4415;
+                                        }
+                                        let _e4441 = phi_7573_;
+                                        if (_e4438 < _e4441) {
+                                            phi_7578_ = _e4438;
+                                        } else {
+                                            phi_7578_ = _e4441;
+                                        }
+                                        let _e4444 = phi_7578_;
+                                        if (_e4420 < _e4425) {
+                                            phi_7583_ = _e4420;
+                                        } else {
+                                            phi_7583_ = _e4425;
+                                        }
+                                        let _e4447 = phi_7583_;
+                                        if (_e4430 < _e4435) {
+                                            phi_7588_ = _e4430;
+                                        } else {
+                                            phi_7588_ = _e4435;
+                                        }
+                                        let _e4450 = phi_7588_;
+                                        if (_e4447 < _e4450) {
+                                            phi_7593_ = _e4447;
+                                        } else {
+                                            phi_7593_ = _e4450;
+                                        }
+                                        let _e4453 = phi_7593_;
+                                        if (_e4444 < _e4453) {
+                                            phi_7598_ = _e4444;
+                                        } else {
+                                            phi_7598_ = _e4453;
+                                        }
+                                        let _e4456 = phi_7598_;
+                                        if (_e4400 > _e4405) {
+                                            phi_7603_ = _e4400;
+                                        } else {
+                                            phi_7603_ = _e4405;
+                                        }
+                                        let _e4459 = phi_7603_;
+                                        if (_e4410 > _e4415) {
+                                            phi_7608_ = _e4410;
+                                        } else {
+                                            phi_7608_ = _e4415;
+                                        }
+                                        let _e4462 = phi_7608_;
+                                        if (_e4459 > _e4462) {
+                                            phi_7613_ = _e4459;
+                                        } else {
+                                            phi_7613_ = _e4462;
+                                        }
+                                        let _e4465 = phi_7613_;
+                                        if (_e4420 > _e4425) {
+                                            phi_7618_ = _e4420;
+                                        } else {
+                                            phi_7618_ = _e4425;
+                                        }
+                                        let _e4468 = phi_7618_;
+                                        if (_e4430 > _e4435) {
+                                            phi_7623_ = _e4430;
+                                        } else {
+                                            phi_7623_ = _e4435;
+                                        }
+                                        let _e4471 = phi_7623_;
+                                        if (_e4468 > _e4471) {
+                                            phi_7628_ = _e4468;
+                                        } else {
+                                            phi_7628_ = _e4471;
+                                        }
+                                        let _e4474 = phi_7628_;
+                                        if (_e4465 > _e4474) {
+                                            phi_7633_ = _e4465;
+                                        } else {
+                                            phi_7633_ = _e4474;
+                                        }
+                                        let _e4477 = phi_7633_;
+                                        if (_e4389 < 0f) {
+                                            phi_7639_ = -(_e4389);
+                                        } else {
+                                            phi_7639_ = _e4389;
+                                        }
+                                        let _e4481 = phi_7639_;
+                                        if (_e4392 < 0f) {
+                                            phi_7645_ = -(_e4392);
+                                        } else {
+                                            phi_7645_ = _e4392;
+                                        }
+                                        let _e4485 = phi_7645_;
+                                        if (_e4395 < 0f) {
+                                            phi_7652_ = -(_e4395);
+                                        } else {
+                                            phi_7652_ = _e4395;
+                                        }
+                                        let _e4490 = phi_7652_;
+                                        let _e4491 = ((_e4481 + _e4485) + _e4490);
+                                        let _e4495 = -(_e4477);
+                                        if (_e4456 > _e4495) {
+                                            phi_7662_ = _e4456;
+                                        } else {
+                                            phi_7662_ = _e4495;
+                                        }
+                                        let _e4498 = phi_7662_;
+                                        let _e4503 = (((_e4498 - ((_e4491 * _e4262) * (0.000000059604645f * 17f))) - (_e4491 * _e4269)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4386 > _e4503) {
+                                            phi_7672_ = _e4386;
+                                        } else {
+                                            phi_7672_ = _e4503;
+                                        }
+                                        let _e4506 = phi_7672_;
+                                        phi_7852_ = (_e4506 > 0f);
                                     }
-                                    let _e5012 = phi_8151_;
-                                    phi_8152_ = _e5012;
+                                    let _e4509 = phi_7852_;
+                                    phi_7853_ = _e4509;
                                 } else {
-                                    phi_8152_ = false;
+                                    phi_7853_ = false;
                                 }
-                                let _e5014 = phi_8152_;
-                                phi_8154_ = !(_e5014);
+                                let _e4511 = phi_7853_;
+                                phi_7855_ = !(_e4511);
                             }
-                            let _e5017 = phi_8154_;
-                            if _e5017 {
-                                let _e5019 = atomicAdd((&counters[5u]), 1u);
-                                hits[_e1300] = ((2147483648u | (_e5019 << bitcast<u32>(12i))) | _e1303);
+                            let _e4514 = phi_7855_;
+                            if _e4514 {
+                                let _e4516 = atomicAdd((&counters[5u]), 1u);
+                                hits[_e1026] = ((2147483648u | (_e4516 << bitcast<u32>(12i))) | _e1029);
                             }
                         }
-                        phi_8164_ = true;
+                        phi_7865_ = true;
                     }
-                    let _e5026 = phi_8164_;
-                    phi_8165_ = _e5026;
+                    let _e4523 = phi_7865_;
+                    phi_7866_ = _e4523;
                 } else {
-                    phi_8165_ = false;
+                    phi_7866_ = false;
                 }
-                let _e5028 = phi_8165_;
+                let _e4525 = phi_7866_;
                 continue;
                 continuing {
-                    phi_1900_ = _e1292;
-                    break if !(_e5028);
+                    phi_1842_ = _e1018;
+                    break if !(_e4525);
                 }
             }
             workgroupBarrier();
-            if (_e97 == 0u) {
-                let _e5032 = atomicLoad((&counters[5u]));
-                if (_e5032 > 0u) {
-                    let _e5035 = atomicAdd((&output.member[0u]), _e5032);
-                    if ((_e5035 + _e5032) < _e5035) {
-                        let _e5039 = atomicAdd((&output.member[2u]), 1u);
+            if (_e67 == 0u) {
+                let _e4529 = atomicLoad((&counters[5u]));
+                if (_e4529 > 0u) {
+                    let _e4532 = atomicAdd((&output.member[0u]), _e4529);
+                    if ((_e4532 + _e4529) < _e4532) {
+                        let _e4536 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e5035);
+                    atomicStore((&counters[6u]), _e4532);
                 }
             }
             workgroupBarrier();
-            let _e5042 = atomicLoad((&counters[6u]));
-            if (_e97 == 0u) {
-                let _e5045 = atomicLoad((&counters[7u]));
-                if (_e5045 > 0u) {
-                    let _e5048 = atomicAdd((&output.member[1u]), _e5045);
-                    if ((_e5048 + _e5045) < _e5048) {
-                        let _e5052 = atomicAdd((&output.member[3u]), 1u);
+            let _e4539 = atomicLoad((&counters[6u]));
+            if (_e67 == 0u) {
+                let _e4542 = atomicLoad((&counters[7u]));
+                if (_e4542 > 0u) {
+                    let _e4545 = atomicAdd((&output.member[1u]), _e4542);
+                    if ((_e4545 + _e4542) < _e4545) {
+                        let _e4549 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
-            phi_8215_ = type_21(0u, 16u);
+            phi_7916_ = type_21(0u, 16u);
             loop {
-                let _e5054 = phi_8215_;
-                if (_e5054.member < _e5054.member_1) {
-                    phi_8216_ = type_21((_e5054.member + 1u), _e5054.member_1);
-                    phi_8239_ = type_21(1u, _e5054.member);
+                let _e4551 = phi_7916_;
+                if (_e4551.member < _e4551.member_1) {
+                    phi_7917_ = type_21((_e4551.member + 1u), _e4551.member_1);
+                    phi_7940_ = type_21(1u, _e4551.member);
                 } else {
-                    phi_8216_ = _e5054;
-                    phi_8239_ = type_21(0u, type_21().member_1);
+                    phi_7917_ = _e4551;
+                    phi_7940_ = type_21(0u, type_21().member_1);
                 }
-                let _e5066 = phi_8216_;
-                let _e5068 = phi_8239_;
-                if (bitcast<i32>(_e5068.member) != 0i) {
-                    let _e5074 = (_e97 + (_e5068.member_1 * 128u));
-                    if (_e5074 >= _e1278) {
-                        phi_8337_ = false;
+                let _e4563 = phi_7917_;
+                let _e4565 = phi_7940_;
+                if (bitcast<i32>(_e4565.member) != 0i) {
+                    let _e4571 = (_e67 + (_e4565.member_1 * 128u));
+                    if (_e4571 >= _e1004) {
+                        phi_8038_ = false;
                     } else {
-                        let _e5077 = hits[_e5074];
-                        if ((_e5077 & 2147483648u) == 0u) {
-                            phi_8262_ = 4294967295u;
+                        let _e4574 = hits[_e4571];
+                        if ((_e4574 & 2147483648u) == 0u) {
+                            phi_7963_ = 4294967295u;
                         } else {
-                            phi_8262_ = ((_e5077 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_7963_ = ((_e4574 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e5084 = phi_8262_;
-                        if (_e5084 != 4294967295u) {
-                            let _e5088 = ((_e5077 >> bitcast<u32>(10i)) & 3u);
-                            let _e5095 = firsts[(2u * _e5088)];
-                            let _e5098 = leaves.member[(_e5095 + ((_e5077 >> bitcast<u32>(5i)) & 31u))];
-                            let _e5102 = firsts[((2u * _e5088) + 1u)];
-                            let _e5105 = leaves.member[(_e5102 + (_e5077 & 31u))];
-                            let _e5109 = params.member.member_16;
-                            let _e5110 = (_e5042 + _e5084);
-                            if (_e5098.member_1 < _e5105.member_1) {
-                                phi_8316_ = type_21(_e5098.member_1, _e5105.member_1);
+                        let _e4581 = phi_7963_;
+                        if (_e4581 != 4294967295u) {
+                            let _e4585 = ((_e4574 >> bitcast<u32>(10i)) & 3u);
+                            let _e4592 = firsts[(2u * _e4585)];
+                            let _e4595 = leaves.member[(_e4592 + ((_e4574 >> bitcast<u32>(5i)) & 31u))];
+                            let _e4599 = firsts[((2u * _e4585) + 1u)];
+                            let _e4602 = leaves.member[(_e4599 + (_e4574 & 31u))];
+                            let _e4606 = params.member.member_16;
+                            let _e4607 = (_e4539 + _e4581);
+                            if (_e4595.member_1 < _e4602.member_1) {
+                                phi_8017_ = type_21(_e4595.member_1, _e4602.member_1);
                             } else {
-                                phi_8316_ = type_21(_e5105.member_1, _e5098.member_1);
+                                phi_8017_ = type_21(_e4602.member_1, _e4595.member_1);
                             }
-                            let _e5115 = phi_8316_;
-                            if (_e5110 < _e5109) {
-                                atomicStore((&output.member[(4u + (2u * _e5110))]), _e5115.member);
-                                atomicStore((&output.member[((2u * _e5110) + 5u)]), _e5115.member_1);
+                            let _e4612 = phi_8017_;
+                            if (_e4607 < _e4606) {
+                                atomicStore((&output.member[(4u + (2u * _e4607))]), _e4612.member);
+                                atomicStore((&output.member[((2u * _e4607) + 5u)]), _e4612.member_1);
                             }
                         }
-                        phi_8337_ = true;
+                        phi_8038_ = true;
                     }
-                    let _e5126 = phi_8337_;
-                    phi_8338_ = _e5126;
+                    let _e4623 = phi_8038_;
+                    phi_8039_ = _e4623;
                 } else {
-                    phi_8338_ = false;
+                    phi_8039_ = false;
                 }
-                let _e5128 = phi_8338_;
+                let _e4625 = phi_8039_;
                 continue;
                 continuing {
-                    phi_8215_ = _e5066;
-                    break if !(_e5128);
+                    phi_7916_ = _e4563;
+                    break if !(_e4625);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_320_ = _e178;
-            break if !(_e184);
+            phi_429_ = _e148;
+            break if !(_e154);
         }
     }
     return;
@@ -4594,5 +4440,5 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
 
 @compute @workgroup_size(128, 1, 1) 
 fn filter_edge_edge(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    function_(id, n, lane);
+    function_6(id, n, lane);
 }

@@ -1,9 +1,4 @@
-struct type_4 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
-}
-
-struct type_10 {
+struct type_8 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -27,12 +22,17 @@ struct type_10 {
     member_20: array<array<u32, 4>, 8>,
 }
 
+struct type_9 {
+    member: type_8,
+}
+
 struct type_11 {
-    member: type_10,
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
 }
 
 struct type_13 {
-    member: array<type_4>,
+    member: array<type_11>,
 }
 
 struct type_15 {
@@ -66,13 +66,8 @@ struct type_27 {
     member_1: i32,
 }
 
-struct type_28 {
-    member: u32,
-    member_1: u32,
-}
-
 @group(0) @binding(0) 
-var<storage> params: type_11;
+var<storage> params: type_9;
 @group(0) @binding(1) 
 var<storage> boxes: type_13;
 @group(0) @binding(2) 
@@ -85,36 +80,35 @@ var<storage> faces: type_19;
 var<storage, read_write> nodes: type_13;
 @group(0) @binding(6) 
 var<storage, read_write> leaves: type_22;
-var<workgroup> shared_: array<type_4, 256>;
+var<workgroup> shared_: array<type_11, 256>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_4;
-    var local_1: type_4;
-    var phi_136_: u32;
-    var phi_137_: u32;
-    var phi_250_: type_20;
-    var phi_251_: type_20;
-    var phi_252_: type_20;
-    var phi_253_: type_4;
-    var phi_254_: type_20;
-    var phi_255_: type_4;
-    var phi_256_: type_20;
-    var phi_271_: type_26;
-    var phi_274_: type_4;
-    var phi_276_: u32;
-    var phi_297_: bool;
-    var phi_303_: type_27;
-    var phi_272_: type_26;
-    var phi_317_: type_27;
-    var phi_367_: type_28;
-    var phi_368_: type_28;
-    var phi_391_: type_28;
-    var phi_417_: f32;
-    var phi_444_: f32;
-    var phi_476_: type_4;
-    var phi_275_: type_4;
-    var phi_277_: u32;
-    var local_2: type_4;
+    var phi_129_: u32;
+    var phi_130_: u32;
+    var phi_243_: type_20;
+    var phi_244_: type_20;
+    var phi_245_: type_20;
+    var phi_246_: type_11;
+    var phi_247_: type_20;
+    var phi_248_: type_11;
+    var phi_249_: type_20;
+    var phi_264_: type_26;
+    var phi_267_: type_11;
+    var phi_269_: u32;
+    var phi_290_: bool;
+    var phi_296_: type_27;
+    var phi_265_: type_26;
+    var phi_310_: type_27;
+    var phi_342_: f32;
+    var phi_349_: f32;
+    var phi_356_: f32;
+    var phi_364_: f32;
+    var phi_371_: f32;
+    var phi_378_: f32;
+    var phi_393_: type_11;
+    var phi_268_: type_11;
+    var phi_270_: u32;
+    var local: type_11;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -122,184 +116,178 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e33 = id_2;
-    let _e34 = n_2;
-    let _e35 = lane_2;
-    let _e49 = ((((_e33.y * _e34.x) + _e33.x) * 256u) + _e35);
-    let _e53 = params.member.member_20[0u][2u];
-    if (_e49 >= _e53) {
-        phi_137_ = 2u;
+    let _e29 = id_2;
+    let _e30 = n_2;
+    let _e31 = lane_2;
+    let _e45 = ((((_e29.y * _e30.x) + _e29.x) * 256u) + _e31);
+    let _e49 = params.member.member_20[0u][2u];
+    if (_e45 >= _e49) {
+        phi_130_ = 2u;
     } else {
-        let _e56 = params.member.member_20[0u][1u];
-        if (_e49 >= _e56) {
-            phi_136_ = 1u;
+        let _e52 = params.member.member_20[0u][1u];
+        if (_e45 >= _e52) {
+            phi_129_ = 1u;
         } else {
-            phi_136_ = 0u;
+            phi_129_ = 0u;
         }
-        let _e59 = phi_136_;
-        phi_137_ = _e59;
+        let _e55 = phi_129_;
+        phi_130_ = _e55;
     }
-    let _e61 = phi_137_;
-    let _e65 = params.member.member_20[0u][_e61];
-    let _e66 = (_e49 - _e65);
-    let _e70 = params.member.member_20[0u][3u];
-    let _e71 = (_e49 < _e70);
-    if _e71 {
-        let _e74 = params.member.member[_e61];
-        if (_e66 < _e74) {
-            let _e78 = params.member.member_2[_e61];
-            let _e81 = order.member[(_e78 + _e66)];
-            let _e83 = boxes.member[_e81];
-            let _e86 = params.member.member_2[_e61];
-            let _e87 = (_e81 - _e86);
-            let _e88 = type_20(array<u32, 3>(0u, 0u, 0u), _e87);
-            let _e94 = type_20(array<u32, 3>(_e87, _e88.member[1], _e88.member[2]), _e88.member_1);
-            let _e103 = type_20(array<u32, 3>(_e87, _e87, _e87), type_20(array<u32, 3>(_e94.member[0], _e87, _e94.member[2]), _e94.member_1).member_1);
-            let _e105 = params.member.member_1;
-            if ((_e105 & 1u) != 0u) {
-                if (_e61 == 1u) {
-                    let _e117 = edges.member[_e87];
-                    let _e126 = type_20(array<u32, 3>(_e117[0], _e103.member[1], _e103.member[2]), _e103.member_1);
-                    phi_251_ = type_20(array<u32, 3>(_e117[0], _e117[1], _e117[1]), type_20(array<u32, 3>(_e126.member[0], _e117[1], _e126.member[2]), _e126.member_1).member_1);
+    let _e57 = phi_130_;
+    let _e61 = params.member.member_20[0u][_e57];
+    let _e62 = (_e45 - _e61);
+    let _e66 = params.member.member_20[0u][3u];
+    let _e67 = (_e45 < _e66);
+    if _e67 {
+        let _e70 = params.member.member[_e57];
+        if (_e62 < _e70) {
+            let _e74 = params.member.member_2[_e57];
+            let _e77 = order.member[(_e74 + _e62)];
+            let _e79 = boxes.member[_e77];
+            let _e82 = params.member.member_2[_e57];
+            let _e83 = (_e77 - _e82);
+            let _e84 = type_20(array<u32, 3>(0u, 0u, 0u), _e83);
+            let _e90 = type_20(array<u32, 3>(_e83, _e84.member[1], _e84.member[2]), _e84.member_1);
+            let _e99 = type_20(array<u32, 3>(_e83, _e83, _e83), type_20(array<u32, 3>(_e90.member[0], _e83, _e90.member[2]), _e90.member_1).member_1);
+            let _e101 = params.member.member_1;
+            if ((_e101 & 1u) != 0u) {
+                if (_e57 == 1u) {
+                    let _e113 = edges.member[_e83];
+                    let _e122 = type_20(array<u32, 3>(_e113[0], _e99.member[1], _e99.member[2]), _e99.member_1);
+                    phi_244_ = type_20(array<u32, 3>(_e113[0], _e113[1], _e113[1]), type_20(array<u32, 3>(_e122.member[0], _e113[1], _e122.member[2]), _e122.member_1).member_1);
                 } else {
-                    if (_e61 == 2u) {
-                        let _e111 = faces.member[_e87];
-                        phi_250_ = type_20(_e111, _e103.member_1);
+                    if (_e57 == 2u) {
+                        let _e107 = faces.member[_e83];
+                        phi_243_ = type_20(_e107, _e99.member_1);
                     } else {
-                        phi_250_ = _e103;
+                        phi_243_ = _e99;
                     }
-                    let _e115 = phi_250_;
-                    phi_251_ = _e115;
+                    let _e111 = phi_243_;
+                    phi_244_ = _e111;
                 }
-                let _e137 = phi_251_;
-                phi_252_ = _e137;
+                let _e133 = phi_244_;
+                phi_245_ = _e133;
             } else {
-                phi_252_ = _e103;
+                phi_245_ = _e99;
             }
-            let _e139 = phi_252_;
-            phi_253_ = _e83;
-            phi_254_ = _e139;
+            let _e135 = phi_245_;
+            phi_246_ = _e79;
+            phi_247_ = _e135;
         } else {
-            phi_253_ = type_4(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-            phi_254_ = type_20(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+            phi_246_ = type_11(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            phi_247_ = type_20(array<u32, 3>(0u, 0u, 0u), 4294967295u);
         }
-        let _e141 = phi_253_;
-        let _e143 = phi_254_;
-        phi_255_ = _e141;
-        phi_256_ = _e143;
+        let _e137 = phi_246_;
+        let _e139 = phi_247_;
+        phi_248_ = _e137;
+        phi_249_ = _e139;
     } else {
-        phi_255_ = type_4(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_256_ = type_20(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+        phi_248_ = type_11(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_249_ = type_20(array<u32, 3>(0u, 0u, 0u), 4294967295u);
     }
-    let _e145 = phi_255_;
-    let _e147 = phi_256_;
-    shared_[_e35] = type_4(array<f32, 3>(_e145.member[0], _e145.member[1], _e145.member[2]), array<f32, 3>(_e145.member_1[0], _e145.member_1[1], _e145.member_1[2]));
-    phi_271_ = type_26(0i, 5i);
-    phi_274_ = _e145;
-    phi_276_ = 16u;
+    let _e141 = phi_248_;
+    let _e143 = phi_249_;
+    shared_[_e31] = type_11(array<f32, 3>(_e141.member[0], _e141.member[1], _e141.member[2]), array<f32, 3>(_e141.member_1[0], _e141.member_1[1], _e141.member_1[2]));
+    phi_264_ = type_26(0i, 5i);
+    phi_267_ = _e141;
+    phi_269_ = 16u;
     loop {
-        let _e161 = phi_271_;
-        let _e163 = phi_274_;
-        let _e165 = phi_276_;
-        local_2 = _e163;
-        if (_e161.member < _e161.member_1) {
-            let _e172 = (_e161.member + 1i);
-            if ((false == (_e172 > _e161.member)) != false) {
-                phi_297_ = true;
+        let _e157 = phi_264_;
+        let _e159 = phi_267_;
+        let _e161 = phi_269_;
+        local = _e159;
+        if (_e157.member < _e157.member_1) {
+            let _e168 = (_e157.member + 1i);
+            if ((false == (_e168 > _e157.member)) != false) {
+                phi_290_ = true;
             } else {
-                phi_297_ = false;
+                phi_290_ = false;
             }
-            let _e177 = phi_297_;
-            if _e177 {
-                phi_303_ = type_27(0u, type_27().member_1);
+            let _e173 = phi_290_;
+            if _e173 {
+                phi_296_ = type_27(0u, type_27().member_1);
             } else {
-                phi_303_ = type_27(1u, _e172);
+                phi_296_ = type_27(1u, _e168);
             }
-            let _e182 = phi_303_;
-            phi_272_ = type_26(_e182.member_1, _e161.member_1);
-            phi_317_ = type_27(1u, _e161.member);
+            let _e178 = phi_296_;
+            phi_265_ = type_26(_e178.member_1, _e157.member_1);
+            phi_310_ = type_27(1u, _e157.member);
         } else {
-            phi_272_ = _e161;
-            phi_317_ = type_27(0u, type_27().member_1);
+            phi_265_ = _e157;
+            phi_310_ = type_27(0u, type_27().member_1);
         }
-        let _e188 = phi_272_;
-        let _e190 = phi_317_;
-        let _e193 = (bitcast<i32>(_e190.member) != 0i);
-        if _e193 {
+        let _e184 = phi_265_;
+        let _e186 = phi_310_;
+        let _e189 = (bitcast<i32>(_e186.member) != 0i);
+        if _e189 {
             workgroupBarrier();
-            if ((_e35 % 32u) < _e165) {
-                let _e198 = shared_[(_e35 + _e165)];
-                local_1 = _e198;
-                local = type_4(array<f32, 3>(_e163.member[0], _e163.member[1], _e163.member[2]), array<f32, 3>(_e163.member_1[0], _e163.member_1[1], _e163.member_1[2]));
-                phi_367_ = type_28(0u, 3u);
-                loop {
-                    let _e211 = phi_367_;
-                    if (_e211.member < _e211.member_1) {
-                        phi_368_ = type_28((_e211.member + 1u), _e211.member_1);
-                        phi_391_ = type_28(1u, _e211.member);
-                    } else {
-                        phi_368_ = _e211;
-                        phi_391_ = type_28(0u, type_28().member_1);
-                    }
-                    let _e223 = phi_368_;
-                    let _e225 = phi_391_;
-                    let _e229 = (bitcast<i32>(_e225.member) != 0i);
-                    if _e229 {
-                        let _e232 = local.member[_e225.member_1];
-                        let _e235 = local_1.member[_e225.member_1];
-                        if (_e232 < _e235) {
-                            phi_417_ = _e232;
-                        } else {
-                            phi_417_ = _e235;
-                        }
-                        let _e238 = phi_417_;
-                        local.member[_e225.member_1] = _e238;
-                        let _e243 = local.member_1[_e225.member_1];
-                        let _e246 = local_1.member_1[_e225.member_1];
-                        if (_e243 > _e246) {
-                            phi_444_ = _e243;
-                        } else {
-                            phi_444_ = _e246;
-                        }
-                        let _e249 = phi_444_;
-                        local.member_1[_e225.member_1] = _e249;
-                    }
-                    continue;
-                    continuing {
-                        phi_367_ = _e223;
-                        break if !(_e229);
-                    }
+            if ((_e31 % 32u) < _e161) {
+                let _e194 = shared_[(_e31 + _e161)];
+                if (_e159.member[0] < _e194.member[0]) {
+                    phi_342_ = _e159.member[0];
+                } else {
+                    phi_342_ = _e194.member[0];
                 }
-                let _e253 = local;
-                shared_[_e35] = _e253;
-                phi_476_ = type_4(array<f32, 3>(_e253.member[0], _e253.member[1], _e253.member[2]), array<f32, 3>(_e253.member_1[0], _e253.member_1[1], _e253.member_1[2]));
+                let _e207 = phi_342_;
+                if (_e159.member[1] < _e194.member[1]) {
+                    phi_349_ = _e159.member[1];
+                } else {
+                    phi_349_ = _e194.member[1];
+                }
+                let _e212 = phi_349_;
+                if (_e159.member[2] < _e194.member[2]) {
+                    phi_356_ = _e159.member[2];
+                } else {
+                    phi_356_ = _e194.member[2];
+                }
+                let _e217 = phi_356_;
+                if (_e159.member_1[0] > _e194.member_1[0]) {
+                    phi_364_ = _e159.member_1[0];
+                } else {
+                    phi_364_ = _e194.member_1[0];
+                }
+                let _e223 = phi_364_;
+                if (_e159.member_1[1] > _e194.member_1[1]) {
+                    phi_371_ = _e159.member_1[1];
+                } else {
+                    phi_371_ = _e194.member_1[1];
+                }
+                let _e228 = phi_371_;
+                if (_e159.member_1[2] > _e194.member_1[2]) {
+                    phi_378_ = _e159.member_1[2];
+                } else {
+                    phi_378_ = _e194.member_1[2];
+                }
+                let _e233 = phi_378_;
+                shared_[_e31] = type_11(array<f32, 3>(_e207, _e212, _e217), array<f32, 3>(_e223, _e228, _e233));
+                phi_393_ = type_11(array<f32, 3>(_e207, _e212, _e217), array<f32, 3>(_e223, _e228, _e233));
             } else {
-                phi_476_ = _e163;
+                phi_393_ = _e159;
             }
-            let _e267 = phi_476_;
-            phi_275_ = _e267;
-            phi_277_ = (_e165 / 2u);
+            let _e241 = phi_393_;
+            phi_268_ = _e241;
+            phi_270_ = (_e161 / 2u);
         } else {
-            phi_275_ = type_4();
-            phi_277_ = u32();
+            phi_268_ = type_11();
+            phi_270_ = u32();
         }
-        let _e270 = phi_275_;
-        let _e272 = phi_277_;
+        let _e244 = phi_268_;
+        let _e246 = phi_270_;
         continue;
         continuing {
-            phi_271_ = _e188;
-            phi_274_ = _e270;
-            phi_276_ = _e272;
-            break if !(_e193);
+            phi_264_ = _e184;
+            phi_267_ = _e244;
+            phi_269_ = _e246;
+            break if !(_e189);
         }
     }
-    if _e71 {
-        nodes.member[_e49] = _e145;
-        leaves.member[_e49] = _e147;
-        if ((_e35 % 32u) == 0u) {
-            let _e282 = params.member.member_20[1u][_e61];
-            let _e286 = local_2;
-            nodes.member[(_e282 + (_e66 / 32u))] = _e286;
+    if _e67 {
+        nodes.member[_e45] = _e141;
+        leaves.member[_e45] = _e143;
+        if ((_e31 % 32u) == 0u) {
+            let _e256 = params.member.member_20[1u][_e57];
+            let _e260 = local;
+            nodes.member[(_e256 + (_e62 / 32u))] = _e260;
         }
     }
     return;

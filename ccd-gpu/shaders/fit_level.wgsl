@@ -1,9 +1,4 @@
-struct type_4 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
-}
-
-struct type_10 {
+struct type_8 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -27,12 +22,17 @@ struct type_10 {
     member_20: array<array<u32, 4>, 8>,
 }
 
+struct type_9 {
+    member: type_8,
+}
+
 struct type_11 {
-    member: type_10,
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
 }
 
 struct type_13 {
-    member: array<type_4>,
+    member: array<type_11>,
 }
 
 struct type_17 {
@@ -45,40 +45,34 @@ struct type_18 {
     member_1: i32,
 }
 
-struct type_19 {
-    member: u32,
-    member_1: u32,
-}
-
 @group(0) @binding(0) 
-var<storage> params: type_11;
-var<workgroup> shared_: array<type_4, 256>;
+var<storage> params: type_9;
+var<workgroup> shared_: array<type_11, 256>;
 @group(0) @binding(1) 
 var<storage, read_write> nodes: type_13;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_4;
-    var local_1: type_4;
-    var local_2: array<u32, 4>;
-    var phi_122_: u32;
-    var phi_123_: u32;
-    var phi_140_: type_4;
-    var phi_155_: type_17;
-    var phi_158_: type_4;
-    var phi_160_: u32;
-    var phi_181_: bool;
-    var phi_187_: type_18;
-    var phi_156_: type_17;
-    var phi_201_: type_18;
-    var phi_251_: type_19;
-    var phi_252_: type_19;
-    var phi_275_: type_19;
-    var phi_301_: f32;
-    var phi_328_: f32;
-    var phi_360_: type_4;
-    var phi_159_: type_4;
-    var phi_161_: u32;
-    var local_3: type_4;
+    var local: array<u32, 4>;
+    var phi_115_: u32;
+    var phi_116_: u32;
+    var phi_133_: type_11;
+    var phi_148_: type_17;
+    var phi_151_: type_11;
+    var phi_153_: u32;
+    var phi_174_: bool;
+    var phi_180_: type_18;
+    var phi_149_: type_17;
+    var phi_194_: type_18;
+    var phi_226_: f32;
+    var phi_233_: f32;
+    var phi_240_: f32;
+    var phi_248_: f32;
+    var phi_255_: f32;
+    var phi_262_: f32;
+    var phi_277_: type_11;
+    var phi_152_: type_11;
+    var phi_154_: u32;
+    var local_1: type_11;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -86,144 +80,138 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e27 = id_2;
-    let _e28 = n_2;
-    let _e29 = lane_2;
-    let _e33 = params.member.member_9;
-    let _e36 = params.member.member_20[_e33];
-    local_2 = array<u32, 4>(_e36[0], _e36[1], _e36[2], _e36[3]);
-    let _e43 = local_2[0u];
-    let _e51 = ((_e43 + (((_e27.y * _e28.x) + _e27.x) * 256u)) + _e29);
-    let _e53 = local_2[2u];
-    if (_e51 >= _e53) {
-        phi_123_ = 2u;
+    let _e23 = id_2;
+    let _e24 = n_2;
+    let _e25 = lane_2;
+    let _e29 = params.member.member_9;
+    let _e32 = params.member.member_20[_e29];
+    local = array<u32, 4>(_e32[0], _e32[1], _e32[2], _e32[3]);
+    let _e39 = local[0u];
+    let _e47 = ((_e39 + (((_e23.y * _e24.x) + _e23.x) * 256u)) + _e25);
+    let _e49 = local[2u];
+    if (_e47 >= _e49) {
+        phi_116_ = 2u;
     } else {
-        let _e56 = local_2[1u];
-        if (_e51 >= _e56) {
-            phi_122_ = 1u;
+        let _e52 = local[1u];
+        if (_e47 >= _e52) {
+            phi_115_ = 1u;
         } else {
-            phi_122_ = 0u;
+            phi_115_ = 0u;
         }
-        let _e59 = phi_122_;
-        phi_123_ = _e59;
+        let _e55 = phi_115_;
+        phi_116_ = _e55;
     }
-    let _e61 = phi_123_;
-    let _e63 = local_2[3u];
-    let _e64 = (_e51 < _e63);
-    if _e64 {
-        let _e66 = nodes.member[_e51];
-        phi_140_ = _e66;
+    let _e57 = phi_116_;
+    let _e59 = local[3u];
+    let _e60 = (_e47 < _e59);
+    if _e60 {
+        let _e62 = nodes.member[_e47];
+        phi_133_ = _e62;
     } else {
-        phi_140_ = type_4(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_133_ = type_11(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
     }
-    let _e68 = phi_140_;
-    shared_[_e29] = type_4(array<f32, 3>(_e68.member[0], _e68.member[1], _e68.member[2]), array<f32, 3>(_e68.member_1[0], _e68.member_1[1], _e68.member_1[2]));
-    phi_155_ = type_17(0i, 5i);
-    phi_158_ = _e68;
-    phi_160_ = 16u;
+    let _e64 = phi_133_;
+    shared_[_e25] = type_11(array<f32, 3>(_e64.member[0], _e64.member[1], _e64.member[2]), array<f32, 3>(_e64.member_1[0], _e64.member_1[1], _e64.member_1[2]));
+    phi_148_ = type_17(0i, 5i);
+    phi_151_ = _e64;
+    phi_153_ = 16u;
     loop {
-        let _e82 = phi_155_;
-        let _e84 = phi_158_;
-        let _e86 = phi_160_;
-        local_3 = _e84;
-        if (_e82.member < _e82.member_1) {
-            let _e93 = (_e82.member + 1i);
-            if ((false == (_e93 > _e82.member)) != false) {
-                phi_181_ = true;
+        let _e78 = phi_148_;
+        let _e80 = phi_151_;
+        let _e82 = phi_153_;
+        local_1 = _e80;
+        if (_e78.member < _e78.member_1) {
+            let _e89 = (_e78.member + 1i);
+            if ((false == (_e89 > _e78.member)) != false) {
+                phi_174_ = true;
             } else {
-                phi_181_ = false;
+                phi_174_ = false;
             }
-            let _e98 = phi_181_;
-            if _e98 {
-                phi_187_ = type_18(0u, type_18().member_1);
+            let _e94 = phi_174_;
+            if _e94 {
+                phi_180_ = type_18(0u, type_18().member_1);
             } else {
-                phi_187_ = type_18(1u, _e93);
+                phi_180_ = type_18(1u, _e89);
             }
-            let _e103 = phi_187_;
-            phi_156_ = type_17(_e103.member_1, _e82.member_1);
-            phi_201_ = type_18(1u, _e82.member);
+            let _e99 = phi_180_;
+            phi_149_ = type_17(_e99.member_1, _e78.member_1);
+            phi_194_ = type_18(1u, _e78.member);
         } else {
-            phi_156_ = _e82;
-            phi_201_ = type_18(0u, type_18().member_1);
+            phi_149_ = _e78;
+            phi_194_ = type_18(0u, type_18().member_1);
         }
-        let _e109 = phi_156_;
-        let _e111 = phi_201_;
-        let _e114 = (bitcast<i32>(_e111.member) != 0i);
-        if _e114 {
+        let _e105 = phi_149_;
+        let _e107 = phi_194_;
+        let _e110 = (bitcast<i32>(_e107.member) != 0i);
+        if _e110 {
             workgroupBarrier();
-            if ((_e29 % 32u) < _e86) {
-                let _e119 = shared_[(_e29 + _e86)];
-                local_1 = _e119;
-                local = type_4(array<f32, 3>(_e84.member[0], _e84.member[1], _e84.member[2]), array<f32, 3>(_e84.member_1[0], _e84.member_1[1], _e84.member_1[2]));
-                phi_251_ = type_19(0u, 3u);
-                loop {
-                    let _e132 = phi_251_;
-                    if (_e132.member < _e132.member_1) {
-                        phi_252_ = type_19((_e132.member + 1u), _e132.member_1);
-                        phi_275_ = type_19(1u, _e132.member);
-                    } else {
-                        phi_252_ = _e132;
-                        phi_275_ = type_19(0u, type_19().member_1);
-                    }
-                    let _e144 = phi_252_;
-                    let _e146 = phi_275_;
-                    let _e150 = (bitcast<i32>(_e146.member) != 0i);
-                    if _e150 {
-                        let _e153 = local.member[_e146.member_1];
-                        let _e156 = local_1.member[_e146.member_1];
-                        if (_e153 < _e156) {
-                            phi_301_ = _e153;
-                        } else {
-                            phi_301_ = _e156;
-                        }
-                        let _e159 = phi_301_;
-                        local.member[_e146.member_1] = _e159;
-                        let _e164 = local.member_1[_e146.member_1];
-                        let _e167 = local_1.member_1[_e146.member_1];
-                        if (_e164 > _e167) {
-                            phi_328_ = _e164;
-                        } else {
-                            phi_328_ = _e167;
-                        }
-                        let _e170 = phi_328_;
-                        local.member_1[_e146.member_1] = _e170;
-                    }
-                    continue;
-                    continuing {
-                        phi_251_ = _e144;
-                        break if !(_e150);
-                    }
+            if ((_e25 % 32u) < _e82) {
+                let _e115 = shared_[(_e25 + _e82)];
+                if (_e80.member[0] < _e115.member[0]) {
+                    phi_226_ = _e80.member[0];
+                } else {
+                    phi_226_ = _e115.member[0];
                 }
-                let _e174 = local;
-                shared_[_e29] = _e174;
-                phi_360_ = type_4(array<f32, 3>(_e174.member[0], _e174.member[1], _e174.member[2]), array<f32, 3>(_e174.member_1[0], _e174.member_1[1], _e174.member_1[2]));
+                let _e128 = phi_226_;
+                if (_e80.member[1] < _e115.member[1]) {
+                    phi_233_ = _e80.member[1];
+                } else {
+                    phi_233_ = _e115.member[1];
+                }
+                let _e133 = phi_233_;
+                if (_e80.member[2] < _e115.member[2]) {
+                    phi_240_ = _e80.member[2];
+                } else {
+                    phi_240_ = _e115.member[2];
+                }
+                let _e138 = phi_240_;
+                if (_e80.member_1[0] > _e115.member_1[0]) {
+                    phi_248_ = _e80.member_1[0];
+                } else {
+                    phi_248_ = _e115.member_1[0];
+                }
+                let _e144 = phi_248_;
+                if (_e80.member_1[1] > _e115.member_1[1]) {
+                    phi_255_ = _e80.member_1[1];
+                } else {
+                    phi_255_ = _e115.member_1[1];
+                }
+                let _e149 = phi_255_;
+                if (_e80.member_1[2] > _e115.member_1[2]) {
+                    phi_262_ = _e80.member_1[2];
+                } else {
+                    phi_262_ = _e115.member_1[2];
+                }
+                let _e154 = phi_262_;
+                shared_[_e25] = type_11(array<f32, 3>(_e128, _e133, _e138), array<f32, 3>(_e144, _e149, _e154));
+                phi_277_ = type_11(array<f32, 3>(_e128, _e133, _e138), array<f32, 3>(_e144, _e149, _e154));
             } else {
-                phi_360_ = _e84;
+                phi_277_ = _e80;
             }
-            let _e188 = phi_360_;
-            phi_159_ = _e188;
-            phi_161_ = (_e86 / 2u);
+            let _e162 = phi_277_;
+            phi_152_ = _e162;
+            phi_154_ = (_e82 / 2u);
         } else {
-            phi_159_ = type_4();
-            phi_161_ = u32();
+            phi_152_ = type_11();
+            phi_154_ = u32();
         }
-        let _e191 = phi_159_;
-        let _e193 = phi_161_;
+        let _e165 = phi_152_;
+        let _e167 = phi_154_;
         continue;
         continuing {
-            phi_155_ = _e109;
-            phi_158_ = _e191;
-            phi_160_ = _e193;
-            break if !(_e114);
+            phi_148_ = _e105;
+            phi_151_ = _e165;
+            phi_153_ = _e167;
+            break if !(_e110);
         }
     }
-    if _e64 {
-        if ((_e29 % 32u) == 0u) {
-            let _e198 = params.member.member_9;
-            let _e201 = local_2[_e61];
-            let _e207 = params.member.member_20[(_e198 + 1u)][_e61];
-            let _e211 = local_3;
-            nodes.member[(_e207 + ((_e51 - _e201) / 32u))] = _e211;
+    if _e60 {
+        if ((_e25 % 32u) == 0u) {
+            let _e172 = params.member.member_9;
+            let _e175 = local[_e57];
+            let _e181 = params.member.member_20[(_e172 + 1u)][_e57];
+            let _e185 = local_1;
+            nodes.member[(_e181 + ((_e47 - _e175) / 32u))] = _e185;
         }
     }
     return;

@@ -1,9 +1,4 @@
-struct type_4 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
-}
-
-struct type_10 {
+struct type_8 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -27,12 +22,17 @@ struct type_10 {
     member_20: array<array<u32, 4>, 8>,
 }
 
+struct type_9 {
+    member: type_8,
+}
+
 struct type_11 {
-    member: type_10,
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
 }
 
 struct type_13 {
-    member: array<type_4>,
+    member: array<type_11>,
 }
 
 struct type_15 {
@@ -62,12 +62,12 @@ struct type_32 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_11;
+var<storage> params: type_9;
 @group(0) @binding(1) 
 var<storage> nodes: type_13;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
-var<workgroup> columns: array<type_4, 128>;
+var<workgroup> columns: array<type_11, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
 @group(0) @binding(2) 
@@ -81,246 +81,298 @@ var<storage> input: type_15;
 @group(0) @binding(6) 
 var<storage, read_write> output: type_32;
 
-fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: array<array<u32, 2>, 6>;
-    var local_1: array<array<u32, 2>, 6>;
-    var local_2: array<array<u32, 2>, 6>;
-    var local_3: array<array<u32, 2>, 6>;
-    var local_4: array<array<u32, 2>, 6>;
-    var local_5: array<array<u32, 2>, 6>;
-    var local_6: array<array<u32, 2>, 6>;
-    var local_7: array<array<u32, 2>, 6>;
-    var local_8: array<array<u32, 2>, 6>;
-    var local_9: array<array<u32, 2>, 6>;
-    var local_10: array<array<u32, 2>, 6>;
-    var local_11: array<array<u32, 2>, 6>;
-    var local_12: array<array<u32, 2>, 6>;
-    var local_13: array<array<u32, 2>, 6>;
-    var local_14: array<array<u32, 2>, 6>;
-    var local_15: array<array<u32, 2>, 6>;
-    var local_16: type_16;
-    var local_17: type_16;
-    var local_18: type_16;
-    var local_19: type_16;
-    var phi_184_: u32;
-    var phi_195_: array<u32, 2>;
-    var phi_224_: u32;
+fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
+    var phi_2843_: bool;
+    var phi_2844_: bool;
+    var phi_2848_: array<u32, 2>;
+
+    if (param_1[1] > param[1]) {
+        phi_2844_ = true;
+    } else {
+        if (param_1[1] == param[1]) {
+            phi_2843_ = (param_1[0] > param[0]);
+        } else {
+            phi_2843_ = false;
+        }
+        let _e14 = phi_2843_;
+        phi_2844_ = _e14;
+    }
+    let _e16 = phi_2844_;
+    if _e16 {
+        phi_2848_ = param_1;
+    } else {
+        phi_2848_ = param;
+    }
+    let _e18 = phi_2848_;
+    return _e18;
+}
+
+fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
+    var phi_2819_: bool;
+    var phi_2820_: bool;
+    var phi_2824_: array<u32, 2>;
+
+    if (param_2[1] > param_3[1]) {
+        phi_2820_ = true;
+    } else {
+        if (param_2[1] == param_3[1]) {
+            phi_2819_ = (param_2[0] > param_3[0]);
+        } else {
+            phi_2819_ = false;
+        }
+        let _e14 = phi_2819_;
+        phi_2820_ = _e14;
+    }
+    let _e16 = phi_2820_;
+    if _e16 {
+        phi_2824_ = param_3;
+    } else {
+        phi_2824_ = param_2;
+    }
+    let _e18 = phi_2824_;
+    return _e18;
+}
+
+fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
+    var phi_2795_: bool;
+    var phi_2796_: bool;
+    var phi_2800_: array<u32, 2>;
+
+    if (param_5[1] > param_4[1]) {
+        phi_2796_ = true;
+    } else {
+        if (param_5[1] == param_4[1]) {
+            phi_2795_ = (param_5[0] > param_4[0]);
+        } else {
+            phi_2795_ = false;
+        }
+        let _e14 = phi_2795_;
+        phi_2796_ = _e14;
+    }
+    let _e16 = phi_2796_;
+    if _e16 {
+        phi_2800_ = param_5;
+    } else {
+        phi_2800_ = param_4;
+    }
+    let _e18 = phi_2800_;
+    return _e18;
+}
+
+fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
+    var phi_2771_: bool;
+    var phi_2772_: bool;
+    var phi_2776_: array<u32, 2>;
+
+    if (param_6[1] > param_7[1]) {
+        phi_2772_ = true;
+    } else {
+        if (param_6[1] == param_7[1]) {
+            phi_2771_ = (param_6[0] > param_7[0]);
+        } else {
+            phi_2771_ = false;
+        }
+        let _e14 = phi_2771_;
+        phi_2772_ = _e14;
+    }
+    let _e16 = phi_2772_;
+    if _e16 {
+        phi_2776_ = param_7;
+    } else {
+        phi_2776_ = param_6;
+    }
+    let _e18 = phi_2776_;
+    return _e18;
+}
+
+fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
+    var phi_2747_: bool;
+    var phi_2748_: bool;
+    var phi_2752_: array<u32, 2>;
+
+    if (param_9[1] > param_8[1]) {
+        phi_2748_ = true;
+    } else {
+        if (param_9[1] == param_8[1]) {
+            phi_2747_ = (param_9[0] > param_8[0]);
+        } else {
+            phi_2747_ = false;
+        }
+        let _e14 = phi_2747_;
+        phi_2748_ = _e14;
+    }
+    let _e16 = phi_2748_;
+    if _e16 {
+        phi_2752_ = param_9;
+    } else {
+        phi_2752_ = param_8;
+    }
+    let _e18 = phi_2752_;
+    return _e18;
+}
+
+fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
+    var phi_2723_: bool;
+    var phi_2724_: bool;
+    var phi_2728_: array<u32, 2>;
+
+    if (param_10[1] > param_11[1]) {
+        phi_2724_ = true;
+    } else {
+        if (param_10[1] == param_11[1]) {
+            phi_2723_ = (param_10[0] > param_11[0]);
+        } else {
+            phi_2723_ = false;
+        }
+        let _e14 = phi_2723_;
+        phi_2724_ = _e14;
+    }
+    let _e16 = phi_2724_;
+    if _e16 {
+        phi_2728_ = param_11;
+    } else {
+        phi_2728_ = param_10;
+    }
+    let _e18 = phi_2728_;
+    return _e18;
+}
+
+fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
+    var phi_161_: u32;
+    var phi_172_: array<u32, 2>;
+    var phi_201_: u32;
+    var phi_202_: u32;
+    var phi_209_: u32;
     var phi_225_: u32;
-    var phi_232_: u32;
-    var phi_248_: u32;
-    var phi_269_: u32;
-    var phi_270_: u32;
-    var phi_273_: type_21;
+    var phi_246_: u32;
+    var phi_247_: u32;
+    var phi_250_: type_21;
+    var phi_251_: type_21;
     var phi_274_: type_21;
-    var phi_297_: type_21;
-    var phi_335_: u32;
-    var phi_336_: u32;
-    var phi_343_: u32;
-    var phi_353_: u32;
-    var phi_432_: array<u32, 2>;
-    var phi_626_: bool;
-    var phi_627_: bool;
-    var phi_631_: type_4;
-    var phi_637_: bool;
-    var phi_644_: type_21;
-    var phi_647_: u32;
-    var phi_645_: type_21;
-    var phi_670_: type_21;
-    var phi_736_: bool;
-    var phi_737_: bool;
-    var phi_738_: bool;
-    var phi_742_: bool;
-    var phi_760_: u32;
-    var phi_761_: u32;
-    var phi_762_: u32;
-    var phi_648_: u32;
-    var phi_765_: type_21;
-    var phi_768_: u32;
-    var phi_766_: type_21;
-    var phi_791_: type_21;
-    var phi_937_: bool;
-    var phi_938_: bool;
-    var phi_939_: bool;
-    var phi_940_: bool;
-    var phi_941_: bool;
-    var phi_945_: bool;
-    var phi_901_: bool;
-    var phi_902_: bool;
-    var phi_903_: bool;
-    var phi_907_: bool;
-    var phi_946_: bool;
-    var phi_950_: bool;
-    var phi_951_: bool;
-    var phi_997_: bool;
-    var phi_1007_: bool;
-    var phi_1008_: bool;
-    var phi_1012_: bool;
-    var phi_1013_: bool;
-    var phi_1062_: type_21;
-    var phi_1065_: bool;
-    var phi_1063_: type_21;
-    var phi_1088_: type_21;
-    var phi_1145_: type_21;
-    var phi_1148_: array<u32, 2>;
-    var phi_1146_: type_21;
-    var phi_1171_: type_21;
-    var phi_1246_: bool;
-    var phi_1247_: bool;
-    var phi_1251_: array<u32, 2>;
-    var phi_1149_: array<u32, 2>;
-    var phi_1302_: type_21;
-    var phi_1305_: array<u32, 2>;
-    var phi_1303_: type_21;
-    var phi_1328_: type_21;
-    var phi_1404_: bool;
-    var phi_1405_: bool;
-    var phi_1409_: array<u32, 2>;
-    var phi_1306_: array<u32, 2>;
-    var local_20: array<u32, 2>;
-    var local_21: array<u32, 2>;
-    var local_22: array<u32, 2>;
-    var local_23: array<u32, 2>;
-    var local_24: array<u32, 2>;
-    var local_25: array<u32, 2>;
-    var phi_1425_: bool;
-    var phi_1426_: bool;
-    var phi_1477_: type_21;
-    var phi_1480_: array<u32, 2>;
-    var phi_1478_: type_21;
-    var phi_1503_: type_21;
-    var phi_1578_: bool;
-    var phi_1579_: bool;
-    var phi_1583_: array<u32, 2>;
-    var phi_1481_: array<u32, 2>;
-    var phi_1634_: type_21;
-    var phi_1637_: array<u32, 2>;
-    var phi_1635_: type_21;
-    var phi_1660_: type_21;
-    var phi_1736_: bool;
-    var phi_1737_: bool;
-    var phi_1741_: array<u32, 2>;
-    var phi_1638_: array<u32, 2>;
-    var local_26: array<u32, 2>;
-    var local_27: array<u32, 2>;
-    var local_28: array<u32, 2>;
-    var local_29: array<u32, 2>;
-    var local_30: array<u32, 2>;
-    var local_31: array<u32, 2>;
-    var phi_1757_: bool;
-    var phi_1758_: bool;
-    var phi_1066_: bool;
-    var phi_1762_: bool;
-    var phi_1763_: bool;
-    var phi_1764_: bool;
-    var phi_1768_: bool;
-    var phi_1769_: bool;
-    var phi_1770_: bool;
-    var phi_1771_: bool;
-    var phi_1772_: bool;
-    var phi_1776_: bool;
-    var phi_1796_: type_21;
-    var phi_1801_: type_21;
-    var phi_1841_: u32;
-    var phi_1842_: bool;
-    var phi_769_: u32;
-    var phi_1843_: bool;
-    var phi_1850_: u32;
-    var phi_1853_: type_21;
-    var phi_1854_: type_21;
-    var phi_1877_: type_21;
-    var phi_2031_: bool;
-    var phi_2032_: bool;
-    var phi_2033_: bool;
-    var phi_2034_: bool;
-    var phi_2035_: bool;
-    var phi_2039_: bool;
-    var phi_1995_: bool;
-    var phi_1996_: bool;
-    var phi_1997_: bool;
-    var phi_2001_: bool;
-    var phi_2040_: bool;
-    var phi_2044_: bool;
-    var phi_2045_: bool;
-    var phi_2091_: bool;
-    var phi_2101_: bool;
-    var phi_2102_: bool;
-    var phi_2106_: bool;
-    var phi_2107_: bool;
-    var phi_2156_: type_21;
-    var phi_2159_: bool;
-    var phi_2157_: type_21;
-    var phi_2182_: type_21;
-    var phi_2239_: type_21;
-    var phi_2242_: array<u32, 2>;
-    var phi_2240_: type_21;
-    var phi_2265_: type_21;
-    var phi_2340_: bool;
-    var phi_2341_: bool;
-    var phi_2345_: array<u32, 2>;
-    var phi_2243_: array<u32, 2>;
-    var phi_2396_: type_21;
-    var phi_2399_: array<u32, 2>;
-    var phi_2397_: type_21;
-    var phi_2422_: type_21;
-    var phi_2498_: bool;
-    var phi_2499_: bool;
-    var phi_2503_: array<u32, 2>;
-    var phi_2400_: array<u32, 2>;
-    var local_32: array<u32, 2>;
-    var local_33: array<u32, 2>;
-    var local_34: array<u32, 2>;
-    var local_35: array<u32, 2>;
-    var local_36: array<u32, 2>;
-    var local_37: array<u32, 2>;
-    var phi_2519_: bool;
-    var phi_2520_: bool;
-    var phi_2571_: type_21;
-    var phi_2574_: array<u32, 2>;
-    var phi_2572_: type_21;
-    var phi_2597_: type_21;
-    var phi_2672_: bool;
-    var phi_2673_: bool;
-    var phi_2677_: array<u32, 2>;
-    var phi_2575_: array<u32, 2>;
-    var phi_2728_: type_21;
-    var phi_2731_: array<u32, 2>;
-    var phi_2729_: type_21;
-    var phi_2754_: type_21;
-    var phi_2830_: bool;
-    var phi_2831_: bool;
-    var phi_2835_: array<u32, 2>;
-    var phi_2732_: array<u32, 2>;
-    var local_38: array<u32, 2>;
-    var local_39: array<u32, 2>;
-    var local_40: array<u32, 2>;
-    var local_41: array<u32, 2>;
-    var local_42: array<u32, 2>;
-    var local_43: array<u32, 2>;
-    var phi_2851_: bool;
-    var phi_2852_: bool;
-    var phi_2160_: bool;
-    var phi_2856_: bool;
-    var phi_2857_: bool;
-    var phi_2858_: bool;
-    var phi_2862_: bool;
-    var phi_2863_: bool;
-    var phi_2864_: bool;
-    var phi_2865_: bool;
-    var phi_2866_: bool;
-    var phi_2870_: bool;
-    var phi_2885_: bool;
-    var phi_2886_: bool;
-    var phi_2936_: type_21;
-    var phi_2937_: type_21;
-    var phi_2960_: type_21;
-    var phi_2983_: u32;
-    var phi_3037_: type_21;
-    var phi_3042_: type_21;
-    var phi_3058_: bool;
-    var phi_3059_: bool;
-    var local_44: u32;
-    var local_45: bool;
-    var local_46: bool;
+    var phi_312_: u32;
+    var phi_313_: u32;
+    var phi_320_: u32;
+    var phi_330_: u32;
+    var phi_409_: array<u32, 2>;
+    var phi_603_: bool;
+    var phi_604_: bool;
+    var phi_608_: type_11;
+    var phi_614_: bool;
+    var phi_621_: type_21;
+    var phi_624_: u32;
+    var phi_622_: type_21;
+    var phi_647_: type_21;
+    var phi_713_: bool;
+    var phi_714_: bool;
+    var phi_715_: bool;
+    var phi_719_: bool;
+    var phi_737_: u32;
+    var phi_738_: u32;
+    var phi_739_: u32;
+    var phi_625_: u32;
+    var phi_742_: type_21;
+    var phi_745_: u32;
+    var phi_743_: type_21;
+    var phi_768_: type_21;
+    var phi_886_: bool;
+    var phi_887_: bool;
+    var phi_888_: bool;
+    var phi_889_: bool;
+    var phi_890_: bool;
+    var phi_894_: bool;
+    var phi_858_: bool;
+    var phi_859_: bool;
+    var phi_860_: bool;
+    var phi_864_: bool;
+    var phi_895_: bool;
+    var phi_899_: bool;
+    var phi_900_: bool;
+    var phi_944_: bool;
+    var phi_954_: bool;
+    var phi_955_: bool;
+    var phi_959_: bool;
+    var phi_960_: bool;
+    var phi_1096_: bool;
+    var phi_1097_: bool;
+    var phi_1190_: bool;
+    var phi_1191_: bool;
+    var phi_1285_: bool;
+    var phi_1286_: bool;
+    var phi_1379_: bool;
+    var phi_1380_: bool;
+    var phi_1475_: bool;
+    var phi_1476_: bool;
+    var phi_1569_: bool;
+    var phi_1570_: bool;
+    var phi_1574_: bool;
+    var phi_1575_: bool;
+    var phi_1576_: bool;
+    var phi_1580_: bool;
+    var phi_1581_: bool;
+    var phi_1582_: bool;
+    var phi_1583_: bool;
+    var phi_1584_: bool;
+    var phi_1588_: bool;
+    var phi_1606_: type_21;
+    var phi_1611_: type_21;
+    var phi_1651_: u32;
+    var phi_1652_: bool;
+    var phi_746_: u32;
+    var phi_1653_: bool;
+    var phi_1660_: u32;
+    var phi_1663_: type_21;
+    var phi_1664_: type_21;
+    var phi_1687_: type_21;
+    var phi_1813_: bool;
+    var phi_1814_: bool;
+    var phi_1815_: bool;
+    var phi_1816_: bool;
+    var phi_1817_: bool;
+    var phi_1821_: bool;
+    var phi_1785_: bool;
+    var phi_1786_: bool;
+    var phi_1787_: bool;
+    var phi_1791_: bool;
+    var phi_1822_: bool;
+    var phi_1826_: bool;
+    var phi_1827_: bool;
+    var phi_1871_: bool;
+    var phi_1881_: bool;
+    var phi_1882_: bool;
+    var phi_1886_: bool;
+    var phi_1887_: bool;
+    var phi_2023_: bool;
+    var phi_2024_: bool;
+    var phi_2117_: bool;
+    var phi_2118_: bool;
+    var phi_2212_: bool;
+    var phi_2213_: bool;
+    var phi_2306_: bool;
+    var phi_2307_: bool;
+    var phi_2402_: bool;
+    var phi_2403_: bool;
+    var phi_2496_: bool;
+    var phi_2497_: bool;
+    var phi_2501_: bool;
+    var phi_2502_: bool;
+    var phi_2503_: bool;
+    var phi_2507_: bool;
+    var phi_2508_: bool;
+    var phi_2509_: bool;
+    var phi_2510_: bool;
+    var phi_2511_: bool;
+    var phi_2515_: bool;
+    var phi_2530_: bool;
+    var phi_2531_: bool;
+    var phi_2581_: type_21;
+    var phi_2582_: type_21;
+    var phi_2605_: type_21;
+    var phi_2628_: u32;
+    var phi_2682_: type_21;
+    var phi_2687_: type_21;
+    var phi_2703_: bool;
+    var phi_2704_: bool;
+    var local: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -328,1439 +380,1077 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e68 = id_2;
-    let _e69 = n_2;
-    let _e70 = lane_2;
-    let _e82 = ((_e68.y * _e69.x) + _e68.x);
-    let _e85 = (_e69.x * _e69.y);
-    let _e87 = params.member.member_15;
-    let _e89 = input.member[0u];
-    if (_e87 < _e89) {
-        phi_184_ = _e87;
+    let _e45 = id_2;
+    let _e46 = n_2;
+    let _e47 = lane_2;
+    let _e59 = ((_e45.y * _e46.x) + _e45.x);
+    let _e62 = (_e46.x * _e46.y);
+    let _e64 = params.member.member_15;
+    let _e66 = input.member[0u];
+    if (_e64 < _e66) {
+        phi_161_ = _e64;
     } else {
-        phi_184_ = _e89;
+        phi_161_ = _e66;
     }
-    let _e92 = phi_184_;
-    let _e93 = (_e70 / 32u);
-    let _e94 = (_e70 % 32u);
-    let _e96 = params.member.member_8;
-    if (_e96 == 0u) {
-        phi_195_ = array<u32, 2>(0u, 2u);
+    let _e69 = phi_161_;
+    let _e70 = (_e47 / 32u);
+    let _e71 = (_e47 % 32u);
+    let _e73 = params.member.member_8;
+    if (_e73 == 0u) {
+        phi_172_ = array<u32, 2>(0u, 2u);
     } else {
-        phi_195_ = array<u32, 2>(1u, 1u);
+        phi_172_ = array<u32, 2>(1u, 1u);
     }
-    let _e99 = phi_195_;
-    let _e103 = params.member.member_12;
-    if (_e92 > _e103) {
-        let _e106 = params.member.member_12;
-        let _e107 = (_e92 - _e106);
-        let _e109 = params.member.member_13;
-        if (_e109 == 0u) {
+    let _e76 = phi_172_;
+    let _e80 = params.member.member_12;
+    if (_e69 > _e80) {
+        let _e83 = params.member.member_12;
+        let _e84 = (_e69 - _e83);
+        let _e86 = params.member.member_13;
+        if (_e86 == 0u) {
             return;
         }
-        let _e111 = (_e107 / _e109);
-        if (_e109 == 0u) {
+        let _e88 = (_e84 / _e86);
+        if (_e86 == 0u) {
             return;
         }
-        if ((_e107 % _e109) > 0u) {
-            phi_224_ = (_e111 + 1u);
+        if ((_e84 % _e86) > 0u) {
+            phi_201_ = (_e88 + 1u);
         } else {
-            phi_224_ = _e111;
+            phi_201_ = _e88;
         }
-        let _e117 = phi_224_;
-        phi_225_ = _e117;
+        let _e94 = phi_201_;
+        phi_202_ = _e94;
     } else {
-        phi_225_ = 0u;
+        phi_202_ = 0u;
     }
-    let _e119 = phi_225_;
-    let _e121 = params.member.member_14;
-    if (_e121 < _e119) {
-        phi_232_ = _e121;
+    let _e96 = phi_202_;
+    let _e98 = params.member.member_14;
+    if (_e98 < _e96) {
+        phi_209_ = _e98;
     } else {
-        phi_232_ = _e119;
+        phi_209_ = _e96;
     }
-    let _e124 = phi_232_;
-    let _e125 = (_e124 / 4u);
-    if ((_e124 % 4u) > 0u) {
-        phi_248_ = (_e125 + 1u);
+    let _e101 = phi_209_;
+    let _e102 = (_e101 / 4u);
+    if ((_e101 % 4u) > 0u) {
+        phi_225_ = (_e102 + 1u);
     } else {
-        phi_248_ = _e125;
+        phi_225_ = _e102;
     }
-    let _e130 = phi_248_;
-    if (_e130 > _e82) {
-        let _e132 = (_e130 - _e82);
-        if (_e85 == 0u) {
+    let _e107 = phi_225_;
+    if (_e107 > _e59) {
+        let _e109 = (_e107 - _e59);
+        if (_e62 == 0u) {
             return;
         }
-        let _e134 = (_e132 / _e85);
-        if (_e85 == 0u) {
+        let _e111 = (_e109 / _e62);
+        if (_e62 == 0u) {
             return;
         }
-        if ((_e132 % _e85) > 0u) {
-            phi_269_ = (_e134 + 1u);
+        if ((_e109 % _e62) > 0u) {
+            phi_246_ = (_e111 + 1u);
         } else {
-            phi_269_ = _e134;
+            phi_246_ = _e111;
         }
-        let _e140 = phi_269_;
-        phi_270_ = _e140;
+        let _e117 = phi_246_;
+        phi_247_ = _e117;
     } else {
-        phi_270_ = 0u;
+        phi_247_ = 0u;
     }
-    let _e142 = phi_270_;
-    phi_273_ = type_21(0u, _e142);
+    let _e119 = phi_247_;
+    phi_250_ = type_21(0u, _e119);
     loop {
-        let _e145 = phi_273_;
-        if (_e145.member < _e145.member_1) {
-            phi_274_ = type_21((_e145.member + 1u), _e145.member_1);
-            phi_297_ = type_21(1u, _e145.member);
+        let _e122 = phi_250_;
+        if (_e122.member < _e122.member_1) {
+            phi_251_ = type_21((_e122.member + 1u), _e122.member_1);
+            phi_274_ = type_21(1u, _e122.member);
         } else {
-            phi_274_ = _e145;
-            phi_297_ = type_21(0u, type_21().member_1);
+            phi_251_ = _e122;
+            phi_274_ = type_21(0u, type_21().member_1);
         }
-        let _e157 = phi_274_;
-        let _e159 = phi_297_;
-        let _e163 = (bitcast<i32>(_e159.member) != 0i);
-        if _e163 {
-            let _e167 = (((_e82 + (_e159.member_1 * _e85)) * 4u) + _e93);
-            let _e169 = params.member.member_12;
-            if (_e92 > _e169) {
-                let _e172 = params.member.member_12;
-                let _e173 = (_e92 - _e172);
-                let _e175 = params.member.member_13;
-                if (_e175 == 0u) {
+        let _e134 = phi_251_;
+        let _e136 = phi_274_;
+        let _e140 = (bitcast<i32>(_e136.member) != 0i);
+        if _e140 {
+            let _e144 = (((_e59 + (_e136.member_1 * _e62)) * 4u) + _e70);
+            let _e146 = params.member.member_12;
+            if (_e69 > _e146) {
+                let _e149 = params.member.member_12;
+                let _e150 = (_e69 - _e149);
+                let _e152 = params.member.member_13;
+                if (_e152 == 0u) {
                     return;
                 }
-                let _e177 = (_e173 / _e175);
-                if (_e175 == 0u) {
+                let _e154 = (_e150 / _e152);
+                if (_e152 == 0u) {
                     return;
                 }
-                if ((_e173 % _e175) > 0u) {
-                    phi_335_ = (_e177 + 1u);
+                if ((_e150 % _e152) > 0u) {
+                    phi_312_ = (_e154 + 1u);
                 } else {
-                    phi_335_ = _e177;
+                    phi_312_ = _e154;
                 }
-                let _e183 = phi_335_;
-                phi_336_ = _e183;
+                let _e160 = phi_312_;
+                phi_313_ = _e160;
             } else {
-                phi_336_ = 0u;
+                phi_313_ = 0u;
             }
-            let _e185 = phi_336_;
-            let _e187 = params.member.member_14;
-            if (_e187 < _e185) {
-                phi_343_ = _e187;
+            let _e162 = phi_313_;
+            let _e164 = params.member.member_14;
+            if (_e164 < _e162) {
+                phi_320_ = _e164;
             } else {
-                phi_343_ = _e185;
+                phi_320_ = _e162;
             }
-            let _e190 = phi_343_;
-            let _e191 = (_e167 < _e190);
-            let _e193 = params.member.member_12;
-            if _e191 {
-                let _e195 = params.member.member_13;
-                phi_353_ = (_e167 * _e195);
+            let _e167 = phi_320_;
+            let _e168 = (_e144 < _e167);
+            let _e170 = params.member.member_12;
+            if _e168 {
+                let _e172 = params.member.member_13;
+                phi_330_ = (_e144 * _e172);
             } else {
-                phi_353_ = 0u;
+                phi_330_ = 0u;
             }
-            let _e198 = phi_353_;
-            let _e200 = (2u * (_e193 + _e198));
-            let _e203 = input.member[(4u + _e200)];
-            let _e206 = input.member[(_e200 + 5u)];
-            if (_e70 < 8u) {
-                atomicStore((&counters[_e70]), 0u);
+            let _e175 = phi_330_;
+            let _e177 = (2u * (_e170 + _e175));
+            let _e180 = input.member[(4u + _e177)];
+            let _e183 = input.member[(_e177 + 5u)];
+            if (_e47 < 8u) {
+                atomicStore((&counters[_e47]), 0u);
             }
             workgroupBarrier();
-            let _e213 = params.member.member_20[0u][_e99[0]];
-            let _e214 = (_e213 + (_e203 * 32u));
-            let _e219 = params.member.member_20[0u][_e99[1]];
-            let _e220 = (_e219 + (_e206 * 32u));
-            if (_e94 == 0u) {
-                firsts[(2u * _e93)] = _e214;
-                firsts[((2u * _e93) + 1u)] = _e220;
+            let _e190 = params.member.member_20[0u][_e76[0]];
+            let _e191 = (_e190 + (_e180 * 32u));
+            let _e196 = params.member.member_20[0u][_e76[1]];
+            let _e197 = (_e196 + (_e183 * 32u));
+            if (_e71 == 0u) {
+                firsts[(2u * _e70)] = _e191;
+                firsts[((2u * _e70) + 1u)] = _e197;
             }
-            let _e228 = params.member.member_8;
-            if (_e228 == 0u) {
-                phi_432_ = array<u32, 2>(0u, 2u);
+            let _e205 = params.member.member_8;
+            if (_e205 == 0u) {
+                phi_409_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_432_ = array<u32, 2>(1u, 1u);
+                phi_409_ = array<u32, 2>(1u, 1u);
             }
-            let _e231 = phi_432_;
-            let _e234 = (_e70 / 32u);
-            let _e235 = (_e70 % 32u);
-            let _e237 = params.member.member_9;
-            let _e241 = params.member.member_20[_e237][_e231[0]];
-            let _e244 = nodes.member[(_e241 + _e203)];
-            let _e246 = params.member.member_9;
-            let _e250 = params.member.member_20[_e246][_e231[1]];
-            let _e253 = nodes.member[(_e250 + _e206)];
-            let _e255 = params.member.member_9;
-            let _e262 = params.member.member_20[(_e255 - 1u)][_e231[0]];
-            let _e265 = nodes.member[(_e262 + ((_e203 * 32u) + _e235))];
-            let _e267 = params.member.member_9;
-            let _e274 = params.member.member_20[(_e267 - 1u)][_e231[1]];
-            let _e277 = nodes.member[(_e274 + ((_e206 * 32u) + _e235))];
-            if _e191 {
-                if ((((((_e277.member[0] <= _e244.member_1[0]) && (_e244.member[0] <= _e277.member_1[0])) && (_e277.member[1] <= _e244.member_1[1])) && (_e244.member[1] <= _e277.member_1[1])) && (_e277.member[2] <= _e244.member_1[2])) && (_e244.member[2] <= _e277.member_1[2])) {
-                    let _e315 = atomicAdd((&counters[_e234]), 1u);
-                    let _e316 = ((_e234 * 32u) + _e315);
-                    columns[_e316] = type_4(array<f32, 3>(_e277.member[0], _e277.member[1], _e277.member[2]), array<f32, 3>(_e277.member_1[0], _e277.member_1[1], _e277.member_1[2]));
-                    names[_e316] = _e235;
+            let _e208 = phi_409_;
+            let _e211 = (_e47 / 32u);
+            let _e212 = (_e47 % 32u);
+            let _e214 = params.member.member_9;
+            let _e218 = params.member.member_20[_e214][_e208[0]];
+            let _e221 = nodes.member[(_e218 + _e180)];
+            let _e223 = params.member.member_9;
+            let _e227 = params.member.member_20[_e223][_e208[1]];
+            let _e230 = nodes.member[(_e227 + _e183)];
+            let _e232 = params.member.member_9;
+            let _e239 = params.member.member_20[(_e232 - 1u)][_e208[0]];
+            let _e242 = nodes.member[(_e239 + ((_e180 * 32u) + _e212))];
+            let _e244 = params.member.member_9;
+            let _e251 = params.member.member_20[(_e244 - 1u)][_e208[1]];
+            let _e254 = nodes.member[(_e251 + ((_e183 * 32u) + _e212))];
+            if _e168 {
+                if ((((((_e254.member[0] <= _e221.member_1[0]) && (_e221.member[0] <= _e254.member_1[0])) && (_e254.member[1] <= _e221.member_1[1])) && (_e221.member[1] <= _e254.member_1[1])) && (_e254.member[2] <= _e221.member_1[2])) && (_e221.member[2] <= _e254.member_1[2])) {
+                    let _e292 = atomicAdd((&counters[_e211]), 1u);
+                    let _e293 = ((_e211 * 32u) + _e292);
+                    columns[_e293] = type_11(array<f32, 3>(_e254.member[0], _e254.member[1], _e254.member[2]), array<f32, 3>(_e254.member_1[0], _e254.member_1[1], _e254.member_1[2]));
+                    names[_e293] = _e212;
                 }
             }
             workgroupBarrier();
-            if _e191 {
-                if ((((((_e265.member[0] <= _e253.member_1[0]) && (_e253.member[0] <= _e265.member_1[0])) && (_e265.member[1] <= _e253.member_1[1])) && (_e253.member[1] <= _e265.member_1[1])) && (_e265.member[2] <= _e253.member_1[2])) && (_e253.member[2] <= _e265.member_1[2])) {
-                    phi_626_ = false;
+            if _e168 {
+                if ((((((_e242.member[0] <= _e230.member_1[0]) && (_e230.member[0] <= _e242.member_1[0])) && (_e242.member[1] <= _e230.member_1[1])) && (_e230.member[1] <= _e242.member_1[1])) && (_e242.member[2] <= _e230.member_1[2])) && (_e230.member[2] <= _e242.member_1[2])) {
+                    phi_603_ = false;
                 } else {
-                    phi_626_ = true;
+                    phi_603_ = true;
                 }
-                let _e366 = phi_626_;
-                phi_627_ = _e366;
+                let _e343 = phi_603_;
+                phi_604_ = _e343;
             } else {
-                phi_627_ = true;
+                phi_604_ = true;
             }
-            let _e368 = phi_627_;
-            if _e368 {
-                phi_631_ = type_4(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            let _e345 = phi_604_;
+            if _e345 {
+                phi_608_ = type_11(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_631_ = _e265;
+                phi_608_ = _e242;
             }
-            let _e370 = phi_631_;
-            if (_e99[0] == _e99[1]) {
-                phi_637_ = (_e203 == _e206);
+            let _e347 = phi_608_;
+            if (_e76[0] == _e76[1]) {
+                phi_614_ = (_e180 == _e183);
             } else {
-                phi_637_ = false;
+                phi_614_ = false;
             }
-            let _e374 = phi_637_;
-            let _e375 = (_e70 / 32u);
-            let _e376 = (_e70 % 32u);
-            let _e378 = atomicLoad((&counters[_e375]));
-            phi_644_ = type_21(0u, _e378);
-            phi_647_ = 0u;
+            let _e351 = phi_614_;
+            let _e352 = (_e47 / 32u);
+            let _e353 = (_e47 % 32u);
+            let _e355 = atomicLoad((&counters[_e352]));
+            phi_621_ = type_21(0u, _e355);
+            phi_624_ = 0u;
             loop {
-                let _e381 = phi_644_;
-                let _e383 = phi_647_;
-                local_44 = _e383;
-                if (_e381.member < _e381.member_1) {
-                    phi_645_ = type_21((_e381.member + 1u), _e381.member_1);
-                    phi_670_ = type_21(1u, _e381.member);
+                let _e358 = phi_621_;
+                let _e360 = phi_624_;
+                local = _e360;
+                if (_e358.member < _e358.member_1) {
+                    phi_622_ = type_21((_e358.member + 1u), _e358.member_1);
+                    phi_647_ = type_21(1u, _e358.member);
                 } else {
-                    phi_645_ = _e381;
-                    phi_670_ = type_21(0u, type_21().member_1);
+                    phi_622_ = _e358;
+                    phi_647_ = type_21(0u, type_21().member_1);
                 }
-                let _e395 = phi_645_;
-                let _e397 = phi_670_;
-                let _e401 = (bitcast<i32>(_e397.member) != 0i);
-                if _e401 {
-                    let _e405 = names[((_e375 * 32u) + _e397.member_1)];
-                    let _e409 = columns[((_e375 * 32u) + _e397.member_1)];
-                    if ((((((_e370.member[0] <= _e409.member_1[0]) && (_e409.member[0] <= _e370.member_1[0])) && (_e370.member[1] <= _e409.member_1[1])) && (_e409.member[1] <= _e370.member_1[1])) && (_e370.member[2] <= _e409.member_1[2])) && (_e409.member[2] <= _e370.member_1[2])) {
-                        if _e374 {
-                            let _e441 = (_e376 < _e405);
-                            if _e441 {
-                                phi_736_ = bool();
+                let _e372 = phi_622_;
+                let _e374 = phi_647_;
+                let _e378 = (bitcast<i32>(_e374.member) != 0i);
+                if _e378 {
+                    let _e382 = names[((_e352 * 32u) + _e374.member_1)];
+                    let _e386 = columns[((_e352 * 32u) + _e374.member_1)];
+                    if ((((((_e347.member[0] <= _e386.member_1[0]) && (_e386.member[0] <= _e347.member_1[0])) && (_e347.member[1] <= _e386.member_1[1])) && (_e386.member[1] <= _e347.member_1[1])) && (_e347.member[2] <= _e386.member_1[2])) && (_e386.member[2] <= _e347.member_1[2])) {
+                        if _e351 {
+                            let _e418 = (_e353 < _e382);
+                            if _e418 {
+                                phi_713_ = bool();
                             } else {
-                                phi_736_ = false;
+                                phi_713_ = false;
                             }
-                            let _e443 = phi_736_;
-                            phi_737_ = _e443;
-                            phi_738_ = _e441;
+                            let _e420 = phi_713_;
+                            phi_714_ = _e420;
+                            phi_715_ = _e418;
                         } else {
-                            phi_737_ = bool();
-                            phi_738_ = true;
+                            phi_714_ = bool();
+                            phi_715_ = true;
                         }
-                        let _e445 = phi_737_;
-                        let _e447 = phi_738_;
-                        if _e447 {
-                            phi_742_ = true;
+                        let _e422 = phi_714_;
+                        let _e424 = phi_715_;
+                        if _e424 {
+                            phi_719_ = true;
                         } else {
-                            phi_742_ = _e445;
+                            phi_719_ = _e422;
                         }
-                        let _e449 = phi_742_;
-                        if _e449 {
-                            let _e451 = atomicAdd((&counters[4u]), 1u);
-                            if (_e451 < 2048u) {
-                                hits[_e451] = (((_e375 << bitcast<u32>(10i)) | (_e376 << bitcast<u32>(5i))) | _e405);
-                                phi_760_ = _e383;
+                        let _e426 = phi_719_;
+                        if _e426 {
+                            let _e428 = atomicAdd((&counters[4u]), 1u);
+                            if (_e428 < 2048u) {
+                                hits[_e428] = (((_e352 << bitcast<u32>(10i)) | (_e353 << bitcast<u32>(5i))) | _e382);
+                                phi_737_ = _e360;
                             } else {
-                                phi_760_ = (_e383 | (1u << bitcast<u32>((_e397.member_1 & 31u))));
+                                phi_737_ = (_e360 | (1u << bitcast<u32>((_e374.member_1 & 31u))));
                             }
-                            let _e465 = phi_760_;
-                            phi_761_ = _e465;
+                            let _e442 = phi_737_;
+                            phi_738_ = _e442;
                         } else {
-                            phi_761_ = _e383;
+                            phi_738_ = _e360;
                         }
-                        let _e467 = phi_761_;
-                        phi_762_ = _e467;
+                        let _e444 = phi_738_;
+                        phi_739_ = _e444;
                     } else {
-                        phi_762_ = _e383;
+                        phi_739_ = _e360;
                     }
-                    let _e469 = phi_762_;
-                    phi_648_ = _e469;
+                    let _e446 = phi_739_;
+                    phi_625_ = _e446;
                 } else {
-                    phi_648_ = u32();
+                    phi_625_ = u32();
                 }
-                let _e471 = phi_648_;
+                let _e448 = phi_625_;
                 continue;
                 continuing {
-                    phi_644_ = _e395;
-                    phi_647_ = _e471;
-                    break if !(_e401);
+                    phi_621_ = _e372;
+                    phi_624_ = _e448;
+                    break if !(_e378);
                 }
             }
-            phi_765_ = type_21(0u, 32u);
-            let _e2169 = local_44;
-            phi_768_ = _e2169;
+            phi_742_ = type_21(0u, 32u);
+            let _e1660 = local;
+            phi_745_ = _e1660;
             loop {
-                let _e474 = phi_765_;
-                let _e476 = phi_768_;
-                if (_e474.member < _e474.member_1) {
-                    phi_766_ = type_21((_e474.member + 1u), _e474.member_1);
-                    phi_791_ = type_21(1u, _e474.member);
+                let _e451 = phi_742_;
+                let _e453 = phi_745_;
+                if (_e451.member < _e451.member_1) {
+                    phi_743_ = type_21((_e451.member + 1u), _e451.member_1);
+                    phi_768_ = type_21(1u, _e451.member);
                 } else {
-                    phi_766_ = _e474;
-                    phi_791_ = type_21(0u, type_21().member_1);
+                    phi_743_ = _e451;
+                    phi_768_ = type_21(0u, type_21().member_1);
                 }
-                let _e488 = phi_766_;
-                let _e490 = phi_791_;
-                if (bitcast<i32>(_e490.member) != 0i) {
-                    if (_e476 == 0u) {
-                        phi_1841_ = u32();
-                        phi_1842_ = false;
+                let _e465 = phi_743_;
+                let _e467 = phi_768_;
+                if (bitcast<i32>(_e467.member) != 0i) {
+                    if (_e453 == 0u) {
+                        phi_1651_ = u32();
+                        phi_1652_ = false;
                     } else {
-                        let _e501 = names[((_e93 * 32u) + select(firstTrailingBit(_e476), 32u, (_e476 == 0u)))];
-                        let _e504 = (_e214 + _e94);
-                        let _e505 = (_e220 + _e501);
-                        let _e507 = leaves.member[_e504];
-                        let _e509 = leaves.member[_e505];
-                        local_16 = type_16(array<u32, 3>(_e507.member[0], _e507.member[1], _e507.member[2]), _e507.member_1);
-                        local_17 = type_16(array<u32, 3>(_e509.member[0], _e509.member[1], _e509.member[2]), _e509.member_1);
-                        let _e525 = nodes.member[_e504];
-                        let _e527 = nodes.member[_e505];
-                        let _e529 = params.member.member_1;
-                        if ((_e529 & 1u) != 0u) {
-                            let _e533 = params.member.member_8;
-                            if (_e533 == 0u) {
-                                let _e577 = local_16.member[0u];
-                                let _e580 = local_17.member[0u];
-                                if (_e577 == _e580) {
-                                    phi_902_ = bool();
-                                    phi_903_ = true;
+                        let _e478 = names[((_e70 * 32u) + select(firstTrailingBit(_e453), 32u, (_e453 == 0u)))];
+                        let _e481 = (_e191 + _e71);
+                        let _e482 = (_e197 + _e478);
+                        let _e484 = leaves.member[_e481];
+                        let _e486 = leaves.member[_e482];
+                        let _e488 = nodes.member[_e481];
+                        let _e490 = nodes.member[_e482];
+                        let _e492 = params.member.member_1;
+                        if ((_e492 & 1u) != 0u) {
+                            let _e496 = params.member.member_8;
+                            if (_e496 == 0u) {
+                                if (_e484.member[0] == _e486.member[0]) {
+                                    phi_859_ = bool();
+                                    phi_860_ = true;
                                 } else {
-                                    let _e584 = local_16.member[0u];
-                                    let _e587 = local_17.member[1u];
-                                    let _e588 = (_e584 == _e587);
-                                    if _e588 {
-                                        phi_901_ = bool();
+                                    let _e539 = (_e484.member[0] == _e486.member[1]);
+                                    if _e539 {
+                                        phi_858_ = bool();
                                     } else {
-                                        let _e591 = local_16.member[0u];
-                                        let _e594 = local_17.member[2u];
-                                        phi_901_ = (_e591 == _e594);
+                                        phi_858_ = (_e484.member[0] == _e486.member[2]);
                                     }
-                                    let _e597 = phi_901_;
-                                    phi_902_ = _e597;
-                                    phi_903_ = _e588;
+                                    let _e546 = phi_858_;
+                                    phi_859_ = _e546;
+                                    phi_860_ = _e539;
                                 }
-                                let _e599 = phi_902_;
-                                let _e601 = phi_903_;
-                                if _e601 {
-                                    phi_907_ = true;
+                                let _e548 = phi_859_;
+                                let _e550 = phi_860_;
+                                if _e550 {
+                                    phi_864_ = true;
                                 } else {
-                                    phi_907_ = _e599;
+                                    phi_864_ = _e548;
                                 }
-                                let _e603 = phi_907_;
-                                phi_946_ = _e603;
+                                let _e552 = phi_864_;
+                                phi_895_ = _e552;
                             } else {
-                                let _e537 = local_16.member[0u];
-                                let _e540 = local_17.member[0u];
-                                if (_e537 == _e540) {
-                                    phi_940_ = bool();
-                                    phi_941_ = true;
+                                if (_e484.member[0] == _e486.member[0]) {
+                                    phi_889_ = bool();
+                                    phi_890_ = true;
                                 } else {
-                                    let _e544 = local_16.member[0u];
-                                    let _e547 = local_17.member[1u];
-                                    if (_e544 == _e547) {
-                                        phi_938_ = bool();
-                                        phi_939_ = true;
+                                    if (_e484.member[0] == _e486.member[1]) {
+                                        phi_887_ = bool();
+                                        phi_888_ = true;
                                     } else {
-                                        let _e551 = local_16.member[1u];
-                                        let _e554 = local_17.member[0u];
-                                        let _e555 = (_e551 == _e554);
-                                        if _e555 {
-                                            phi_937_ = bool();
+                                        let _e512 = (_e484.member[1] == _e486.member[0]);
+                                        if _e512 {
+                                            phi_886_ = bool();
                                         } else {
-                                            let _e558 = local_16.member[1u];
-                                            let _e561 = local_17.member[1u];
-                                            phi_937_ = (_e558 == _e561);
+                                            phi_886_ = (_e484.member[1] == _e486.member[1]);
                                         }
-                                        let _e564 = phi_937_;
-                                        phi_938_ = _e564;
-                                        phi_939_ = _e555;
+                                        let _e519 = phi_886_;
+                                        phi_887_ = _e519;
+                                        phi_888_ = _e512;
                                     }
-                                    let _e566 = phi_938_;
-                                    let _e568 = phi_939_;
-                                    phi_940_ = _e566;
-                                    phi_941_ = _e568;
+                                    let _e521 = phi_887_;
+                                    let _e523 = phi_888_;
+                                    phi_889_ = _e521;
+                                    phi_890_ = _e523;
                                 }
-                                let _e570 = phi_940_;
-                                let _e572 = phi_941_;
-                                if _e572 {
-                                    phi_945_ = true;
+                                let _e525 = phi_889_;
+                                let _e527 = phi_890_;
+                                if _e527 {
+                                    phi_894_ = true;
                                 } else {
-                                    phi_945_ = _e570;
+                                    phi_894_ = _e525;
                                 }
-                                let _e574 = phi_945_;
-                                phi_946_ = _e574;
+                                let _e529 = phi_894_;
+                                phi_895_ = _e529;
                             }
-                            let _e605 = phi_946_;
-                            if _e605 {
-                                phi_950_ = false;
+                            let _e554 = phi_895_;
+                            if _e554 {
+                                phi_899_ = false;
                             } else {
-                                phi_950_ = true;
+                                phi_899_ = true;
                             }
-                            let _e607 = phi_950_;
-                            phi_951_ = _e607;
+                            let _e556 = phi_899_;
+                            phi_900_ = _e556;
                         } else {
-                            phi_951_ = true;
+                            phi_900_ = true;
                         }
-                        let _e609 = phi_951_;
-                        if _e609 {
-                            let _e611 = params.member.member_1;
-                            if ((_e611 & 2u) != 0u) {
-                                let _e616 = local_16.member[0u];
-                                let _e618 = bodies.member[_e616];
-                                let _e621 = local_17.member[0u];
-                                let _e623 = bodies.member[_e621];
-                                if ((_e618 / 2u) == (_e623 / 2u)) {
-                                    let _e628 = params.member.member_1;
-                                    phi_997_ = !(((_e628 & 4u) != 0u));
+                        let _e558 = phi_900_;
+                        if _e558 {
+                            let _e560 = params.member.member_1;
+                            if ((_e560 & 2u) != 0u) {
+                                let _e566 = bodies.member[_e484.member[0]];
+                                let _e570 = bodies.member[_e486.member[0]];
+                                if ((_e566 / 2u) == (_e570 / 2u)) {
+                                    let _e575 = params.member.member_1;
+                                    phi_944_ = !(((_e575 & 4u) != 0u));
                                 } else {
-                                    phi_997_ = false;
+                                    phi_944_ = false;
                                 }
-                                let _e633 = phi_997_;
-                                if _e633 {
-                                    phi_1008_ = true;
+                                let _e580 = phi_944_;
+                                if _e580 {
+                                    phi_955_ = true;
                                 } else {
-                                    if (((_e618 & _e623) & 1u) == 0u) {
-                                        phi_1007_ = false;
+                                    if (((_e566 & _e570) & 1u) == 0u) {
+                                        phi_954_ = false;
                                     } else {
-                                        phi_1007_ = true;
+                                        phi_954_ = true;
                                     }
-                                    let _e638 = phi_1007_;
-                                    phi_1008_ = _e638;
+                                    let _e585 = phi_954_;
+                                    phi_955_ = _e585;
                                 }
-                                let _e640 = phi_1008_;
-                                if _e640 {
-                                    phi_1012_ = false;
+                                let _e587 = phi_955_;
+                                if _e587 {
+                                    phi_959_ = false;
                                 } else {
-                                    phi_1012_ = true;
+                                    phi_959_ = true;
                                 }
-                                let _e642 = phi_1012_;
-                                phi_1013_ = _e642;
+                                let _e589 = phi_959_;
+                                phi_960_ = _e589;
                             } else {
-                                phi_1013_ = true;
+                                phi_960_ = true;
                             }
-                            let _e644 = phi_1013_;
-                            if _e644 {
-                                let _e646 = params.member.member_1;
-                                if ((_e646 & 32u) != 0u) {
-                                    let _e650 = params.member.member_6;
-                                    let _e691 = (((((((_e525.member_1[0] - _e527.member[0]) > _e650) && ((_e527.member_1[0] - _e525.member[0]) > _e650)) && ((_e525.member_1[1] - _e527.member[1]) > _e650)) && ((_e527.member_1[1] - _e525.member[1]) > _e650)) && ((_e525.member_1[2] - _e527.member[2]) > _e650)) && ((_e527.member_1[2] - _e525.member[2]) > _e650));
-                                    if _e691 {
-                                        phi_1762_ = bool();
+                            let _e591 = phi_960_;
+                            if _e591 {
+                                let _e593 = params.member.member_1;
+                                if ((_e593 & 32u) != 0u) {
+                                    let _e597 = params.member.member_6;
+                                    let _e638 = (((((((_e488.member_1[0] - _e490.member[0]) > _e597) && ((_e490.member_1[0] - _e488.member[0]) > _e597)) && ((_e488.member_1[1] - _e490.member[1]) > _e597)) && ((_e490.member_1[1] - _e488.member[1]) > _e597)) && ((_e488.member_1[2] - _e490.member[2]) > _e597)) && ((_e490.member_1[2] - _e488.member[2]) > _e597));
+                                    if _e638 {
+                                        phi_1574_ = bool();
                                     } else {
-                                        phi_1062_ = type_21(0u, 3u);
-                                        phi_1065_ = true;
-                                        loop {
-                                            let _e695 = phi_1062_;
-                                            let _e697 = phi_1065_;
-                                            local_45 = _e697;
-                                            if (_e695.member < _e695.member_1) {
-                                                phi_1063_ = type_21((_e695.member + 1u), _e695.member_1);
-                                                phi_1088_ = type_21(1u, _e695.member);
-                                            } else {
-                                                phi_1063_ = _e695;
-                                                phi_1088_ = type_21(0u, type_21().member_1);
-                                            }
-                                            let _e709 = phi_1063_;
-                                            let _e711 = phi_1088_;
-                                            let _e715 = (bitcast<i32>(_e711.member) != 0i);
-                                            if _e715 {
-                                                let _e717 = local_16.member[0u];
-                                                let _e719 = keys.member[_e717];
-                                                local_14 = array<array<u32, 2>, 6>(array<u32, 2>(_e719[0][0], _e719[0][1]), array<u32, 2>(_e719[1][0], _e719[1][1]), array<u32, 2>(_e719[2][0], _e719[2][1]), array<u32, 2>(_e719[3][0], _e719[3][1]), array<u32, 2>(_e719[4][0], _e719[4][1]), array<u32, 2>(_e719[5][0], _e719[5][1]));
-                                                let _e746 = local_14[_e711.member_1];
-                                                phi_1145_ = type_21(1u, 3u);
-                                                phi_1148_ = array<u32, 2>(_e746[0], _e746[1]);
-                                                loop {
-                                                    let _e751 = phi_1145_;
-                                                    let _e753 = phi_1148_;
-                                                    local_20 = _e753;
-                                                    local_22 = _e753;
-                                                    local_24 = _e753;
-                                                    if (_e751.member < _e751.member_1) {
-                                                        phi_1146_ = type_21((_e751.member + 1u), _e751.member_1);
-                                                        phi_1171_ = type_21(1u, _e751.member);
-                                                    } else {
-                                                        phi_1146_ = _e751;
-                                                        phi_1171_ = type_21(0u, type_21().member_1);
-                                                    }
-                                                    let _e765 = phi_1146_;
-                                                    let _e767 = phi_1171_;
-                                                    let _e771 = (bitcast<i32>(_e767.member) != 0i);
-                                                    if _e771 {
-                                                        let _e773 = local_16.member[_e767.member_1];
-                                                        let _e775 = keys.member[_e773];
-                                                        local_15 = array<array<u32, 2>, 6>(array<u32, 2>(_e775[0][0], _e775[0][1]), array<u32, 2>(_e775[1][0], _e775[1][1]), array<u32, 2>(_e775[2][0], _e775[2][1]), array<u32, 2>(_e775[3][0], _e775[3][1]), array<u32, 2>(_e775[4][0], _e775[4][1]), array<u32, 2>(_e775[5][0], _e775[5][1]));
-                                                        let _e802 = local_15[_e711.member_1];
-                                                        if (_e753[1] > _e802[1]) {
-                                                            phi_1247_ = true;
-                                                        } else {
-                                                            if (_e753[1] == _e802[1]) {
-                                                                phi_1246_ = (_e753[0] > _e802[0]);
-                                                            } else {
-                                                                phi_1246_ = false;
-                                                            }
-                                                            let _e813 = phi_1246_;
-                                                            phi_1247_ = _e813;
-                                                        }
-                                                        let _e815 = phi_1247_;
-                                                        if _e815 {
-                                                            phi_1251_ = array<u32, 2>(_e802[0], _e802[1]);
-                                                        } else {
-                                                            phi_1251_ = _e753;
-                                                        }
-                                                        let _e817 = phi_1251_;
-                                                        phi_1149_ = _e817;
-                                                    } else {
-                                                        phi_1149_ = array<u32, 2>();
-                                                    }
-                                                    let _e819 = phi_1149_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_1145_ = _e765;
-                                                        phi_1148_ = _e819;
-                                                        break if !(_e771);
-                                                    }
-                                                }
-                                                let _e822 = local_17.member[0u];
-                                                let _e824 = keys.member[_e822];
-                                                local_12 = array<array<u32, 2>, 6>(array<u32, 2>(_e824[0][0], _e824[0][1]), array<u32, 2>(_e824[1][0], _e824[1][1]), array<u32, 2>(_e824[2][0], _e824[2][1]), array<u32, 2>(_e824[3][0], _e824[3][1]), array<u32, 2>(_e824[4][0], _e824[4][1]), array<u32, 2>(_e824[5][0], _e824[5][1]));
-                                                let _e852 = local_12[(3u + _e711.member_1)];
-                                                phi_1302_ = type_21(1u, 3u);
-                                                phi_1305_ = array<u32, 2>(_e852[0], _e852[1]);
-                                                loop {
-                                                    let _e857 = phi_1302_;
-                                                    let _e859 = phi_1305_;
-                                                    local_21 = _e859;
-                                                    local_23 = _e859;
-                                                    local_25 = _e859;
-                                                    if (_e857.member < _e857.member_1) {
-                                                        phi_1303_ = type_21((_e857.member + 1u), _e857.member_1);
-                                                        phi_1328_ = type_21(1u, _e857.member);
-                                                    } else {
-                                                        phi_1303_ = _e857;
-                                                        phi_1328_ = type_21(0u, type_21().member_1);
-                                                    }
-                                                    let _e871 = phi_1303_;
-                                                    let _e873 = phi_1328_;
-                                                    let _e877 = (bitcast<i32>(_e873.member) != 0i);
-                                                    if _e877 {
-                                                        let _e879 = local_17.member[_e873.member_1];
-                                                        let _e881 = keys.member[_e879];
-                                                        local_13 = array<array<u32, 2>, 6>(array<u32, 2>(_e881[0][0], _e881[0][1]), array<u32, 2>(_e881[1][0], _e881[1][1]), array<u32, 2>(_e881[2][0], _e881[2][1]), array<u32, 2>(_e881[3][0], _e881[3][1]), array<u32, 2>(_e881[4][0], _e881[4][1]), array<u32, 2>(_e881[5][0], _e881[5][1]));
-                                                        let _e909 = local_13[(3u + _e711.member_1)];
-                                                        if (_e909[1] > _e859[1]) {
-                                                            phi_1405_ = true;
-                                                        } else {
-                                                            if (_e909[1] == _e859[1]) {
-                                                                phi_1404_ = (_e909[0] > _e859[0]);
-                                                            } else {
-                                                                phi_1404_ = false;
-                                                            }
-                                                            let _e920 = phi_1404_;
-                                                            phi_1405_ = _e920;
-                                                        }
-                                                        let _e922 = phi_1405_;
-                                                        if _e922 {
-                                                            phi_1409_ = array<u32, 2>(_e909[0], _e909[1]);
-                                                        } else {
-                                                            phi_1409_ = _e859;
-                                                        }
-                                                        let _e924 = phi_1409_;
-                                                        phi_1306_ = _e924;
-                                                    } else {
-                                                        phi_1306_ = array<u32, 2>();
-                                                    }
-                                                    let _e926 = phi_1306_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_1302_ = _e871;
-                                                        phi_1305_ = _e926;
-                                                        break if !(_e877);
-                                                    }
-                                                }
-                                                let _e929 = local_20;
-                                                let _e932 = local_21;
-                                                if (_e929[1] > _e932[1]) {
-                                                    phi_1426_ = true;
-                                                } else {
-                                                    let _e936 = local_22;
-                                                    let _e939 = local_23;
-                                                    if (_e936[1] == _e939[1]) {
-                                                        let _e943 = local_24;
-                                                        let _e946 = local_25;
-                                                        phi_1425_ = (_e943[0] > _e946[0]);
-                                                    } else {
-                                                        phi_1425_ = false;
-                                                    }
-                                                    let _e950 = phi_1425_;
-                                                    phi_1426_ = _e950;
-                                                }
-                                                let _e952 = phi_1426_;
-                                                let _e955 = local_17.member[0u];
-                                                let _e957 = keys.member[_e955];
-                                                local_10 = array<array<u32, 2>, 6>(array<u32, 2>(_e957[0][0], _e957[0][1]), array<u32, 2>(_e957[1][0], _e957[1][1]), array<u32, 2>(_e957[2][0], _e957[2][1]), array<u32, 2>(_e957[3][0], _e957[3][1]), array<u32, 2>(_e957[4][0], _e957[4][1]), array<u32, 2>(_e957[5][0], _e957[5][1]));
-                                                let _e984 = local_10[_e711.member_1];
-                                                phi_1477_ = type_21(1u, 3u);
-                                                phi_1480_ = array<u32, 2>(_e984[0], _e984[1]);
-                                                loop {
-                                                    let _e989 = phi_1477_;
-                                                    let _e991 = phi_1480_;
-                                                    local_26 = _e991;
-                                                    local_28 = _e991;
-                                                    local_30 = _e991;
-                                                    if (_e989.member < _e989.member_1) {
-                                                        phi_1478_ = type_21((_e989.member + 1u), _e989.member_1);
-                                                        phi_1503_ = type_21(1u, _e989.member);
-                                                    } else {
-                                                        phi_1478_ = _e989;
-                                                        phi_1503_ = type_21(0u, type_21().member_1);
-                                                    }
-                                                    let _e1003 = phi_1478_;
-                                                    let _e1005 = phi_1503_;
-                                                    let _e1009 = (bitcast<i32>(_e1005.member) != 0i);
-                                                    if _e1009 {
-                                                        let _e1011 = local_17.member[_e1005.member_1];
-                                                        let _e1013 = keys.member[_e1011];
-                                                        local_11 = array<array<u32, 2>, 6>(array<u32, 2>(_e1013[0][0], _e1013[0][1]), array<u32, 2>(_e1013[1][0], _e1013[1][1]), array<u32, 2>(_e1013[2][0], _e1013[2][1]), array<u32, 2>(_e1013[3][0], _e1013[3][1]), array<u32, 2>(_e1013[4][0], _e1013[4][1]), array<u32, 2>(_e1013[5][0], _e1013[5][1]));
-                                                        let _e1040 = local_11[_e711.member_1];
-                                                        if (_e991[1] > _e1040[1]) {
-                                                            phi_1579_ = true;
-                                                        } else {
-                                                            if (_e991[1] == _e1040[1]) {
-                                                                phi_1578_ = (_e991[0] > _e1040[0]);
-                                                            } else {
-                                                                phi_1578_ = false;
-                                                            }
-                                                            let _e1051 = phi_1578_;
-                                                            phi_1579_ = _e1051;
-                                                        }
-                                                        let _e1053 = phi_1579_;
-                                                        if _e1053 {
-                                                            phi_1583_ = array<u32, 2>(_e1040[0], _e1040[1]);
-                                                        } else {
-                                                            phi_1583_ = _e991;
-                                                        }
-                                                        let _e1055 = phi_1583_;
-                                                        phi_1481_ = _e1055;
-                                                    } else {
-                                                        phi_1481_ = array<u32, 2>();
-                                                    }
-                                                    let _e1057 = phi_1481_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_1477_ = _e1003;
-                                                        phi_1480_ = _e1057;
-                                                        break if !(_e1009);
-                                                    }
-                                                }
-                                                let _e1060 = local_16.member[0u];
-                                                let _e1062 = keys.member[_e1060];
-                                                local_8 = array<array<u32, 2>, 6>(array<u32, 2>(_e1062[0][0], _e1062[0][1]), array<u32, 2>(_e1062[1][0], _e1062[1][1]), array<u32, 2>(_e1062[2][0], _e1062[2][1]), array<u32, 2>(_e1062[3][0], _e1062[3][1]), array<u32, 2>(_e1062[4][0], _e1062[4][1]), array<u32, 2>(_e1062[5][0], _e1062[5][1]));
-                                                let _e1090 = local_8[(3u + _e711.member_1)];
-                                                phi_1634_ = type_21(1u, 3u);
-                                                phi_1637_ = array<u32, 2>(_e1090[0], _e1090[1]);
-                                                loop {
-                                                    let _e1095 = phi_1634_;
-                                                    let _e1097 = phi_1637_;
-                                                    local_27 = _e1097;
-                                                    local_29 = _e1097;
-                                                    local_31 = _e1097;
-                                                    if (_e1095.member < _e1095.member_1) {
-                                                        phi_1635_ = type_21((_e1095.member + 1u), _e1095.member_1);
-                                                        phi_1660_ = type_21(1u, _e1095.member);
-                                                    } else {
-                                                        phi_1635_ = _e1095;
-                                                        phi_1660_ = type_21(0u, type_21().member_1);
-                                                    }
-                                                    let _e1109 = phi_1635_;
-                                                    let _e1111 = phi_1660_;
-                                                    let _e1115 = (bitcast<i32>(_e1111.member) != 0i);
-                                                    if _e1115 {
-                                                        let _e1117 = local_16.member[_e1111.member_1];
-                                                        let _e1119 = keys.member[_e1117];
-                                                        local_9 = array<array<u32, 2>, 6>(array<u32, 2>(_e1119[0][0], _e1119[0][1]), array<u32, 2>(_e1119[1][0], _e1119[1][1]), array<u32, 2>(_e1119[2][0], _e1119[2][1]), array<u32, 2>(_e1119[3][0], _e1119[3][1]), array<u32, 2>(_e1119[4][0], _e1119[4][1]), array<u32, 2>(_e1119[5][0], _e1119[5][1]));
-                                                        let _e1147 = local_9[(3u + _e711.member_1)];
-                                                        if (_e1147[1] > _e1097[1]) {
-                                                            phi_1737_ = true;
-                                                        } else {
-                                                            if (_e1147[1] == _e1097[1]) {
-                                                                phi_1736_ = (_e1147[0] > _e1097[0]);
-                                                            } else {
-                                                                phi_1736_ = false;
-                                                            }
-                                                            let _e1158 = phi_1736_;
-                                                            phi_1737_ = _e1158;
-                                                        }
-                                                        let _e1160 = phi_1737_;
-                                                        if _e1160 {
-                                                            phi_1741_ = array<u32, 2>(_e1147[0], _e1147[1]);
-                                                        } else {
-                                                            phi_1741_ = _e1097;
-                                                        }
-                                                        let _e1162 = phi_1741_;
-                                                        phi_1638_ = _e1162;
-                                                    } else {
-                                                        phi_1638_ = array<u32, 2>();
-                                                    }
-                                                    let _e1164 = phi_1638_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_1634_ = _e1109;
-                                                        phi_1637_ = _e1164;
-                                                        break if !(_e1115);
-                                                    }
-                                                }
-                                                let _e1167 = local_26;
-                                                let _e1170 = local_27;
-                                                if (_e1167[1] > _e1170[1]) {
-                                                    phi_1758_ = true;
-                                                } else {
-                                                    let _e1174 = local_28;
-                                                    let _e1177 = local_29;
-                                                    if (_e1174[1] == _e1177[1]) {
-                                                        let _e1181 = local_30;
-                                                        let _e1184 = local_31;
-                                                        phi_1757_ = (_e1181[0] > _e1184[0]);
-                                                    } else {
-                                                        phi_1757_ = false;
-                                                    }
-                                                    let _e1188 = phi_1757_;
-                                                    phi_1758_ = _e1188;
-                                                }
-                                                let _e1190 = phi_1758_;
-                                                phi_1066_ = (_e697 && (!(_e952) && !(_e1190)));
-                                            } else {
-                                                phi_1066_ = bool();
-                                            }
-                                            let _e1195 = phi_1066_;
-                                            continue;
-                                            continuing {
-                                                phi_1062_ = _e709;
-                                                phi_1065_ = _e1195;
-                                                break if !(_e715);
-                                            }
-                                        }
-                                        let _e2245 = local_45;
-                                        phi_1762_ = _e2245;
-                                    }
-                                    let _e1198 = phi_1762_;
-                                    phi_1763_ = _e1198;
-                                    phi_1764_ = _e691;
-                                } else {
-                                    phi_1763_ = bool();
-                                    phi_1764_ = true;
-                                }
-                                let _e1200 = phi_1763_;
-                                let _e1202 = phi_1764_;
-                                if _e1202 {
-                                    phi_1768_ = false;
-                                } else {
-                                    phi_1768_ = true;
-                                }
-                                let _e1204 = phi_1768_;
-                                phi_1769_ = _e1200;
-                                phi_1770_ = _e1204;
-                            } else {
-                                phi_1769_ = false;
-                                phi_1770_ = true;
-                            }
-                            let _e1206 = phi_1769_;
-                            let _e1208 = phi_1770_;
-                            phi_1771_ = _e1206;
-                            phi_1772_ = _e1208;
-                        } else {
-                            phi_1771_ = false;
-                            phi_1772_ = true;
-                        }
-                        let _e1210 = phi_1771_;
-                        let _e1212 = phi_1772_;
-                        if _e1212 {
-                            phi_1776_ = _e1210;
-                        } else {
-                            phi_1776_ = true;
-                        }
-                        let _e1214 = phi_1776_;
-                        if _e1214 {
-                            let _e1216 = params.member.member_16;
-                            let _e1219 = local_16.member_1;
-                            let _e1221 = local_17.member_1;
-                            if (_e99[0] == _e99[1]) {
-                                if (_e1219 < _e1221) {
-                                    phi_1796_ = type_21(_e1219, _e1221);
-                                } else {
-                                    phi_1796_ = type_21(_e1221, _e1219);
-                                }
-                                let _e1227 = phi_1796_;
-                                phi_1801_ = _e1227;
-                            } else {
-                                phi_1801_ = type_21(_e1219, _e1221);
-                            }
-                            let _e1229 = phi_1801_;
-                            let _e1233 = atomicAdd((&output.member[0u]), 1u);
-                            if ((_e1233 + 1u) < _e1233) {
-                                let _e1237 = atomicAdd((&output.member[2u]), 1u);
-                            }
-                            if (_e1233 < _e1216) {
-                                atomicStore((&output.member[(4u + (2u * _e1233))]), _e1229.member);
-                                atomicStore((&output.member[((2u * _e1233) + 5u)]), _e1229.member_1);
-                            }
-                            let _e1246 = atomicAdd((&output.member[1u]), 1u);
-                            if ((_e1246 + 1u) < _e1246) {
-                                let _e1250 = atomicAdd((&output.member[3u]), 1u);
-                            }
-                        }
-                        phi_1841_ = (_e476 & (_e476 - 1u));
-                        phi_1842_ = true;
-                    }
-                    let _e1252 = phi_1841_;
-                    let _e1254 = phi_1842_;
-                    phi_769_ = _e1252;
-                    phi_1843_ = _e1254;
-                } else {
-                    phi_769_ = u32();
-                    phi_1843_ = false;
-                }
-                let _e1256 = phi_769_;
-                let _e1258 = phi_1843_;
-                continue;
-                continuing {
-                    phi_765_ = _e488;
-                    phi_768_ = _e1256;
-                    break if !(_e1258);
-                }
-            }
-            workgroupBarrier();
-            let _e1261 = atomicLoad((&counters[4u]));
-            if (2048u < _e1261) {
-                phi_1850_ = 2048u;
-            } else {
-                phi_1850_ = _e1261;
-            }
-            let _e1264 = phi_1850_;
-            phi_1853_ = type_21(0u, 16u);
-            loop {
-                let _e1266 = phi_1853_;
-                if (_e1266.member < _e1266.member_1) {
-                    phi_1854_ = type_21((_e1266.member + 1u), _e1266.member_1);
-                    phi_1877_ = type_21(1u, _e1266.member);
-                } else {
-                    phi_1854_ = _e1266;
-                    phi_1877_ = type_21(0u, type_21().member_1);
-                }
-                let _e1278 = phi_1854_;
-                let _e1280 = phi_1877_;
-                if (bitcast<i32>(_e1280.member) != 0i) {
-                    let _e1286 = (_e70 + (_e1280.member_1 * 128u));
-                    if (_e1286 >= _e1264) {
-                        phi_2885_ = false;
-                    } else {
-                        let _e1289 = hits[_e1286];
-                        let _e1292 = ((_e1289 >> bitcast<u32>(10i)) & 3u);
-                        let _e1299 = firsts[(2u * _e1292)];
-                        let _e1300 = (_e1299 + ((_e1289 >> bitcast<u32>(5i)) & 31u));
-                        let _e1304 = firsts[((2u * _e1292) + 1u)];
-                        let _e1305 = (_e1304 + (_e1289 & 31u));
-                        let _e1307 = leaves.member[_e1300];
-                        let _e1309 = leaves.member[_e1305];
-                        local_18 = type_16(array<u32, 3>(_e1307.member[0], _e1307.member[1], _e1307.member[2]), _e1307.member_1);
-                        local_19 = type_16(array<u32, 3>(_e1309.member[0], _e1309.member[1], _e1309.member[2]), _e1309.member_1);
-                        let _e1325 = nodes.member[_e1300];
-                        let _e1327 = nodes.member[_e1305];
-                        let _e1329 = params.member.member_1;
-                        if ((_e1329 & 1u) != 0u) {
-                            let _e1333 = params.member.member_8;
-                            if (_e1333 == 0u) {
-                                let _e1377 = local_18.member[0u];
-                                let _e1380 = local_19.member[0u];
-                                if (_e1377 == _e1380) {
-                                    phi_1996_ = bool();
-                                    phi_1997_ = true;
-                                } else {
-                                    let _e1384 = local_18.member[0u];
-                                    let _e1387 = local_19.member[1u];
-                                    let _e1388 = (_e1384 == _e1387);
-                                    if _e1388 {
-                                        phi_1995_ = bool();
-                                    } else {
-                                        let _e1391 = local_18.member[0u];
-                                        let _e1394 = local_19.member[2u];
-                                        phi_1995_ = (_e1391 == _e1394);
-                                    }
-                                    let _e1397 = phi_1995_;
-                                    phi_1996_ = _e1397;
-                                    phi_1997_ = _e1388;
-                                }
-                                let _e1399 = phi_1996_;
-                                let _e1401 = phi_1997_;
-                                if _e1401 {
-                                    phi_2001_ = true;
-                                } else {
-                                    phi_2001_ = _e1399;
-                                }
-                                let _e1403 = phi_2001_;
-                                phi_2040_ = _e1403;
-                            } else {
-                                let _e1337 = local_18.member[0u];
-                                let _e1340 = local_19.member[0u];
-                                if (_e1337 == _e1340) {
-                                    phi_2034_ = bool();
-                                    phi_2035_ = true;
-                                } else {
-                                    let _e1344 = local_18.member[0u];
-                                    let _e1347 = local_19.member[1u];
-                                    if (_e1344 == _e1347) {
-                                        phi_2032_ = bool();
-                                        phi_2033_ = true;
-                                    } else {
-                                        let _e1351 = local_18.member[1u];
-                                        let _e1354 = local_19.member[0u];
-                                        let _e1355 = (_e1351 == _e1354);
-                                        if _e1355 {
-                                            phi_2031_ = bool();
+                                        let _e642 = keys.member[_e484.member[0]];
+                                        let _e647 = keys.member[_e484.member[1]];
+                                        let _e649 = function_5(_e642[0], _e647[0]);
+                                        let _e653 = keys.member[_e484.member[2]];
+                                        let _e655 = function_5(_e649, _e653[0]);
+                                        let _e659 = keys.member[_e486.member[0]];
+                                        let _e664 = keys.member[_e486.member[1]];
+                                        let _e666 = function_4(_e659[3], _e664[3]);
+                                        let _e670 = keys.member[_e486.member[2]];
+                                        let _e672 = function_4(_e666, _e670[3]);
+                                        if (_e655[1] > _e672[1]) {
+                                            phi_1097_ = true;
                                         } else {
-                                            let _e1358 = local_18.member[1u];
-                                            let _e1361 = local_19.member[1u];
-                                            phi_2031_ = (_e1358 == _e1361);
-                                        }
-                                        let _e1364 = phi_2031_;
-                                        phi_2032_ = _e1364;
-                                        phi_2033_ = _e1355;
-                                    }
-                                    let _e1366 = phi_2032_;
-                                    let _e1368 = phi_2033_;
-                                    phi_2034_ = _e1366;
-                                    phi_2035_ = _e1368;
-                                }
-                                let _e1370 = phi_2034_;
-                                let _e1372 = phi_2035_;
-                                if _e1372 {
-                                    phi_2039_ = true;
-                                } else {
-                                    phi_2039_ = _e1370;
-                                }
-                                let _e1374 = phi_2039_;
-                                phi_2040_ = _e1374;
-                            }
-                            let _e1405 = phi_2040_;
-                            if _e1405 {
-                                phi_2044_ = false;
-                            } else {
-                                phi_2044_ = true;
-                            }
-                            let _e1407 = phi_2044_;
-                            phi_2045_ = _e1407;
-                        } else {
-                            phi_2045_ = true;
-                        }
-                        let _e1409 = phi_2045_;
-                        if _e1409 {
-                            let _e1411 = params.member.member_1;
-                            if ((_e1411 & 2u) != 0u) {
-                                let _e1416 = local_18.member[0u];
-                                let _e1418 = bodies.member[_e1416];
-                                let _e1421 = local_19.member[0u];
-                                let _e1423 = bodies.member[_e1421];
-                                if ((_e1418 / 2u) == (_e1423 / 2u)) {
-                                    let _e1428 = params.member.member_1;
-                                    phi_2091_ = !(((_e1428 & 4u) != 0u));
-                                } else {
-                                    phi_2091_ = false;
-                                }
-                                let _e1433 = phi_2091_;
-                                if _e1433 {
-                                    phi_2102_ = true;
-                                } else {
-                                    if (((_e1418 & _e1423) & 1u) == 0u) {
-                                        phi_2101_ = false;
-                                    } else {
-                                        phi_2101_ = true;
-                                    }
-                                    let _e1438 = phi_2101_;
-                                    phi_2102_ = _e1438;
-                                }
-                                let _e1440 = phi_2102_;
-                                if _e1440 {
-                                    phi_2106_ = false;
-                                } else {
-                                    phi_2106_ = true;
-                                }
-                                let _e1442 = phi_2106_;
-                                phi_2107_ = _e1442;
-                            } else {
-                                phi_2107_ = true;
-                            }
-                            let _e1444 = phi_2107_;
-                            if _e1444 {
-                                let _e1446 = params.member.member_1;
-                                if ((_e1446 & 32u) != 0u) {
-                                    let _e1450 = params.member.member_6;
-                                    let _e1491 = (((((((_e1325.member_1[0] - _e1327.member[0]) > _e1450) && ((_e1327.member_1[0] - _e1325.member[0]) > _e1450)) && ((_e1325.member_1[1] - _e1327.member[1]) > _e1450)) && ((_e1327.member_1[1] - _e1325.member[1]) > _e1450)) && ((_e1325.member_1[2] - _e1327.member[2]) > _e1450)) && ((_e1327.member_1[2] - _e1325.member[2]) > _e1450));
-                                    if _e1491 {
-                                        phi_2856_ = bool();
-                                    } else {
-                                        phi_2156_ = type_21(0u, 3u);
-                                        phi_2159_ = true;
-                                        loop {
-                                            let _e1495 = phi_2156_;
-                                            let _e1497 = phi_2159_;
-                                            local_46 = _e1497;
-                                            if (_e1495.member < _e1495.member_1) {
-                                                phi_2157_ = type_21((_e1495.member + 1u), _e1495.member_1);
-                                                phi_2182_ = type_21(1u, _e1495.member);
+                                            if (_e655[1] == _e672[1]) {
+                                                phi_1096_ = (_e655[0] > _e672[0]);
                                             } else {
-                                                phi_2157_ = _e1495;
-                                                phi_2182_ = type_21(0u, type_21().member_1);
+                                                phi_1096_ = false;
                                             }
-                                            let _e1509 = phi_2157_;
-                                            let _e1511 = phi_2182_;
-                                            let _e1515 = (bitcast<i32>(_e1511.member) != 0i);
-                                            if _e1515 {
-                                                let _e1517 = local_18.member[0u];
-                                                let _e1519 = keys.member[_e1517];
-                                                local_6 = array<array<u32, 2>, 6>(array<u32, 2>(_e1519[0][0], _e1519[0][1]), array<u32, 2>(_e1519[1][0], _e1519[1][1]), array<u32, 2>(_e1519[2][0], _e1519[2][1]), array<u32, 2>(_e1519[3][0], _e1519[3][1]), array<u32, 2>(_e1519[4][0], _e1519[4][1]), array<u32, 2>(_e1519[5][0], _e1519[5][1]));
-                                                let _e1546 = local_6[_e1511.member_1];
-                                                phi_2239_ = type_21(1u, 3u);
-                                                phi_2242_ = array<u32, 2>(_e1546[0], _e1546[1]);
-                                                loop {
-                                                    let _e1551 = phi_2239_;
-                                                    let _e1553 = phi_2242_;
-                                                    local_32 = _e1553;
-                                                    local_34 = _e1553;
-                                                    local_36 = _e1553;
-                                                    if (_e1551.member < _e1551.member_1) {
-                                                        phi_2240_ = type_21((_e1551.member + 1u), _e1551.member_1);
-                                                        phi_2265_ = type_21(1u, _e1551.member);
-                                                    } else {
-                                                        phi_2240_ = _e1551;
-                                                        phi_2265_ = type_21(0u, type_21().member_1);
-                                                    }
-                                                    let _e1565 = phi_2240_;
-                                                    let _e1567 = phi_2265_;
-                                                    let _e1571 = (bitcast<i32>(_e1567.member) != 0i);
-                                                    if _e1571 {
-                                                        let _e1573 = local_18.member[_e1567.member_1];
-                                                        let _e1575 = keys.member[_e1573];
-                                                        local_7 = array<array<u32, 2>, 6>(array<u32, 2>(_e1575[0][0], _e1575[0][1]), array<u32, 2>(_e1575[1][0], _e1575[1][1]), array<u32, 2>(_e1575[2][0], _e1575[2][1]), array<u32, 2>(_e1575[3][0], _e1575[3][1]), array<u32, 2>(_e1575[4][0], _e1575[4][1]), array<u32, 2>(_e1575[5][0], _e1575[5][1]));
-                                                        let _e1602 = local_7[_e1511.member_1];
-                                                        if (_e1553[1] > _e1602[1]) {
-                                                            phi_2341_ = true;
-                                                        } else {
-                                                            if (_e1553[1] == _e1602[1]) {
-                                                                phi_2340_ = (_e1553[0] > _e1602[0]);
-                                                            } else {
-                                                                phi_2340_ = false;
-                                                            }
-                                                            let _e1613 = phi_2340_;
-                                                            phi_2341_ = _e1613;
-                                                        }
-                                                        let _e1615 = phi_2341_;
-                                                        if _e1615 {
-                                                            phi_2345_ = array<u32, 2>(_e1602[0], _e1602[1]);
-                                                        } else {
-                                                            phi_2345_ = _e1553;
-                                                        }
-                                                        let _e1617 = phi_2345_;
-                                                        phi_2243_ = _e1617;
-                                                    } else {
-                                                        phi_2243_ = array<u32, 2>();
-                                                    }
-                                                    let _e1619 = phi_2243_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_2239_ = _e1565;
-                                                        phi_2242_ = _e1619;
-                                                        break if !(_e1571);
-                                                    }
-                                                }
-                                                let _e1622 = local_19.member[0u];
-                                                let _e1624 = keys.member[_e1622];
-                                                local_4 = array<array<u32, 2>, 6>(array<u32, 2>(_e1624[0][0], _e1624[0][1]), array<u32, 2>(_e1624[1][0], _e1624[1][1]), array<u32, 2>(_e1624[2][0], _e1624[2][1]), array<u32, 2>(_e1624[3][0], _e1624[3][1]), array<u32, 2>(_e1624[4][0], _e1624[4][1]), array<u32, 2>(_e1624[5][0], _e1624[5][1]));
-                                                let _e1652 = local_4[(3u + _e1511.member_1)];
-                                                phi_2396_ = type_21(1u, 3u);
-                                                phi_2399_ = array<u32, 2>(_e1652[0], _e1652[1]);
-                                                loop {
-                                                    let _e1657 = phi_2396_;
-                                                    let _e1659 = phi_2399_;
-                                                    local_33 = _e1659;
-                                                    local_35 = _e1659;
-                                                    local_37 = _e1659;
-                                                    if (_e1657.member < _e1657.member_1) {
-                                                        phi_2397_ = type_21((_e1657.member + 1u), _e1657.member_1);
-                                                        phi_2422_ = type_21(1u, _e1657.member);
-                                                    } else {
-                                                        phi_2397_ = _e1657;
-                                                        phi_2422_ = type_21(0u, type_21().member_1);
-                                                    }
-                                                    let _e1671 = phi_2397_;
-                                                    let _e1673 = phi_2422_;
-                                                    let _e1677 = (bitcast<i32>(_e1673.member) != 0i);
-                                                    if _e1677 {
-                                                        let _e1679 = local_19.member[_e1673.member_1];
-                                                        let _e1681 = keys.member[_e1679];
-                                                        local_5 = array<array<u32, 2>, 6>(array<u32, 2>(_e1681[0][0], _e1681[0][1]), array<u32, 2>(_e1681[1][0], _e1681[1][1]), array<u32, 2>(_e1681[2][0], _e1681[2][1]), array<u32, 2>(_e1681[3][0], _e1681[3][1]), array<u32, 2>(_e1681[4][0], _e1681[4][1]), array<u32, 2>(_e1681[5][0], _e1681[5][1]));
-                                                        let _e1709 = local_5[(3u + _e1511.member_1)];
-                                                        if (_e1709[1] > _e1659[1]) {
-                                                            phi_2499_ = true;
-                                                        } else {
-                                                            if (_e1709[1] == _e1659[1]) {
-                                                                phi_2498_ = (_e1709[0] > _e1659[0]);
-                                                            } else {
-                                                                phi_2498_ = false;
-                                                            }
-                                                            let _e1720 = phi_2498_;
-                                                            phi_2499_ = _e1720;
-                                                        }
-                                                        let _e1722 = phi_2499_;
-                                                        if _e1722 {
-                                                            phi_2503_ = array<u32, 2>(_e1709[0], _e1709[1]);
-                                                        } else {
-                                                            phi_2503_ = _e1659;
-                                                        }
-                                                        let _e1724 = phi_2503_;
-                                                        phi_2400_ = _e1724;
-                                                    } else {
-                                                        phi_2400_ = array<u32, 2>();
-                                                    }
-                                                    let _e1726 = phi_2400_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_2396_ = _e1671;
-                                                        phi_2399_ = _e1726;
-                                                        break if !(_e1677);
-                                                    }
-                                                }
-                                                let _e1729 = local_32;
-                                                let _e1732 = local_33;
-                                                if (_e1729[1] > _e1732[1]) {
-                                                    phi_2520_ = true;
-                                                } else {
-                                                    let _e1736 = local_34;
-                                                    let _e1739 = local_35;
-                                                    if (_e1736[1] == _e1739[1]) {
-                                                        let _e1743 = local_36;
-                                                        let _e1746 = local_37;
-                                                        phi_2519_ = (_e1743[0] > _e1746[0]);
-                                                    } else {
-                                                        phi_2519_ = false;
-                                                    }
-                                                    let _e1750 = phi_2519_;
-                                                    phi_2520_ = _e1750;
-                                                }
-                                                let _e1752 = phi_2520_;
-                                                let _e1755 = local_19.member[0u];
-                                                let _e1757 = keys.member[_e1755];
-                                                local_2 = array<array<u32, 2>, 6>(array<u32, 2>(_e1757[0][0], _e1757[0][1]), array<u32, 2>(_e1757[1][0], _e1757[1][1]), array<u32, 2>(_e1757[2][0], _e1757[2][1]), array<u32, 2>(_e1757[3][0], _e1757[3][1]), array<u32, 2>(_e1757[4][0], _e1757[4][1]), array<u32, 2>(_e1757[5][0], _e1757[5][1]));
-                                                let _e1784 = local_2[_e1511.member_1];
-                                                phi_2571_ = type_21(1u, 3u);
-                                                phi_2574_ = array<u32, 2>(_e1784[0], _e1784[1]);
-                                                loop {
-                                                    let _e1789 = phi_2571_;
-                                                    let _e1791 = phi_2574_;
-                                                    local_38 = _e1791;
-                                                    local_40 = _e1791;
-                                                    local_42 = _e1791;
-                                                    if (_e1789.member < _e1789.member_1) {
-                                                        phi_2572_ = type_21((_e1789.member + 1u), _e1789.member_1);
-                                                        phi_2597_ = type_21(1u, _e1789.member);
-                                                    } else {
-                                                        phi_2572_ = _e1789;
-                                                        phi_2597_ = type_21(0u, type_21().member_1);
-                                                    }
-                                                    let _e1803 = phi_2572_;
-                                                    let _e1805 = phi_2597_;
-                                                    let _e1809 = (bitcast<i32>(_e1805.member) != 0i);
-                                                    if _e1809 {
-                                                        let _e1811 = local_19.member[_e1805.member_1];
-                                                        let _e1813 = keys.member[_e1811];
-                                                        local_3 = array<array<u32, 2>, 6>(array<u32, 2>(_e1813[0][0], _e1813[0][1]), array<u32, 2>(_e1813[1][0], _e1813[1][1]), array<u32, 2>(_e1813[2][0], _e1813[2][1]), array<u32, 2>(_e1813[3][0], _e1813[3][1]), array<u32, 2>(_e1813[4][0], _e1813[4][1]), array<u32, 2>(_e1813[5][0], _e1813[5][1]));
-                                                        let _e1840 = local_3[_e1511.member_1];
-                                                        if (_e1791[1] > _e1840[1]) {
-                                                            phi_2673_ = true;
-                                                        } else {
-                                                            if (_e1791[1] == _e1840[1]) {
-                                                                phi_2672_ = (_e1791[0] > _e1840[0]);
-                                                            } else {
-                                                                phi_2672_ = false;
-                                                            }
-                                                            let _e1851 = phi_2672_;
-                                                            phi_2673_ = _e1851;
-                                                        }
-                                                        let _e1853 = phi_2673_;
-                                                        if _e1853 {
-                                                            phi_2677_ = array<u32, 2>(_e1840[0], _e1840[1]);
-                                                        } else {
-                                                            phi_2677_ = _e1791;
-                                                        }
-                                                        let _e1855 = phi_2677_;
-                                                        phi_2575_ = _e1855;
-                                                    } else {
-                                                        phi_2575_ = array<u32, 2>();
-                                                    }
-                                                    let _e1857 = phi_2575_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_2571_ = _e1803;
-                                                        phi_2574_ = _e1857;
-                                                        break if !(_e1809);
-                                                    }
-                                                }
-                                                let _e1860 = local_18.member[0u];
-                                                let _e1862 = keys.member[_e1860];
-                                                local = array<array<u32, 2>, 6>(array<u32, 2>(_e1862[0][0], _e1862[0][1]), array<u32, 2>(_e1862[1][0], _e1862[1][1]), array<u32, 2>(_e1862[2][0], _e1862[2][1]), array<u32, 2>(_e1862[3][0], _e1862[3][1]), array<u32, 2>(_e1862[4][0], _e1862[4][1]), array<u32, 2>(_e1862[5][0], _e1862[5][1]));
-                                                let _e1890 = local[(3u + _e1511.member_1)];
-                                                phi_2728_ = type_21(1u, 3u);
-                                                phi_2731_ = array<u32, 2>(_e1890[0], _e1890[1]);
-                                                loop {
-                                                    let _e1895 = phi_2728_;
-                                                    let _e1897 = phi_2731_;
-                                                    local_39 = _e1897;
-                                                    local_41 = _e1897;
-                                                    local_43 = _e1897;
-                                                    if (_e1895.member < _e1895.member_1) {
-                                                        phi_2729_ = type_21((_e1895.member + 1u), _e1895.member_1);
-                                                        phi_2754_ = type_21(1u, _e1895.member);
-                                                    } else {
-                                                        phi_2729_ = _e1895;
-                                                        phi_2754_ = type_21(0u, type_21().member_1);
-                                                    }
-                                                    let _e1909 = phi_2729_;
-                                                    let _e1911 = phi_2754_;
-                                                    let _e1915 = (bitcast<i32>(_e1911.member) != 0i);
-                                                    if _e1915 {
-                                                        let _e1917 = local_18.member[_e1911.member_1];
-                                                        let _e1919 = keys.member[_e1917];
-                                                        local_1 = array<array<u32, 2>, 6>(array<u32, 2>(_e1919[0][0], _e1919[0][1]), array<u32, 2>(_e1919[1][0], _e1919[1][1]), array<u32, 2>(_e1919[2][0], _e1919[2][1]), array<u32, 2>(_e1919[3][0], _e1919[3][1]), array<u32, 2>(_e1919[4][0], _e1919[4][1]), array<u32, 2>(_e1919[5][0], _e1919[5][1]));
-                                                        let _e1947 = local_1[(3u + _e1511.member_1)];
-                                                        if (_e1947[1] > _e1897[1]) {
-                                                            phi_2831_ = true;
-                                                        } else {
-                                                            if (_e1947[1] == _e1897[1]) {
-                                                                phi_2830_ = (_e1947[0] > _e1897[0]);
-                                                            } else {
-                                                                phi_2830_ = false;
-                                                            }
-                                                            let _e1958 = phi_2830_;
-                                                            phi_2831_ = _e1958;
-                                                        }
-                                                        let _e1960 = phi_2831_;
-                                                        if _e1960 {
-                                                            phi_2835_ = array<u32, 2>(_e1947[0], _e1947[1]);
-                                                        } else {
-                                                            phi_2835_ = _e1897;
-                                                        }
-                                                        let _e1962 = phi_2835_;
-                                                        phi_2732_ = _e1962;
-                                                    } else {
-                                                        phi_2732_ = array<u32, 2>();
-                                                    }
-                                                    let _e1964 = phi_2732_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_2728_ = _e1909;
-                                                        phi_2731_ = _e1964;
-                                                        break if !(_e1915);
-                                                    }
-                                                }
-                                                let _e1967 = local_38;
-                                                let _e1970 = local_39;
-                                                if (_e1967[1] > _e1970[1]) {
-                                                    phi_2852_ = true;
-                                                } else {
-                                                    let _e1974 = local_40;
-                                                    let _e1977 = local_41;
-                                                    if (_e1974[1] == _e1977[1]) {
-                                                        let _e1981 = local_42;
-                                                        let _e1984 = local_43;
-                                                        phi_2851_ = (_e1981[0] > _e1984[0]);
-                                                    } else {
-                                                        phi_2851_ = false;
-                                                    }
-                                                    let _e1988 = phi_2851_;
-                                                    phi_2852_ = _e1988;
-                                                }
-                                                let _e1990 = phi_2852_;
-                                                phi_2160_ = (_e1497 && (!(_e1752) && !(_e1990)));
-                                            } else {
-                                                phi_2160_ = bool();
-                                            }
-                                            let _e1995 = phi_2160_;
-                                            continue;
-                                            continuing {
-                                                phi_2156_ = _e1509;
-                                                phi_2159_ = _e1995;
-                                                break if !(_e1515);
-                                            }
+                                            let _e683 = phi_1096_;
+                                            phi_1097_ = _e683;
                                         }
-                                        let _e2337 = local_46;
-                                        phi_2856_ = _e2337;
+                                        let _e685 = phi_1097_;
+                                        let _e690 = keys.member[_e486.member[0]];
+                                        let _e695 = keys.member[_e486.member[1]];
+                                        let _e697 = function_5(_e690[0], _e695[0]);
+                                        let _e701 = keys.member[_e486.member[2]];
+                                        let _e703 = function_5(_e697, _e701[0]);
+                                        let _e707 = keys.member[_e484.member[0]];
+                                        let _e712 = keys.member[_e484.member[1]];
+                                        let _e714 = function_4(_e707[3], _e712[3]);
+                                        let _e718 = keys.member[_e484.member[2]];
+                                        let _e720 = function_4(_e714, _e718[3]);
+                                        if (_e703[1] > _e720[1]) {
+                                            phi_1191_ = true;
+                                        } else {
+                                            if (_e703[1] == _e720[1]) {
+                                                phi_1190_ = (_e703[0] > _e720[0]);
+                                            } else {
+                                                phi_1190_ = false;
+                                            }
+                                            let _e731 = phi_1190_;
+                                            phi_1191_ = _e731;
+                                        }
+                                        let _e733 = phi_1191_;
+                                        let _e739 = keys.member[_e484.member[0]];
+                                        let _e744 = keys.member[_e484.member[1]];
+                                        let _e746 = function_3(_e739[1], _e744[1]);
+                                        let _e750 = keys.member[_e484.member[2]];
+                                        let _e752 = function_3(_e746, _e750[1]);
+                                        let _e756 = keys.member[_e486.member[0]];
+                                        let _e761 = keys.member[_e486.member[1]];
+                                        let _e763 = function_2(_e756[4], _e761[4]);
+                                        let _e767 = keys.member[_e486.member[2]];
+                                        let _e769 = function_2(_e763, _e767[4]);
+                                        if (_e752[1] > _e769[1]) {
+                                            phi_1286_ = true;
+                                        } else {
+                                            if (_e752[1] == _e769[1]) {
+                                                phi_1285_ = (_e752[0] > _e769[0]);
+                                            } else {
+                                                phi_1285_ = false;
+                                            }
+                                            let _e780 = phi_1285_;
+                                            phi_1286_ = _e780;
+                                        }
+                                        let _e782 = phi_1286_;
+                                        let _e787 = keys.member[_e486.member[0]];
+                                        let _e792 = keys.member[_e486.member[1]];
+                                        let _e794 = function_3(_e787[1], _e792[1]);
+                                        let _e798 = keys.member[_e486.member[2]];
+                                        let _e800 = function_3(_e794, _e798[1]);
+                                        let _e804 = keys.member[_e484.member[0]];
+                                        let _e809 = keys.member[_e484.member[1]];
+                                        let _e811 = function_2(_e804[4], _e809[4]);
+                                        let _e815 = keys.member[_e484.member[2]];
+                                        let _e817 = function_2(_e811, _e815[4]);
+                                        if (_e800[1] > _e817[1]) {
+                                            phi_1380_ = true;
+                                        } else {
+                                            if (_e800[1] == _e817[1]) {
+                                                phi_1379_ = (_e800[0] > _e817[0]);
+                                            } else {
+                                                phi_1379_ = false;
+                                            }
+                                            let _e828 = phi_1379_;
+                                            phi_1380_ = _e828;
+                                        }
+                                        let _e830 = phi_1380_;
+                                        let _e837 = keys.member[_e484.member[0]];
+                                        let _e842 = keys.member[_e484.member[1]];
+                                        let _e844 = function_1(_e837[2], _e842[2]);
+                                        let _e848 = keys.member[_e484.member[2]];
+                                        let _e850 = function_1(_e844, _e848[2]);
+                                        let _e854 = keys.member[_e486.member[0]];
+                                        let _e859 = keys.member[_e486.member[1]];
+                                        let _e861 = function_(_e854[5], _e859[5]);
+                                        let _e865 = keys.member[_e486.member[2]];
+                                        let _e867 = function_(_e861, _e865[5]);
+                                        if (_e850[1] > _e867[1]) {
+                                            phi_1476_ = true;
+                                        } else {
+                                            if (_e850[1] == _e867[1]) {
+                                                phi_1475_ = (_e850[0] > _e867[0]);
+                                            } else {
+                                                phi_1475_ = false;
+                                            }
+                                            let _e878 = phi_1475_;
+                                            phi_1476_ = _e878;
+                                        }
+                                        let _e880 = phi_1476_;
+                                        let _e885 = keys.member[_e486.member[0]];
+                                        let _e890 = keys.member[_e486.member[1]];
+                                        let _e892 = function_1(_e885[2], _e890[2]);
+                                        let _e896 = keys.member[_e486.member[2]];
+                                        let _e898 = function_1(_e892, _e896[2]);
+                                        let _e902 = keys.member[_e484.member[0]];
+                                        let _e907 = keys.member[_e484.member[1]];
+                                        let _e909 = function_(_e902[5], _e907[5]);
+                                        let _e913 = keys.member[_e484.member[2]];
+                                        let _e915 = function_(_e909, _e913[5]);
+                                        if (_e898[1] > _e915[1]) {
+                                            phi_1570_ = true;
+                                        } else {
+                                            if (_e898[1] == _e915[1]) {
+                                                phi_1569_ = (_e898[0] > _e915[0]);
+                                            } else {
+                                                phi_1569_ = false;
+                                            }
+                                            let _e926 = phi_1569_;
+                                            phi_1570_ = _e926;
+                                        }
+                                        let _e928 = phi_1570_;
+                                        phi_1574_ = (((!(_e685) && !(_e733)) && (!(_e782) && !(_e830))) && (!(_e880) && !(_e928)));
                                     }
-                                    let _e1998 = phi_2856_;
-                                    phi_2857_ = _e1998;
-                                    phi_2858_ = _e1491;
+                                    let _e933 = phi_1574_;
+                                    phi_1575_ = _e933;
+                                    phi_1576_ = _e638;
                                 } else {
-                                    phi_2857_ = bool();
-                                    phi_2858_ = true;
+                                    phi_1575_ = bool();
+                                    phi_1576_ = true;
                                 }
-                                let _e2000 = phi_2857_;
-                                let _e2002 = phi_2858_;
-                                if _e2002 {
-                                    phi_2862_ = false;
+                                let _e935 = phi_1575_;
+                                let _e937 = phi_1576_;
+                                if _e937 {
+                                    phi_1580_ = false;
                                 } else {
-                                    phi_2862_ = true;
+                                    phi_1580_ = true;
                                 }
-                                let _e2004 = phi_2862_;
-                                phi_2863_ = _e2000;
-                                phi_2864_ = _e2004;
+                                let _e939 = phi_1580_;
+                                phi_1581_ = _e935;
+                                phi_1582_ = _e939;
                             } else {
-                                phi_2863_ = false;
-                                phi_2864_ = true;
+                                phi_1581_ = false;
+                                phi_1582_ = true;
                             }
-                            let _e2006 = phi_2863_;
-                            let _e2008 = phi_2864_;
-                            phi_2865_ = _e2006;
-                            phi_2866_ = _e2008;
+                            let _e941 = phi_1581_;
+                            let _e943 = phi_1582_;
+                            phi_1583_ = _e941;
+                            phi_1584_ = _e943;
                         } else {
-                            phi_2865_ = false;
-                            phi_2866_ = true;
+                            phi_1583_ = false;
+                            phi_1584_ = true;
                         }
-                        let _e2010 = phi_2865_;
-                        let _e2012 = phi_2866_;
-                        if _e2012 {
-                            phi_2870_ = _e2010;
+                        let _e945 = phi_1583_;
+                        let _e947 = phi_1584_;
+                        if _e947 {
+                            phi_1588_ = _e945;
                         } else {
-                            phi_2870_ = true;
+                            phi_1588_ = true;
                         }
-                        let _e2014 = phi_2870_;
-                        if _e2014 {
-                            let _e2016 = atomicAdd((&counters[7u]), 1u);
-                            let _e2018 = atomicAdd((&counters[5u]), 1u);
-                            hits[_e1286] = ((2147483648u | (_e2018 << bitcast<u32>(12i))) | _e1289);
+                        let _e949 = phi_1588_;
+                        if _e949 {
+                            let _e951 = params.member.member_16;
+                            if (_e76[0] == _e76[1]) {
+                                if (_e484.member_1 < _e486.member_1) {
+                                    phi_1606_ = type_21(_e484.member_1, _e486.member_1);
+                                } else {
+                                    phi_1606_ = type_21(_e486.member_1, _e484.member_1);
+                                }
+                                let _e960 = phi_1606_;
+                                phi_1611_ = _e960;
+                            } else {
+                                phi_1611_ = type_21(_e484.member_1, _e486.member_1);
+                            }
+                            let _e962 = phi_1611_;
+                            let _e966 = atomicAdd((&output.member[0u]), 1u);
+                            if ((_e966 + 1u) < _e966) {
+                                let _e970 = atomicAdd((&output.member[2u]), 1u);
+                            }
+                            if (_e966 < _e951) {
+                                atomicStore((&output.member[(4u + (2u * _e966))]), _e962.member);
+                                atomicStore((&output.member[((2u * _e966) + 5u)]), _e962.member_1);
+                            }
+                            let _e979 = atomicAdd((&output.member[1u]), 1u);
+                            if ((_e979 + 1u) < _e979) {
+                                let _e983 = atomicAdd((&output.member[3u]), 1u);
+                            }
                         }
-                        phi_2885_ = true;
+                        phi_1651_ = (_e453 & (_e453 - 1u));
+                        phi_1652_ = true;
                     }
-                    let _e2025 = phi_2885_;
-                    phi_2886_ = _e2025;
+                    let _e985 = phi_1651_;
+                    let _e987 = phi_1652_;
+                    phi_746_ = _e985;
+                    phi_1653_ = _e987;
                 } else {
-                    phi_2886_ = false;
+                    phi_746_ = u32();
+                    phi_1653_ = false;
                 }
-                let _e2027 = phi_2886_;
+                let _e989 = phi_746_;
+                let _e991 = phi_1653_;
                 continue;
                 continuing {
-                    phi_1853_ = _e1278;
-                    break if !(_e2027);
+                    phi_742_ = _e465;
+                    phi_745_ = _e989;
+                    break if !(_e991);
                 }
             }
             workgroupBarrier();
-            if (_e70 == 0u) {
-                let _e2031 = atomicLoad((&counters[5u]));
-                if (_e2031 > 0u) {
-                    let _e2034 = atomicAdd((&output.member[0u]), _e2031);
-                    if ((_e2034 + _e2031) < _e2034) {
-                        let _e2038 = atomicAdd((&output.member[2u]), 1u);
-                    }
-                    atomicStore((&counters[6u]), _e2034);
-                }
+            let _e994 = atomicLoad((&counters[4u]));
+            if (2048u < _e994) {
+                phi_1660_ = 2048u;
+            } else {
+                phi_1660_ = _e994;
             }
-            workgroupBarrier();
-            let _e2041 = atomicLoad((&counters[6u]));
-            if (_e70 == 0u) {
-                let _e2044 = atomicLoad((&counters[7u]));
-                if (_e2044 > 0u) {
-                    let _e2047 = atomicAdd((&output.member[1u]), _e2044);
-                    if ((_e2047 + _e2044) < _e2047) {
-                        let _e2051 = atomicAdd((&output.member[3u]), 1u);
-                    }
-                }
-            }
-            phi_2936_ = type_21(0u, 16u);
+            let _e997 = phi_1660_;
+            phi_1663_ = type_21(0u, 16u);
             loop {
-                let _e2053 = phi_2936_;
-                if (_e2053.member < _e2053.member_1) {
-                    phi_2937_ = type_21((_e2053.member + 1u), _e2053.member_1);
-                    phi_2960_ = type_21(1u, _e2053.member);
+                let _e999 = phi_1663_;
+                if (_e999.member < _e999.member_1) {
+                    phi_1664_ = type_21((_e999.member + 1u), _e999.member_1);
+                    phi_1687_ = type_21(1u, _e999.member);
                 } else {
-                    phi_2937_ = _e2053;
-                    phi_2960_ = type_21(0u, type_21().member_1);
+                    phi_1664_ = _e999;
+                    phi_1687_ = type_21(0u, type_21().member_1);
                 }
-                let _e2065 = phi_2937_;
-                let _e2067 = phi_2960_;
-                if (bitcast<i32>(_e2067.member) != 0i) {
-                    let _e2073 = (_e70 + (_e2067.member_1 * 128u));
-                    if (_e2073 >= _e1264) {
-                        phi_3058_ = false;
+                let _e1011 = phi_1664_;
+                let _e1013 = phi_1687_;
+                if (bitcast<i32>(_e1013.member) != 0i) {
+                    let _e1019 = (_e47 + (_e1013.member_1 * 128u));
+                    if (_e1019 >= _e997) {
+                        phi_2530_ = false;
                     } else {
-                        let _e2076 = hits[_e2073];
-                        if ((_e2076 & 2147483648u) == 0u) {
-                            phi_2983_ = 4294967295u;
-                        } else {
-                            phi_2983_ = ((_e2076 & 2147483647u) >> bitcast<u32>(12i));
-                        }
-                        let _e2083 = phi_2983_;
-                        if (_e2083 != 4294967295u) {
-                            let _e2087 = ((_e2076 >> bitcast<u32>(10i)) & 3u);
-                            let _e2094 = firsts[(2u * _e2087)];
-                            let _e2097 = leaves.member[(_e2094 + ((_e2076 >> bitcast<u32>(5i)) & 31u))];
-                            let _e2101 = firsts[((2u * _e2087) + 1u)];
-                            let _e2104 = leaves.member[(_e2101 + (_e2076 & 31u))];
-                            let _e2108 = params.member.member_16;
-                            let _e2109 = (_e2041 + _e2083);
-                            if (_e99[0] == _e99[1]) {
-                                if (_e2097.member_1 < _e2104.member_1) {
-                                    phi_3037_ = type_21(_e2097.member_1, _e2104.member_1);
+                        let _e1022 = hits[_e1019];
+                        let _e1025 = ((_e1022 >> bitcast<u32>(10i)) & 3u);
+                        let _e1032 = firsts[(2u * _e1025)];
+                        let _e1033 = (_e1032 + ((_e1022 >> bitcast<u32>(5i)) & 31u));
+                        let _e1037 = firsts[((2u * _e1025) + 1u)];
+                        let _e1038 = (_e1037 + (_e1022 & 31u));
+                        let _e1040 = leaves.member[_e1033];
+                        let _e1042 = leaves.member[_e1038];
+                        let _e1044 = nodes.member[_e1033];
+                        let _e1046 = nodes.member[_e1038];
+                        let _e1048 = params.member.member_1;
+                        if ((_e1048 & 1u) != 0u) {
+                            let _e1052 = params.member.member_8;
+                            if (_e1052 == 0u) {
+                                if (_e1040.member[0] == _e1042.member[0]) {
+                                    phi_1786_ = bool();
+                                    phi_1787_ = true;
                                 } else {
-                                    phi_3037_ = type_21(_e2104.member_1, _e2097.member_1);
+                                    let _e1095 = (_e1040.member[0] == _e1042.member[1]);
+                                    if _e1095 {
+                                        phi_1785_ = bool();
+                                    } else {
+                                        phi_1785_ = (_e1040.member[0] == _e1042.member[2]);
+                                    }
+                                    let _e1102 = phi_1785_;
+                                    phi_1786_ = _e1102;
+                                    phi_1787_ = _e1095;
                                 }
-                                let _e2116 = phi_3037_;
-                                phi_3042_ = _e2116;
+                                let _e1104 = phi_1786_;
+                                let _e1106 = phi_1787_;
+                                if _e1106 {
+                                    phi_1791_ = true;
+                                } else {
+                                    phi_1791_ = _e1104;
+                                }
+                                let _e1108 = phi_1791_;
+                                phi_1822_ = _e1108;
                             } else {
-                                phi_3042_ = type_21(_e2097.member_1, _e2104.member_1);
+                                if (_e1040.member[0] == _e1042.member[0]) {
+                                    phi_1816_ = bool();
+                                    phi_1817_ = true;
+                                } else {
+                                    if (_e1040.member[0] == _e1042.member[1]) {
+                                        phi_1814_ = bool();
+                                        phi_1815_ = true;
+                                    } else {
+                                        let _e1068 = (_e1040.member[1] == _e1042.member[0]);
+                                        if _e1068 {
+                                            phi_1813_ = bool();
+                                        } else {
+                                            phi_1813_ = (_e1040.member[1] == _e1042.member[1]);
+                                        }
+                                        let _e1075 = phi_1813_;
+                                        phi_1814_ = _e1075;
+                                        phi_1815_ = _e1068;
+                                    }
+                                    let _e1077 = phi_1814_;
+                                    let _e1079 = phi_1815_;
+                                    phi_1816_ = _e1077;
+                                    phi_1817_ = _e1079;
+                                }
+                                let _e1081 = phi_1816_;
+                                let _e1083 = phi_1817_;
+                                if _e1083 {
+                                    phi_1821_ = true;
+                                } else {
+                                    phi_1821_ = _e1081;
+                                }
+                                let _e1085 = phi_1821_;
+                                phi_1822_ = _e1085;
                             }
-                            let _e2118 = phi_3042_;
-                            if (_e2109 < _e2108) {
-                                atomicStore((&output.member[(4u + (2u * _e2109))]), _e2118.member);
-                                atomicStore((&output.member[((2u * _e2109) + 5u)]), _e2118.member_1);
+                            let _e1110 = phi_1822_;
+                            if _e1110 {
+                                phi_1826_ = false;
+                            } else {
+                                phi_1826_ = true;
                             }
+                            let _e1112 = phi_1826_;
+                            phi_1827_ = _e1112;
+                        } else {
+                            phi_1827_ = true;
                         }
-                        phi_3058_ = true;
+                        let _e1114 = phi_1827_;
+                        if _e1114 {
+                            let _e1116 = params.member.member_1;
+                            if ((_e1116 & 2u) != 0u) {
+                                let _e1122 = bodies.member[_e1040.member[0]];
+                                let _e1126 = bodies.member[_e1042.member[0]];
+                                if ((_e1122 / 2u) == (_e1126 / 2u)) {
+                                    let _e1131 = params.member.member_1;
+                                    phi_1871_ = !(((_e1131 & 4u) != 0u));
+                                } else {
+                                    phi_1871_ = false;
+                                }
+                                let _e1136 = phi_1871_;
+                                if _e1136 {
+                                    phi_1882_ = true;
+                                } else {
+                                    if (((_e1122 & _e1126) & 1u) == 0u) {
+                                        phi_1881_ = false;
+                                    } else {
+                                        phi_1881_ = true;
+                                    }
+                                    let _e1141 = phi_1881_;
+                                    phi_1882_ = _e1141;
+                                }
+                                let _e1143 = phi_1882_;
+                                if _e1143 {
+                                    phi_1886_ = false;
+                                } else {
+                                    phi_1886_ = true;
+                                }
+                                let _e1145 = phi_1886_;
+                                phi_1887_ = _e1145;
+                            } else {
+                                phi_1887_ = true;
+                            }
+                            let _e1147 = phi_1887_;
+                            if _e1147 {
+                                let _e1149 = params.member.member_1;
+                                if ((_e1149 & 32u) != 0u) {
+                                    let _e1153 = params.member.member_6;
+                                    let _e1194 = (((((((_e1044.member_1[0] - _e1046.member[0]) > _e1153) && ((_e1046.member_1[0] - _e1044.member[0]) > _e1153)) && ((_e1044.member_1[1] - _e1046.member[1]) > _e1153)) && ((_e1046.member_1[1] - _e1044.member[1]) > _e1153)) && ((_e1044.member_1[2] - _e1046.member[2]) > _e1153)) && ((_e1046.member_1[2] - _e1044.member[2]) > _e1153));
+                                    if _e1194 {
+                                        phi_2501_ = bool();
+                                    } else {
+                                        let _e1198 = keys.member[_e1040.member[0]];
+                                        let _e1203 = keys.member[_e1040.member[1]];
+                                        let _e1205 = function_5(_e1198[0], _e1203[0]);
+                                        let _e1209 = keys.member[_e1040.member[2]];
+                                        let _e1211 = function_5(_e1205, _e1209[0]);
+                                        let _e1215 = keys.member[_e1042.member[0]];
+                                        let _e1220 = keys.member[_e1042.member[1]];
+                                        let _e1222 = function_4(_e1215[3], _e1220[3]);
+                                        let _e1226 = keys.member[_e1042.member[2]];
+                                        let _e1228 = function_4(_e1222, _e1226[3]);
+                                        if (_e1211[1] > _e1228[1]) {
+                                            phi_2024_ = true;
+                                        } else {
+                                            if (_e1211[1] == _e1228[1]) {
+                                                phi_2023_ = (_e1211[0] > _e1228[0]);
+                                            } else {
+                                                phi_2023_ = false;
+                                            }
+                                            let _e1239 = phi_2023_;
+                                            phi_2024_ = _e1239;
+                                        }
+                                        let _e1241 = phi_2024_;
+                                        let _e1246 = keys.member[_e1042.member[0]];
+                                        let _e1251 = keys.member[_e1042.member[1]];
+                                        let _e1253 = function_5(_e1246[0], _e1251[0]);
+                                        let _e1257 = keys.member[_e1042.member[2]];
+                                        let _e1259 = function_5(_e1253, _e1257[0]);
+                                        let _e1263 = keys.member[_e1040.member[0]];
+                                        let _e1268 = keys.member[_e1040.member[1]];
+                                        let _e1270 = function_4(_e1263[3], _e1268[3]);
+                                        let _e1274 = keys.member[_e1040.member[2]];
+                                        let _e1276 = function_4(_e1270, _e1274[3]);
+                                        if (_e1259[1] > _e1276[1]) {
+                                            phi_2118_ = true;
+                                        } else {
+                                            if (_e1259[1] == _e1276[1]) {
+                                                phi_2117_ = (_e1259[0] > _e1276[0]);
+                                            } else {
+                                                phi_2117_ = false;
+                                            }
+                                            let _e1287 = phi_2117_;
+                                            phi_2118_ = _e1287;
+                                        }
+                                        let _e1289 = phi_2118_;
+                                        let _e1295 = keys.member[_e1040.member[0]];
+                                        let _e1300 = keys.member[_e1040.member[1]];
+                                        let _e1302 = function_3(_e1295[1], _e1300[1]);
+                                        let _e1306 = keys.member[_e1040.member[2]];
+                                        let _e1308 = function_3(_e1302, _e1306[1]);
+                                        let _e1312 = keys.member[_e1042.member[0]];
+                                        let _e1317 = keys.member[_e1042.member[1]];
+                                        let _e1319 = function_2(_e1312[4], _e1317[4]);
+                                        let _e1323 = keys.member[_e1042.member[2]];
+                                        let _e1325 = function_2(_e1319, _e1323[4]);
+                                        if (_e1308[1] > _e1325[1]) {
+                                            phi_2213_ = true;
+                                        } else {
+                                            if (_e1308[1] == _e1325[1]) {
+                                                phi_2212_ = (_e1308[0] > _e1325[0]);
+                                            } else {
+                                                phi_2212_ = false;
+                                            }
+                                            let _e1336 = phi_2212_;
+                                            phi_2213_ = _e1336;
+                                        }
+                                        let _e1338 = phi_2213_;
+                                        let _e1343 = keys.member[_e1042.member[0]];
+                                        let _e1348 = keys.member[_e1042.member[1]];
+                                        let _e1350 = function_3(_e1343[1], _e1348[1]);
+                                        let _e1354 = keys.member[_e1042.member[2]];
+                                        let _e1356 = function_3(_e1350, _e1354[1]);
+                                        let _e1360 = keys.member[_e1040.member[0]];
+                                        let _e1365 = keys.member[_e1040.member[1]];
+                                        let _e1367 = function_2(_e1360[4], _e1365[4]);
+                                        let _e1371 = keys.member[_e1040.member[2]];
+                                        let _e1373 = function_2(_e1367, _e1371[4]);
+                                        if (_e1356[1] > _e1373[1]) {
+                                            phi_2307_ = true;
+                                        } else {
+                                            if (_e1356[1] == _e1373[1]) {
+                                                phi_2306_ = (_e1356[0] > _e1373[0]);
+                                            } else {
+                                                phi_2306_ = false;
+                                            }
+                                            let _e1384 = phi_2306_;
+                                            phi_2307_ = _e1384;
+                                        }
+                                        let _e1386 = phi_2307_;
+                                        let _e1393 = keys.member[_e1040.member[0]];
+                                        let _e1398 = keys.member[_e1040.member[1]];
+                                        let _e1400 = function_1(_e1393[2], _e1398[2]);
+                                        let _e1404 = keys.member[_e1040.member[2]];
+                                        let _e1406 = function_1(_e1400, _e1404[2]);
+                                        let _e1410 = keys.member[_e1042.member[0]];
+                                        let _e1415 = keys.member[_e1042.member[1]];
+                                        let _e1417 = function_(_e1410[5], _e1415[5]);
+                                        let _e1421 = keys.member[_e1042.member[2]];
+                                        let _e1423 = function_(_e1417, _e1421[5]);
+                                        if (_e1406[1] > _e1423[1]) {
+                                            phi_2403_ = true;
+                                        } else {
+                                            if (_e1406[1] == _e1423[1]) {
+                                                phi_2402_ = (_e1406[0] > _e1423[0]);
+                                            } else {
+                                                phi_2402_ = false;
+                                            }
+                                            let _e1434 = phi_2402_;
+                                            phi_2403_ = _e1434;
+                                        }
+                                        let _e1436 = phi_2403_;
+                                        let _e1441 = keys.member[_e1042.member[0]];
+                                        let _e1446 = keys.member[_e1042.member[1]];
+                                        let _e1448 = function_1(_e1441[2], _e1446[2]);
+                                        let _e1452 = keys.member[_e1042.member[2]];
+                                        let _e1454 = function_1(_e1448, _e1452[2]);
+                                        let _e1458 = keys.member[_e1040.member[0]];
+                                        let _e1463 = keys.member[_e1040.member[1]];
+                                        let _e1465 = function_(_e1458[5], _e1463[5]);
+                                        let _e1469 = keys.member[_e1040.member[2]];
+                                        let _e1471 = function_(_e1465, _e1469[5]);
+                                        if (_e1454[1] > _e1471[1]) {
+                                            phi_2497_ = true;
+                                        } else {
+                                            if (_e1454[1] == _e1471[1]) {
+                                                phi_2496_ = (_e1454[0] > _e1471[0]);
+                                            } else {
+                                                phi_2496_ = false;
+                                            }
+                                            let _e1482 = phi_2496_;
+                                            phi_2497_ = _e1482;
+                                        }
+                                        let _e1484 = phi_2497_;
+                                        phi_2501_ = (((!(_e1241) && !(_e1289)) && (!(_e1338) && !(_e1386))) && (!(_e1436) && !(_e1484)));
+                                    }
+                                    let _e1489 = phi_2501_;
+                                    phi_2502_ = _e1489;
+                                    phi_2503_ = _e1194;
+                                } else {
+                                    phi_2502_ = bool();
+                                    phi_2503_ = true;
+                                }
+                                let _e1491 = phi_2502_;
+                                let _e1493 = phi_2503_;
+                                if _e1493 {
+                                    phi_2507_ = false;
+                                } else {
+                                    phi_2507_ = true;
+                                }
+                                let _e1495 = phi_2507_;
+                                phi_2508_ = _e1491;
+                                phi_2509_ = _e1495;
+                            } else {
+                                phi_2508_ = false;
+                                phi_2509_ = true;
+                            }
+                            let _e1497 = phi_2508_;
+                            let _e1499 = phi_2509_;
+                            phi_2510_ = _e1497;
+                            phi_2511_ = _e1499;
+                        } else {
+                            phi_2510_ = false;
+                            phi_2511_ = true;
+                        }
+                        let _e1501 = phi_2510_;
+                        let _e1503 = phi_2511_;
+                        if _e1503 {
+                            phi_2515_ = _e1501;
+                        } else {
+                            phi_2515_ = true;
+                        }
+                        let _e1505 = phi_2515_;
+                        if _e1505 {
+                            let _e1507 = atomicAdd((&counters[7u]), 1u);
+                            let _e1509 = atomicAdd((&counters[5u]), 1u);
+                            hits[_e1019] = ((2147483648u | (_e1509 << bitcast<u32>(12i))) | _e1022);
+                        }
+                        phi_2530_ = true;
                     }
-                    let _e2129 = phi_3058_;
-                    phi_3059_ = _e2129;
+                    let _e1516 = phi_2530_;
+                    phi_2531_ = _e1516;
                 } else {
-                    phi_3059_ = false;
+                    phi_2531_ = false;
                 }
-                let _e2131 = phi_3059_;
+                let _e1518 = phi_2531_;
                 continue;
                 continuing {
-                    phi_2936_ = _e2065;
-                    break if !(_e2131);
+                    phi_1663_ = _e1011;
+                    break if !(_e1518);
+                }
+            }
+            workgroupBarrier();
+            if (_e47 == 0u) {
+                let _e1522 = atomicLoad((&counters[5u]));
+                if (_e1522 > 0u) {
+                    let _e1525 = atomicAdd((&output.member[0u]), _e1522);
+                    if ((_e1525 + _e1522) < _e1525) {
+                        let _e1529 = atomicAdd((&output.member[2u]), 1u);
+                    }
+                    atomicStore((&counters[6u]), _e1525);
+                }
+            }
+            workgroupBarrier();
+            let _e1532 = atomicLoad((&counters[6u]));
+            if (_e47 == 0u) {
+                let _e1535 = atomicLoad((&counters[7u]));
+                if (_e1535 > 0u) {
+                    let _e1538 = atomicAdd((&output.member[1u]), _e1535);
+                    if ((_e1538 + _e1535) < _e1538) {
+                        let _e1542 = atomicAdd((&output.member[3u]), 1u);
+                    }
+                }
+            }
+            phi_2581_ = type_21(0u, 16u);
+            loop {
+                let _e1544 = phi_2581_;
+                if (_e1544.member < _e1544.member_1) {
+                    phi_2582_ = type_21((_e1544.member + 1u), _e1544.member_1);
+                    phi_2605_ = type_21(1u, _e1544.member);
+                } else {
+                    phi_2582_ = _e1544;
+                    phi_2605_ = type_21(0u, type_21().member_1);
+                }
+                let _e1556 = phi_2582_;
+                let _e1558 = phi_2605_;
+                if (bitcast<i32>(_e1558.member) != 0i) {
+                    let _e1564 = (_e47 + (_e1558.member_1 * 128u));
+                    if (_e1564 >= _e997) {
+                        phi_2703_ = false;
+                    } else {
+                        let _e1567 = hits[_e1564];
+                        if ((_e1567 & 2147483648u) == 0u) {
+                            phi_2628_ = 4294967295u;
+                        } else {
+                            phi_2628_ = ((_e1567 & 2147483647u) >> bitcast<u32>(12i));
+                        }
+                        let _e1574 = phi_2628_;
+                        if (_e1574 != 4294967295u) {
+                            let _e1578 = ((_e1567 >> bitcast<u32>(10i)) & 3u);
+                            let _e1585 = firsts[(2u * _e1578)];
+                            let _e1588 = leaves.member[(_e1585 + ((_e1567 >> bitcast<u32>(5i)) & 31u))];
+                            let _e1592 = firsts[((2u * _e1578) + 1u)];
+                            let _e1595 = leaves.member[(_e1592 + (_e1567 & 31u))];
+                            let _e1599 = params.member.member_16;
+                            let _e1600 = (_e1532 + _e1574);
+                            if (_e76[0] == _e76[1]) {
+                                if (_e1588.member_1 < _e1595.member_1) {
+                                    phi_2682_ = type_21(_e1588.member_1, _e1595.member_1);
+                                } else {
+                                    phi_2682_ = type_21(_e1595.member_1, _e1588.member_1);
+                                }
+                                let _e1607 = phi_2682_;
+                                phi_2687_ = _e1607;
+                            } else {
+                                phi_2687_ = type_21(_e1588.member_1, _e1595.member_1);
+                            }
+                            let _e1609 = phi_2687_;
+                            if (_e1600 < _e1599) {
+                                atomicStore((&output.member[(4u + (2u * _e1600))]), _e1609.member);
+                                atomicStore((&output.member[((2u * _e1600) + 5u)]), _e1609.member_1);
+                            }
+                        }
+                        phi_2703_ = true;
+                    }
+                    let _e1620 = phi_2703_;
+                    phi_2704_ = _e1620;
+                } else {
+                    phi_2704_ = false;
+                }
+                let _e1622 = phi_2704_;
+                continue;
+                continuing {
+                    phi_2581_ = _e1556;
+                    break if !(_e1622);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_273_ = _e157;
-            break if !(_e163);
+            phi_250_ = _e134;
+            break if !(_e140);
         }
     }
     return;
@@ -1768,5 +1458,5 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
 
 @compute @workgroup_size(128, 1, 1) 
 fn list_candidates(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    function_(id, n, lane);
+    function_6(id, n, lane);
 }

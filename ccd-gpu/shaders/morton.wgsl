@@ -1,9 +1,4 @@
-struct type_4 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
-}
-
-struct type_10 {
+struct type_8 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -27,12 +22,17 @@ struct type_10 {
     member_20: array<array<u32, 4>, 8>,
 }
 
+struct type_9 {
+    member: type_8,
+}
+
 struct type_11 {
-    member: type_10,
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
 }
 
 struct type_13 {
-    member: array<type_4>,
+    member: array<type_11>,
 }
 
 struct type_15 {
@@ -51,7 +51,7 @@ struct type_18 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_11;
+var<storage> params: type_9;
 @group(0) @binding(1) 
 var<storage> boxes: type_13;
 @group(0) @binding(2) 
@@ -63,10 +63,10 @@ var<storage, read_write> order: type_15;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 3>;
-    var local_1: type_4;
-    var local_2: type_4;
+    var local_1: type_11;
+    var local_2: type_11;
     var local_3: type_18;
-    var local_4: type_4;
+    var local_4: type_11;
     var phi_134_: u32;
     var phi_135_: u32;
     var phi_138_: type_17;
@@ -115,7 +115,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             phi_135_ = _e71;
         }
         let _e73 = phi_135_;
-        local_2 = type_4(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        local_2 = type_11(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
         phi_138_ = type_17(0u, 3u);
         loop {
             let _e75 = phi_138_;
@@ -206,7 +206,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e169 = local_4.member;
         local_3 = type_18(_e169, _e167, (1024f - 1f));
         let _e175 = boxes.member[_e58];
-        local_1 = type_4(array<f32, 3>(_e175.member[0], _e175.member[1], _e175.member[2]), array<f32, 3>(_e175.member_1[0], _e175.member_1[1], _e175.member_1[2]));
+        local_1 = type_11(array<f32, 3>(_e175.member[0], _e175.member[1], _e175.member[2]), array<f32, 3>(_e175.member_1[0], _e175.member_1[1], _e175.member_1[2]));
         local = array<u32, 3>(0u, 0u, 0u);
         phi_355_ = type_17(0u, 3u);
         loop {

@@ -1,9 +1,4 @@
-struct type_4 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
-}
-
-struct type_10 {
+struct type_8 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -27,12 +22,17 @@ struct type_10 {
     member_20: array<array<u32, 4>, 8>,
 }
 
+struct type_9 {
+    member: type_8,
+}
+
 struct type_11 {
-    member: type_10,
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
 }
 
 struct type_13 {
-    member: array<type_4>,
+    member: array<type_11>,
 }
 
 struct type_15 {
@@ -49,7 +49,7 @@ struct type_25 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_11;
+var<storage> params: type_9;
 @group(0) @binding(1) 
 var<storage> nodes: type_13;
 @group(0) @binding(2) 
@@ -58,7 +58,7 @@ var<storage> input: type_15;
 var<storage, read_write> output: type_25;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
-var<workgroup> columns: array<type_4, 128>;
+var<workgroup> columns: array<type_11, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
 
@@ -80,7 +80,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_334_: array<u32, 2>;
     var phi_528_: bool;
     var phi_529_: bool;
-    var phi_533_: type_4;
+    var phi_533_: type_11;
     var phi_541_: bool;
     var phi_548_: type_18;
     var phi_551_: u32;
@@ -278,7 +278,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 if ((((((_e226.member[0] <= _e193.member_1[0]) && (_e193.member[0] <= _e226.member_1[0])) && (_e226.member[1] <= _e193.member_1[1])) && (_e193.member[1] <= _e226.member_1[1])) && (_e226.member[2] <= _e193.member_1[2])) && (_e193.member[2] <= _e226.member_1[2])) {
                     let _e264 = atomicAdd((&counters[_e183]), 1u);
                     let _e265 = ((_e183 * 32u) + _e264);
-                    columns[_e265] = type_4(array<f32, 3>(_e226.member[0], _e226.member[1], _e226.member[2]), array<f32, 3>(_e226.member_1[0], _e226.member_1[1], _e226.member_1[2]));
+                    columns[_e265] = type_11(array<f32, 3>(_e226.member[0], _e226.member[1], _e226.member[2]), array<f32, 3>(_e226.member_1[0], _e226.member_1[1], _e226.member_1[2]));
                     names[_e265] = _e184;
                 }
             }
@@ -296,7 +296,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
             let _e317 = phi_529_;
             if _e317 {
-                phi_533_ = type_4(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_533_ = type_11(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
                 phi_533_ = _e214;
             }

@@ -1,9 +1,4 @@
-struct type_4 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
-}
-
-struct type_10 {
+struct type_8 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -27,12 +22,17 @@ struct type_10 {
     member_20: array<array<u32, 4>, 8>,
 }
 
+struct type_9 {
+    member: type_8,
+}
+
 struct type_11 {
-    member: type_10,
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
 }
 
 struct type_13 {
-    member: array<type_4>,
+    member: array<type_11>,
 }
 
 struct type_17 {
@@ -55,50 +55,50 @@ struct type_22 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_11;
+var<storage> params: type_9;
 @group(0) @binding(1) 
 var<storage> boxes: type_13;
-var<workgroup> shared_: array<type_4, 256>;
+var<workgroup> shared_: array<type_11, 256>;
 @group(0) @binding(2) 
 var<storage, read_write> words: type_22;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_4;
-    var local_1: type_4;
-    var local_2: type_4;
-    var local_3: type_4;
-    var local_4: type_4;
-    var phi_102_: type_19;
-    var phi_105_: type_4;
-    var phi_103_: type_19;
-    var phi_128_: type_19;
-    var phi_176_: type_19;
-    var phi_177_: type_19;
-    var phi_200_: type_19;
-    var phi_226_: f32;
-    var phi_253_: f32;
-    var phi_273_: type_4;
-    var phi_106_: type_4;
-    var local_5: type_4;
-    var local_6: type_4;
-    var phi_311_: type_17;
-    var phi_314_: u32;
-    var phi_335_: bool;
-    var phi_341_: type_18;
-    var phi_312_: type_17;
-    var phi_355_: type_18;
-    var phi_393_: type_19;
-    var phi_394_: type_19;
-    var phi_417_: type_19;
-    var phi_443_: f32;
-    var phi_470_: f32;
-    var phi_315_: u32;
-    var phi_532_: type_19;
-    var phi_533_: type_19;
-    var phi_556_: type_19;
-    var phi_602_: u32;
-    var phi_583_: u32;
-    var phi_603_: u32;
+    var local: type_11;
+    var phi_98_: type_19;
+    var phi_101_: type_11;
+    var phi_99_: type_19;
+    var phi_124_: type_19;
+    var phi_154_: f32;
+    var phi_161_: f32;
+    var phi_168_: f32;
+    var phi_176_: f32;
+    var phi_183_: f32;
+    var phi_190_: f32;
+    var phi_193_: type_11;
+    var phi_102_: type_11;
+    var local_1: type_11;
+    var local_2: type_11;
+    var local_3: type_11;
+    var local_4: type_11;
+    var phi_231_: type_17;
+    var phi_234_: u32;
+    var phi_255_: bool;
+    var phi_261_: type_18;
+    var phi_232_: type_17;
+    var phi_275_: type_18;
+    var phi_307_: f32;
+    var phi_315_: f32;
+    var phi_323_: f32;
+    var phi_333_: f32;
+    var phi_342_: f32;
+    var phi_351_: f32;
+    var phi_235_: u32;
+    var phi_396_: type_19;
+    var phi_397_: type_19;
+    var phi_420_: type_19;
+    var phi_466_: u32;
+    var phi_447_: u32;
+    var phi_467_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -106,229 +106,224 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e34 = id_2;
-    let _e35 = n_2;
-    let _e36 = lane_2;
-    let _e48 = params.member.member_17;
-    phi_102_ = type_19(0u, 8u);
-    phi_105_ = type_4(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+    let _e29 = id_2;
+    let _e30 = n_2;
+    let _e31 = lane_2;
+    let _e43 = params.member.member_17;
+    phi_98_ = type_19(0u, 8u);
+    phi_101_ = type_11(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
     loop {
-        let _e50 = phi_102_;
-        let _e52 = phi_105_;
-        local_5 = _e52;
-        local_6 = _e52;
-        if (_e50.member < _e50.member_1) {
-            phi_103_ = type_19((_e50.member + 1u), _e50.member_1);
-            phi_128_ = type_19(1u, _e50.member);
+        let _e45 = phi_98_;
+        let _e47 = phi_101_;
+        local_1 = _e47;
+        local_2 = _e47;
+        local_3 = _e47;
+        local_4 = _e47;
+        if (_e45.member < _e45.member_1) {
+            phi_99_ = type_19((_e45.member + 1u), _e45.member_1);
+            phi_124_ = type_19(1u, _e45.member);
         } else {
-            phi_103_ = _e50;
-            phi_128_ = type_19(0u, type_19().member_1);
+            phi_99_ = _e45;
+            phi_124_ = type_19(0u, type_19().member_1);
         }
-        let _e64 = phi_103_;
-        let _e66 = phi_128_;
-        let _e70 = (bitcast<i32>(_e66.member) != 0i);
-        if _e70 {
-            let _e72 = (((((_e34.y * _e35.x) + _e34.x) * 2048u) + _e36) + (_e66.member_1 * 256u));
-            if (_e72 < _e48) {
-                let _e75 = boxes.member[_e72];
-                local_2 = type_4(array<f32, 3>(_e75.member[0], _e75.member[1], _e75.member[2]), array<f32, 3>(_e75.member_1[0], _e75.member_1[1], _e75.member_1[2]));
-                local_1 = type_4(array<f32, 3>(_e52.member[0], _e52.member[1], _e52.member[2]), array<f32, 3>(_e52.member_1[0], _e52.member_1[1], _e52.member_1[2]));
-                phi_176_ = type_19(0u, 3u);
-                loop {
-                    let _e99 = phi_176_;
-                    if (_e99.member < _e99.member_1) {
-                        phi_177_ = type_19((_e99.member + 1u), _e99.member_1);
-                        phi_200_ = type_19(1u, _e99.member);
-                    } else {
-                        phi_177_ = _e99;
-                        phi_200_ = type_19(0u, type_19().member_1);
-                    }
-                    let _e111 = phi_177_;
-                    let _e113 = phi_200_;
-                    let _e117 = (bitcast<i32>(_e113.member) != 0i);
-                    if _e117 {
-                        let _e120 = local_1.member[_e113.member_1];
-                        let _e123 = local_2.member[_e113.member_1];
-                        if (_e120 < _e123) {
-                            phi_226_ = _e120;
-                        } else {
-                            phi_226_ = _e123;
-                        }
-                        let _e126 = phi_226_;
-                        local_1.member[_e113.member_1] = _e126;
-                        let _e131 = local_1.member_1[_e113.member_1];
-                        let _e134 = local_2.member_1[_e113.member_1];
-                        if (_e131 > _e134) {
-                            phi_253_ = _e131;
-                        } else {
-                            phi_253_ = _e134;
-                        }
-                        let _e137 = phi_253_;
-                        local_1.member_1[_e113.member_1] = _e137;
-                    }
-                    continue;
-                    continuing {
-                        phi_176_ = _e111;
-                        break if !(_e117);
-                    }
-                }
-                let _e141 = local_1;
-                phi_273_ = type_4(array<f32, 3>(_e141.member[0], _e141.member[1], _e141.member[2]), array<f32, 3>(_e141.member_1[0], _e141.member_1[1], _e141.member_1[2]));
-            } else {
-                phi_273_ = _e52;
-            }
-            let _e154 = phi_273_;
-            phi_106_ = _e154;
-        } else {
-            phi_106_ = type_4();
-        }
-        let _e156 = phi_106_;
-        continue;
-        continuing {
-            phi_102_ = _e64;
-            phi_105_ = _e156;
-            break if !(_e70);
-        }
-    }
-    let _e159 = local_5;
-    let _e166 = local_6;
-    local_3 = type_4(array<f32, 3>(_e159.member[0], _e159.member[1], _e159.member[2]), array<f32, 3>(_e166.member_1[0], _e166.member_1[1], _e166.member_1[2]));
-    let _e173 = local_3;
-    shared_[_e36] = _e173;
-    phi_311_ = type_17(0i, 8i);
-    phi_314_ = 128u;
-    loop {
-        let _e176 = phi_311_;
-        let _e178 = phi_314_;
-        if (_e176.member < _e176.member_1) {
-            let _e185 = (_e176.member + 1i);
-            if ((false == (_e185 > _e176.member)) != false) {
-                phi_335_ = true;
-            } else {
-                phi_335_ = false;
-            }
-            let _e190 = phi_335_;
-            if _e190 {
-                phi_341_ = type_18(0u, type_18().member_1);
-            } else {
-                phi_341_ = type_18(1u, _e185);
-            }
-            let _e195 = phi_341_;
-            phi_312_ = type_17(_e195.member_1, _e176.member_1);
-            phi_355_ = type_18(1u, _e176.member);
-        } else {
-            phi_312_ = _e176;
-            phi_355_ = type_18(0u, type_18().member_1);
-        }
-        let _e201 = phi_312_;
-        let _e203 = phi_355_;
-        let _e206 = (bitcast<i32>(_e203.member) != 0i);
-        if _e206 {
-            workgroupBarrier();
-            if (_e36 < _e178) {
-                let _e210 = shared_[(_e36 + _e178)];
-                local_4 = _e210;
-                let _e211 = local_3;
-                local = _e211;
-                phi_393_ = type_19(0u, 3u);
-                loop {
-                    let _e213 = phi_393_;
-                    if (_e213.member < _e213.member_1) {
-                        phi_394_ = type_19((_e213.member + 1u), _e213.member_1);
-                        phi_417_ = type_19(1u, _e213.member);
-                    } else {
-                        phi_394_ = _e213;
-                        phi_417_ = type_19(0u, type_19().member_1);
-                    }
-                    let _e225 = phi_394_;
-                    let _e227 = phi_417_;
-                    let _e231 = (bitcast<i32>(_e227.member) != 0i);
-                    if _e231 {
-                        let _e234 = local.member[_e227.member_1];
-                        let _e237 = local_4.member[_e227.member_1];
-                        if (_e234 < _e237) {
-                            phi_443_ = _e234;
-                        } else {
-                            phi_443_ = _e237;
-                        }
-                        let _e240 = phi_443_;
-                        local.member[_e227.member_1] = _e240;
-                        let _e245 = local.member_1[_e227.member_1];
-                        let _e248 = local_4.member_1[_e227.member_1];
-                        if (_e245 > _e248) {
-                            phi_470_ = _e245;
-                        } else {
-                            phi_470_ = _e248;
-                        }
-                        let _e251 = phi_470_;
-                        local.member_1[_e227.member_1] = _e251;
-                    }
-                    continue;
-                    continuing {
-                        phi_393_ = _e225;
-                        break if !(_e231);
-                    }
-                }
-                let _e255 = local;
-                local_3 = _e255;
-                let _e256 = local_3;
-                shared_[_e36] = _e256;
-            }
-            phi_315_ = (_e178 / 2u);
-        } else {
-            phi_315_ = u32();
-        }
-        let _e260 = phi_315_;
-        continue;
-        continuing {
-            phi_311_ = _e201;
-            phi_314_ = _e260;
-            break if !(_e206);
-        }
-    }
-    if (_e36 == 0u) {
-        phi_532_ = type_19(0u, 6u);
-        loop {
-            let _e264 = phi_532_;
-            if (_e264.member < _e264.member_1) {
-                phi_533_ = type_19((_e264.member + 1u), _e264.member_1);
-                phi_556_ = type_19(1u, _e264.member);
-            } else {
-                phi_533_ = _e264;
-                phi_556_ = type_19(0u, type_19().member_1);
-            }
-            let _e276 = phi_533_;
-            let _e278 = phi_556_;
-            let _e282 = (bitcast<i32>(_e278.member) != 0i);
-            if _e282 {
-                if (_e278.member_1 < 3u) {
-                    let _e298 = local_3.member[_e278.member_1];
-                    let _e299 = bitcast<u32>(_e298);
-                    if ((_e299 >> bitcast<u32>(31i)) == 1u) {
-                        phi_583_ = ~(_e299);
-                    } else {
-                        phi_583_ = (_e299 | 2147483648u);
-                    }
-                    let _e306 = phi_583_;
-                    phi_603_ = ~(_e306);
+        let _e59 = phi_99_;
+        let _e61 = phi_124_;
+        let _e65 = (bitcast<i32>(_e61.member) != 0i);
+        if _e65 {
+            let _e67 = (((((_e29.y * _e30.x) + _e29.x) * 2048u) + _e31) + (_e61.member_1 * 256u));
+            if (_e67 < _e43) {
+                let _e70 = boxes.member[_e67];
+                if (_e47.member[0] < _e70.member[0]) {
+                    phi_154_ = _e47.member[0];
                 } else {
-                    let _e287 = local_3.member_1[(_e278.member_1 - 3u)];
-                    let _e288 = bitcast<u32>(_e287);
-                    if ((_e288 >> bitcast<u32>(31i)) == 1u) {
-                        phi_602_ = ~(_e288);
-                    } else {
-                        phi_602_ = (_e288 | 2147483648u);
-                    }
-                    let _e295 = phi_602_;
-                    phi_603_ = _e295;
+                    phi_154_ = _e70.member[0];
                 }
-                let _e309 = phi_603_;
-                let _e311 = atomicMax((&words.member[_e278.member_1]), _e309);
+                let _e77 = phi_154_;
+                if (_e47.member[1] < _e70.member[1]) {
+                    phi_161_ = _e47.member[1];
+                } else {
+                    phi_161_ = _e70.member[1];
+                }
+                let _e84 = phi_161_;
+                if (_e47.member[2] < _e70.member[2]) {
+                    phi_168_ = _e47.member[2];
+                } else {
+                    phi_168_ = _e70.member[2];
+                }
+                let _e91 = phi_168_;
+                if (_e47.member_1[0] > _e70.member_1[0]) {
+                    phi_176_ = _e47.member_1[0];
+                } else {
+                    phi_176_ = _e70.member_1[0];
+                }
+                let _e99 = phi_176_;
+                if (_e47.member_1[1] > _e70.member_1[1]) {
+                    phi_183_ = _e47.member_1[1];
+                } else {
+                    phi_183_ = _e70.member_1[1];
+                }
+                let _e106 = phi_183_;
+                if (_e47.member_1[2] > _e70.member_1[2]) {
+                    phi_190_ = _e47.member_1[2];
+                } else {
+                    phi_190_ = _e70.member_1[2];
+                }
+                let _e113 = phi_190_;
+                phi_193_ = type_11(array<f32, 3>(_e77, _e84, _e91), array<f32, 3>(_e99, _e106, _e113));
+            } else {
+                phi_193_ = _e47;
+            }
+            let _e117 = phi_193_;
+            phi_102_ = _e117;
+        } else {
+            phi_102_ = type_11();
+        }
+        let _e119 = phi_102_;
+        continue;
+        continuing {
+            phi_98_ = _e59;
+            phi_101_ = _e119;
+            break if !(_e65);
+        }
+    }
+    let _e122 = local_1;
+    let _e129 = local_2;
+    local = type_11(array<f32, 3>(_e122.member[0], _e122.member[1], _e122.member[2]), array<f32, 3>(_e129.member_1[0], _e129.member_1[1], _e129.member_1[2]));
+    let _e138 = local_3;
+    let _e145 = local_4;
+    shared_[_e31] = type_11(array<f32, 3>(_e138.member[0], _e138.member[1], _e138.member[2]), array<f32, 3>(_e145.member_1[0], _e145.member_1[1], _e145.member_1[2]));
+    phi_231_ = type_17(0i, 8i);
+    phi_234_ = 128u;
+    loop {
+        let _e153 = phi_231_;
+        let _e155 = phi_234_;
+        if (_e153.member < _e153.member_1) {
+            let _e162 = (_e153.member + 1i);
+            if ((false == (_e162 > _e153.member)) != false) {
+                phi_255_ = true;
+            } else {
+                phi_255_ = false;
+            }
+            let _e167 = phi_255_;
+            if _e167 {
+                phi_261_ = type_18(0u, type_18().member_1);
+            } else {
+                phi_261_ = type_18(1u, _e162);
+            }
+            let _e172 = phi_261_;
+            phi_232_ = type_17(_e172.member_1, _e153.member_1);
+            phi_275_ = type_18(1u, _e153.member);
+        } else {
+            phi_232_ = _e153;
+            phi_275_ = type_18(0u, type_18().member_1);
+        }
+        let _e178 = phi_232_;
+        let _e180 = phi_275_;
+        let _e183 = (bitcast<i32>(_e180.member) != 0i);
+        if _e183 {
+            workgroupBarrier();
+            if (_e31 < _e155) {
+                let _e187 = shared_[(_e31 + _e155)];
+                let _e198 = local.member[0u];
+                if (_e198 < _e187.member[0]) {
+                    phi_307_ = _e198;
+                } else {
+                    phi_307_ = _e187.member[0];
+                }
+                let _e201 = phi_307_;
+                let _e204 = local.member[1u];
+                if (_e204 < _e187.member[1]) {
+                    phi_315_ = _e204;
+                } else {
+                    phi_315_ = _e187.member[1];
+                }
+                let _e207 = phi_315_;
+                let _e210 = local.member[2u];
+                if (_e210 < _e187.member[2]) {
+                    phi_323_ = _e210;
+                } else {
+                    phi_323_ = _e187.member[2];
+                }
+                let _e213 = phi_323_;
+                let _e216 = local.member_1[0u];
+                if (_e216 > _e187.member_1[0]) {
+                    phi_333_ = _e216;
+                } else {
+                    phi_333_ = _e187.member_1[0];
+                }
+                let _e219 = phi_333_;
+                let _e222 = local.member_1[1u];
+                if (_e222 > _e187.member_1[1]) {
+                    phi_342_ = _e222;
+                } else {
+                    phi_342_ = _e187.member_1[1];
+                }
+                let _e225 = phi_342_;
+                let _e228 = local.member_1[2u];
+                if (_e228 > _e187.member_1[2]) {
+                    phi_351_ = _e228;
+                } else {
+                    phi_351_ = _e187.member_1[2];
+                }
+                let _e231 = phi_351_;
+                local = type_11(array<f32, 3>(_e201, _e207, _e213), array<f32, 3>(_e219, _e225, _e231));
+                shared_[_e31] = type_11(array<f32, 3>(_e201, _e207, _e213), array<f32, 3>(_e219, _e225, _e231));
+            }
+            phi_235_ = (_e155 / 2u);
+        } else {
+            phi_235_ = u32();
+        }
+        let _e241 = phi_235_;
+        continue;
+        continuing {
+            phi_231_ = _e178;
+            phi_234_ = _e241;
+            break if !(_e183);
+        }
+    }
+    if (_e31 == 0u) {
+        phi_396_ = type_19(0u, 6u);
+        loop {
+            let _e245 = phi_396_;
+            if (_e245.member < _e245.member_1) {
+                phi_397_ = type_19((_e245.member + 1u), _e245.member_1);
+                phi_420_ = type_19(1u, _e245.member);
+            } else {
+                phi_397_ = _e245;
+                phi_420_ = type_19(0u, type_19().member_1);
+            }
+            let _e257 = phi_397_;
+            let _e259 = phi_420_;
+            let _e263 = (bitcast<i32>(_e259.member) != 0i);
+            if _e263 {
+                if (_e259.member_1 < 3u) {
+                    let _e279 = local.member[_e259.member_1];
+                    let _e280 = bitcast<u32>(_e279);
+                    if ((_e280 >> bitcast<u32>(31i)) == 1u) {
+                        phi_447_ = ~(_e280);
+                    } else {
+                        phi_447_ = (_e280 | 2147483648u);
+                    }
+                    let _e287 = phi_447_;
+                    phi_467_ = ~(_e287);
+                } else {
+                    let _e268 = local.member_1[(_e259.member_1 - 3u)];
+                    let _e269 = bitcast<u32>(_e268);
+                    if ((_e269 >> bitcast<u32>(31i)) == 1u) {
+                        phi_466_ = ~(_e269);
+                    } else {
+                        phi_466_ = (_e269 | 2147483648u);
+                    }
+                    let _e276 = phi_466_;
+                    phi_467_ = _e276;
+                }
+                let _e290 = phi_467_;
+                let _e292 = atomicMax((&words.member[_e259.member_1]), _e290);
             }
             continue;
             continuing {
-                phi_532_ = _e276;
-                break if !(_e282);
+                phi_396_ = _e257;
+                break if !(_e263);
             }
         }
     }

@@ -1,9 +1,4 @@
-struct type_4 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
-}
-
-struct type_10 {
+struct type_8 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -27,12 +22,17 @@ struct type_10 {
     member_20: array<array<u32, 4>, 8>,
 }
 
+struct type_9 {
+    member: type_8,
+}
+
 struct type_11 {
-    member: type_10,
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
 }
 
 struct type_13 {
-    member: array<type_4>,
+    member: array<type_11>,
 }
 
 struct type_16 {
@@ -50,51 +50,50 @@ struct type_20 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_11;
+var<storage> params: type_9;
 @group(0) @binding(2) 
 var<storage, read_write> boxes: type_13;
 @group(0) @binding(1) 
 var<storage> paths: type_20;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_4;
-    var local_1: type_4;
-    var local_2: type_4;
-    var local_3: type_4;
-    var local_4: type_4;
-    var phi_141_: type_16;
-    var phi_142_: type_16;
-    var phi_165_: type_16;
-    var phi_191_: f32;
-    var phi_218_: f32;
-    var phi_255_: type_16;
-    var phi_256_: type_16;
-    var phi_279_: type_16;
-    var phi_306_: bool;
-    var phi_323_: f32;
-    var phi_324_: f32;
-    var phi_325_: f32;
-    var phi_352_: bool;
-    var phi_369_: f32;
-    var phi_370_: f32;
-    var phi_371_: f32;
-    var phi_415_: type_16;
-    var phi_416_: type_16;
-    var phi_439_: type_16;
-    var phi_469_: bool;
-    var phi_486_: f32;
-    var phi_487_: f32;
-    var phi_488_: f32;
-    var phi_490_: f32;
-    var phi_496_: f32;
-    var phi_501_: f32;
-    var phi_530_: bool;
-    var phi_547_: f32;
-    var phi_548_: f32;
-    var phi_549_: f32;
-    var phi_550_: f32;
-    var phi_556_: f32;
-    var phi_561_: f32;
+    var local: type_11;
+    var local_1: type_11;
+    var local_2: type_11;
+    var phi_115_: f32;
+    var phi_120_: f32;
+    var phi_125_: f32;
+    var phi_131_: f32;
+    var phi_136_: f32;
+    var phi_141_: f32;
+    var phi_161_: type_16;
+    var phi_162_: type_16;
+    var phi_185_: type_16;
+    var phi_212_: bool;
+    var phi_229_: f32;
+    var phi_230_: f32;
+    var phi_231_: f32;
+    var phi_258_: bool;
+    var phi_275_: f32;
+    var phi_276_: f32;
+    var phi_277_: f32;
+    var phi_321_: type_16;
+    var phi_322_: type_16;
+    var phi_345_: type_16;
+    var phi_375_: bool;
+    var phi_392_: f32;
+    var phi_393_: f32;
+    var phi_394_: f32;
+    var phi_396_: f32;
+    var phi_402_: f32;
+    var phi_407_: f32;
+    var phi_436_: bool;
+    var phi_453_: f32;
+    var phi_454_: f32;
+    var phi_455_: f32;
+    var phi_456_: f32;
+    var phi_462_: f32;
+    var phi_467_: f32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -102,257 +101,251 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e23 = id_2;
-    let _e24 = n_2;
-    let _e25 = lane_2;
-    let _e35 = ((((_e23.y * _e24.x) + _e23.x) * 256u) + _e25);
-    let _e38 = params.member.member[0u];
-    if (_e35 < _e38) {
-        let _e41 = paths.member[_e35];
-        let _e43 = params.member.member_3;
-        local_3 = type_4(array<f32, 3>(_e41.member_1[0], _e41.member_1[1], _e41.member_1[2]), array<f32, 3>(_e41.member_1[0], _e41.member_1[1], _e41.member_1[2]));
-        local_2 = type_4(array<f32, 3>(_e41.member[0], _e41.member[1], _e41.member[2]), array<f32, 3>(_e41.member[0], _e41.member[1], _e41.member[2]));
-        phi_141_ = type_16(0u, 3u);
-        loop {
-            let _e59 = phi_141_;
-            if (_e59.member < _e59.member_1) {
-                phi_142_ = type_16((_e59.member + 1u), _e59.member_1);
-                phi_165_ = type_16(1u, _e59.member);
-            } else {
-                phi_142_ = _e59;
-                phi_165_ = type_16(0u, type_16().member_1);
-            }
-            let _e71 = phi_142_;
-            let _e73 = phi_165_;
-            let _e77 = (bitcast<i32>(_e73.member) != 0i);
-            if _e77 {
-                let _e80 = local_2.member[_e73.member_1];
-                let _e83 = local_3.member[_e73.member_1];
-                if (_e80 < _e83) {
-                    phi_191_ = _e80;
-                } else {
-                    phi_191_ = _e83;
-                }
-                let _e86 = phi_191_;
-                local_2.member[_e73.member_1] = _e86;
-                let _e91 = local_2.member_1[_e73.member_1];
-                let _e94 = local_3.member_1[_e73.member_1];
-                if (_e91 > _e94) {
-                    phi_218_ = _e91;
-                } else {
-                    phi_218_ = _e94;
-                }
-                let _e97 = phi_218_;
-                local_2.member_1[_e73.member_1] = _e97;
-            }
-            continue;
-            continuing {
-                phi_141_ = _e71;
-                break if !(_e77);
-            }
+    let _e21 = id_2;
+    let _e22 = n_2;
+    let _e23 = lane_2;
+    let _e33 = ((((_e21.y * _e22.x) + _e21.x) * 256u) + _e23);
+    let _e36 = params.member.member[0u];
+    if (_e33 < _e36) {
+        let _e39 = paths.member[_e33];
+        let _e41 = params.member.member_3;
+        if (_e39.member[0] < _e39.member_1[0]) {
+            phi_115_ = _e39.member[0];
+        } else {
+            phi_115_ = _e39.member_1[0];
         }
-        let _e101 = local_2;
-        if (_e43 > 0f) {
-            local_1 = _e101;
-            phi_255_ = type_16(0u, 3u);
+        let _e52 = phi_115_;
+        if (_e39.member[1] < _e39.member_1[1]) {
+            phi_120_ = _e39.member[1];
+        } else {
+            phi_120_ = _e39.member_1[1];
+        }
+        let _e55 = phi_120_;
+        if (_e39.member[2] < _e39.member_1[2]) {
+            phi_125_ = _e39.member[2];
+        } else {
+            phi_125_ = _e39.member_1[2];
+        }
+        let _e58 = phi_125_;
+        if (_e39.member[0] > _e39.member_1[0]) {
+            phi_131_ = _e39.member[0];
+        } else {
+            phi_131_ = _e39.member_1[0];
+        }
+        let _e61 = phi_131_;
+        if (_e39.member[1] > _e39.member_1[1]) {
+            phi_136_ = _e39.member[1];
+        } else {
+            phi_136_ = _e39.member_1[1];
+        }
+        let _e64 = phi_136_;
+        if (_e39.member[2] > _e39.member_1[2]) {
+            phi_141_ = _e39.member[2];
+        } else {
+            phi_141_ = _e39.member_1[2];
+        }
+        let _e67 = phi_141_;
+        if (_e41 > 0f) {
+            local_1 = type_11(array<f32, 3>(_e52, _e55, _e58), array<f32, 3>(_e61, _e64, _e67));
+            phi_161_ = type_16(0u, 3u);
             loop {
-                let _e104 = phi_255_;
-                if (_e104.member < _e104.member_1) {
-                    phi_256_ = type_16((_e104.member + 1u), _e104.member_1);
-                    phi_279_ = type_16(1u, _e104.member);
+                let _e76 = phi_161_;
+                if (_e76.member < _e76.member_1) {
+                    phi_162_ = type_16((_e76.member + 1u), _e76.member_1);
+                    phi_185_ = type_16(1u, _e76.member);
                 } else {
-                    phi_256_ = _e104;
-                    phi_279_ = type_16(0u, type_16().member_1);
+                    phi_162_ = _e76;
+                    phi_185_ = type_16(0u, type_16().member_1);
                 }
-                let _e116 = phi_256_;
-                let _e118 = phi_279_;
-                let _e122 = (bitcast<i32>(_e118.member) != 0i);
-                if _e122 {
-                    let _e125 = local_1.member[_e118.member_1];
-                    let _e127 = -((_e125 - _e43));
-                    let _e128 = bitcast<u32>(_e127);
-                    if ((_e128 & 2139095040u) == 2139095040u) {
-                        phi_306_ = (_e127 < 0f);
+                let _e88 = phi_162_;
+                let _e90 = phi_185_;
+                let _e94 = (bitcast<i32>(_e90.member) != 0i);
+                if _e94 {
+                    let _e97 = local_1.member[_e90.member_1];
+                    let _e99 = -((_e97 - _e41));
+                    let _e100 = bitcast<u32>(_e99);
+                    if ((_e100 & 2139095040u) == 2139095040u) {
+                        phi_212_ = (_e99 < 0f);
                     } else {
-                        phi_306_ = true;
+                        phi_212_ = true;
                     }
-                    let _e133 = phi_306_;
-                    if _e133 {
-                        if (_e127 > 0f) {
-                            phi_324_ = bitcast<f32>((_e128 + 1u));
+                    let _e105 = phi_212_;
+                    if _e105 {
+                        if (_e99 > 0f) {
+                            phi_230_ = bitcast<f32>((_e100 + 1u));
                         } else {
-                            if (_e127 < 0f) {
-                                phi_323_ = bitcast<f32>((_e128 - 1u));
+                            if (_e99 < 0f) {
+                                phi_229_ = bitcast<f32>((_e100 - 1u));
                             } else {
-                                phi_323_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_229_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e139 = phi_323_;
-                            phi_324_ = _e139;
+                            let _e111 = phi_229_;
+                            phi_230_ = _e111;
                         }
-                        let _e143 = phi_324_;
-                        phi_325_ = _e143;
+                        let _e115 = phi_230_;
+                        phi_231_ = _e115;
                     } else {
-                        phi_325_ = _e127;
+                        phi_231_ = _e99;
                     }
-                    let _e145 = phi_325_;
-                    local_1.member[_e118.member_1] = -(_e145);
-                    let _e151 = local_1.member_1[_e118.member_1];
-                    let _e152 = (_e151 + _e43);
-                    let _e153 = bitcast<u32>(_e152);
-                    if ((_e153 & 2139095040u) == 2139095040u) {
-                        phi_352_ = (_e152 < 0f);
+                    let _e117 = phi_231_;
+                    local_1.member[_e90.member_1] = -(_e117);
+                    let _e123 = local_1.member_1[_e90.member_1];
+                    let _e124 = (_e123 + _e41);
+                    let _e125 = bitcast<u32>(_e124);
+                    if ((_e125 & 2139095040u) == 2139095040u) {
+                        phi_258_ = (_e124 < 0f);
                     } else {
-                        phi_352_ = true;
+                        phi_258_ = true;
                     }
-                    let _e158 = phi_352_;
-                    if _e158 {
-                        if (_e152 > 0f) {
-                            phi_370_ = bitcast<f32>((_e153 + 1u));
+                    let _e130 = phi_258_;
+                    if _e130 {
+                        if (_e124 > 0f) {
+                            phi_276_ = bitcast<f32>((_e125 + 1u));
                         } else {
-                            if (_e152 < 0f) {
-                                phi_369_ = bitcast<f32>((_e153 - 1u));
+                            if (_e124 < 0f) {
+                                phi_275_ = bitcast<f32>((_e125 - 1u));
                             } else {
-                                phi_369_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_275_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e164 = phi_369_;
-                            phi_370_ = _e164;
+                            let _e136 = phi_275_;
+                            phi_276_ = _e136;
                         }
-                        let _e168 = phi_370_;
-                        phi_371_ = _e168;
+                        let _e140 = phi_276_;
+                        phi_277_ = _e140;
                     } else {
-                        phi_371_ = _e152;
+                        phi_277_ = _e124;
                     }
-                    let _e170 = phi_371_;
-                    local_1.member_1[_e118.member_1] = _e170;
+                    let _e142 = phi_277_;
+                    local_1.member_1[_e90.member_1] = _e142;
                 }
                 continue;
                 continuing {
-                    phi_255_ = _e116;
-                    break if !(_e122);
+                    phi_161_ = _e88;
+                    break if !(_e94);
                 }
             }
         } else {
-            local_1 = _e101;
+            local_1 = type_11(array<f32, 3>(_e52, _e55, _e58), array<f32, 3>(_e61, _e64, _e67));
         }
-        let _e174 = local_1;
-        local_4 = _e174;
-        local = type_4(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_415_ = type_16(0u, 3u);
+        let _e146 = local_1;
+        local_2 = _e146;
+        local = type_11(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_321_ = type_16(0u, 3u);
         loop {
-            let _e176 = phi_415_;
-            if (_e176.member < _e176.member_1) {
-                phi_416_ = type_16((_e176.member + 1u), _e176.member_1);
-                phi_439_ = type_16(1u, _e176.member);
+            let _e148 = phi_321_;
+            if (_e148.member < _e148.member_1) {
+                phi_322_ = type_16((_e148.member + 1u), _e148.member_1);
+                phi_345_ = type_16(1u, _e148.member);
             } else {
-                phi_416_ = _e176;
-                phi_439_ = type_16(0u, type_16().member_1);
+                phi_322_ = _e148;
+                phi_345_ = type_16(0u, type_16().member_1);
             }
-            let _e188 = phi_416_;
-            let _e190 = phi_439_;
-            let _e194 = (bitcast<i32>(_e190.member) != 0i);
-            if _e194 {
-                let _e197 = local_4.member[_e190.member_1];
-                if (_e197 > _e197) {
-                    let _e199 = -(_e197);
-                    let _e200 = bitcast<u32>(_e199);
-                    if ((_e200 & 2139095040u) == 2139095040u) {
-                        phi_469_ = (_e199 < 0f);
+            let _e160 = phi_322_;
+            let _e162 = phi_345_;
+            let _e166 = (bitcast<i32>(_e162.member) != 0i);
+            if _e166 {
+                let _e169 = local_2.member[_e162.member_1];
+                if (_e169 > _e169) {
+                    let _e171 = -(_e169);
+                    let _e172 = bitcast<u32>(_e171);
+                    if ((_e172 & 2139095040u) == 2139095040u) {
+                        phi_375_ = (_e171 < 0f);
                     } else {
-                        phi_469_ = true;
+                        phi_375_ = true;
                     }
-                    let _e205 = phi_469_;
-                    if _e205 {
-                        if (_e199 > 0f) {
-                            phi_487_ = bitcast<f32>((_e200 + 1u));
+                    let _e177 = phi_375_;
+                    if _e177 {
+                        if (_e171 > 0f) {
+                            phi_393_ = bitcast<f32>((_e172 + 1u));
                         } else {
-                            if (_e199 < 0f) {
-                                phi_486_ = bitcast<f32>((_e200 - 1u));
+                            if (_e171 < 0f) {
+                                phi_392_ = bitcast<f32>((_e172 - 1u));
                             } else {
-                                phi_486_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_392_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e211 = phi_486_;
-                            phi_487_ = _e211;
+                            let _e183 = phi_392_;
+                            phi_393_ = _e183;
                         }
-                        let _e215 = phi_487_;
-                        phi_488_ = _e215;
+                        let _e187 = phi_393_;
+                        phi_394_ = _e187;
                     } else {
-                        phi_488_ = _e199;
+                        phi_394_ = _e171;
                     }
-                    let _e217 = phi_488_;
-                    phi_490_ = -(_e217);
+                    let _e189 = phi_394_;
+                    phi_396_ = -(_e189);
                 } else {
-                    phi_490_ = _e197;
+                    phi_396_ = _e169;
                 }
-                let _e220 = phi_490_;
-                let _e221 = -(290000000000000000000000000000000000000f);
-                if (_e220 > _e221) {
-                    phi_496_ = _e220;
+                let _e192 = phi_396_;
+                let _e193 = -(290000000000000000000000000000000000000f);
+                if (_e192 > _e193) {
+                    phi_402_ = _e192;
                 } else {
-                    phi_496_ = _e221;
+                    phi_402_ = _e193;
                 }
-                let _e224 = phi_496_;
-                if (_e224 < 290000000000000000000000000000000000000f) {
-                    phi_501_ = _e224;
+                let _e196 = phi_402_;
+                if (_e196 < 290000000000000000000000000000000000000f) {
+                    phi_407_ = _e196;
                 } else {
-                    phi_501_ = 290000000000000000000000000000000000000f;
+                    phi_407_ = 290000000000000000000000000000000000000f;
                 }
-                let _e227 = phi_501_;
-                local.member[_e190.member_1] = _e227;
-                let _e232 = local_4.member_1[_e190.member_1];
-                if (_e232 < _e232) {
-                    let _e234 = bitcast<u32>(_e232);
-                    if ((_e234 & 2139095040u) == 2139095040u) {
-                        phi_530_ = (_e232 < 0f);
+                let _e199 = phi_407_;
+                local.member[_e162.member_1] = _e199;
+                let _e204 = local_2.member_1[_e162.member_1];
+                if (_e204 < _e204) {
+                    let _e206 = bitcast<u32>(_e204);
+                    if ((_e206 & 2139095040u) == 2139095040u) {
+                        phi_436_ = (_e204 < 0f);
                     } else {
-                        phi_530_ = true;
+                        phi_436_ = true;
                     }
-                    let _e239 = phi_530_;
-                    if _e239 {
-                        if (_e232 > 0f) {
-                            phi_548_ = bitcast<f32>((_e234 + 1u));
+                    let _e211 = phi_436_;
+                    if _e211 {
+                        if (_e204 > 0f) {
+                            phi_454_ = bitcast<f32>((_e206 + 1u));
                         } else {
-                            if (_e232 < 0f) {
-                                phi_547_ = bitcast<f32>((_e234 - 1u));
+                            if (_e204 < 0f) {
+                                phi_453_ = bitcast<f32>((_e206 - 1u));
                             } else {
-                                phi_547_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_453_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e245 = phi_547_;
-                            phi_548_ = _e245;
+                            let _e217 = phi_453_;
+                            phi_454_ = _e217;
                         }
-                        let _e249 = phi_548_;
-                        phi_549_ = _e249;
+                        let _e221 = phi_454_;
+                        phi_455_ = _e221;
                     } else {
-                        phi_549_ = _e232;
+                        phi_455_ = _e204;
                     }
-                    let _e251 = phi_549_;
-                    phi_550_ = _e251;
+                    let _e223 = phi_455_;
+                    phi_456_ = _e223;
                 } else {
-                    phi_550_ = _e232;
+                    phi_456_ = _e204;
                 }
-                let _e253 = phi_550_;
-                let _e254 = -(290000000000000000000000000000000000000f);
-                if (_e253 > _e254) {
-                    phi_556_ = _e253;
+                let _e225 = phi_456_;
+                let _e226 = -(290000000000000000000000000000000000000f);
+                if (_e225 > _e226) {
+                    phi_462_ = _e225;
                 } else {
-                    phi_556_ = _e254;
+                    phi_462_ = _e226;
                 }
-                let _e257 = phi_556_;
-                if (_e257 < 290000000000000000000000000000000000000f) {
-                    phi_561_ = _e257;
+                let _e229 = phi_462_;
+                if (_e229 < 290000000000000000000000000000000000000f) {
+                    phi_467_ = _e229;
                 } else {
-                    phi_561_ = 290000000000000000000000000000000000000f;
+                    phi_467_ = 290000000000000000000000000000000000000f;
                 }
-                let _e260 = phi_561_;
-                local.member_1[_e190.member_1] = _e260;
+                let _e232 = phi_467_;
+                local.member_1[_e162.member_1] = _e232;
             }
             continue;
             continuing {
-                phi_415_ = _e188;
-                break if !(_e194);
+                phi_321_ = _e160;
+                break if !(_e166);
             }
         }
-        let _e264 = local;
-        boxes.member[_e35] = type_4(array<f32, 3>(_e264.member[0], _e264.member[1], _e264.member[2]), array<f32, 3>(_e264.member_1[0], _e264.member_1[1], _e264.member_1[2]));
+        let _e236 = local;
+        boxes.member[_e33] = type_11(array<f32, 3>(_e236.member[0], _e236.member[1], _e236.member[2]), array<f32, 3>(_e236.member_1[0], _e236.member_1[1], _e236.member_1[2]));
     }
     return;
 }

@@ -168,7 +168,7 @@ impl Device {
         };
         if adapter.backend == wgpu::Backend::Gl {
             // Its kernels were seen to end without results and without an error.
-            let why = format!("{} through OpenGL: kernels do not run there; Vulkan, Metal, DX12 and WebGPU are supported", adapter.name);
+            let why = format!("{} through OpenGL: kernels do not run there; Vulkan, Metal and DX12 are supported", adapter.name);
             return Err(Error::Unavailable { why });
         }
         let limits = device.limits();

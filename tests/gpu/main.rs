@@ -5,8 +5,10 @@
 
 mod failures;
 mod kernels;
+mod pairs;
 mod scalars;
 mod scenes;
+mod support;
 mod twin;
 
 use ccd::gpu::{Device, DeviceOptions, Path};
@@ -61,7 +63,7 @@ fn main() {
         Err(why) => vec![("no_device", Err(why.clone()))],
     };
     for (path, device) in each {
-        for (name, test) in kernels::TESTS.iter().chain(scalars::TESTS).chain(failures::TESTS) {
+        for (name, test) in kernels::TESTS.iter().chain(pairs::TESTS).chain(scalars::TESTS).chain(failures::TESTS) {
             add(&mut trials, format!("{path}_{name}"), Box::new(test), device.clone());
         }
         for (name, test) in scenes::tests() {

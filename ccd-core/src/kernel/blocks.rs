@@ -138,11 +138,13 @@ fn overlap_surely(a: &Aabb<f32>, b: &Aabb<f32>, slack: f32) -> bool {
 /// Whether the exact boxes of two features overlap.
 #[inline(always)]
 fn overlap_exactly(p: &[u32; 3], q: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> bool {
-    let mut overlap = true;
-    for k in 0..3 {
-        overlap &= !above(least(p, keys, k), greatest(q, keys, k)) & !above(least(q, keys, k), greatest(p, keys, k));
-    }
-    overlap
+    overlap_on::<0, 3>(p, q, keys) & overlap_on::<1, 4>(p, q, keys) & overlap_on::<2, 5>(p, q, keys)
+}
+
+/// Whether they overlap on an axis whose bounds are the keys `MIN` and `MAX` of a vertex.
+#[inline(always)]
+fn overlap_on<const MIN: usize, const MAX: usize>(p: &[u32; 3], q: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> bool {
+    !above(least::<MIN>(p, keys), greatest::<MAX>(q, keys)) & !above(least::<MIN>(q, keys), greatest::<MAX>(p, keys))
 }
 
 /// Whether the number of key `a` is greater than that of key `b`.
@@ -152,27 +154,17 @@ fn above(a: [u32; 2], b: [u32; 2]) -> bool {
 }
 
 #[inline(always)]
-fn least(vertices: &[u32; 3], keys: &[[[u32; 2]; 6]], axis: usize) -> [u32; 2] {
-    let mut out = at(keys, vertices[0] as usize)[axis];
-    for i in 1..3 {
-        let next = at(keys, vertices[i] as usize)[axis];
-        if above(out, next) {
-            out = next;
-        }
-    }
-    out
+fn least<const KEY: usize>(vertices: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> [u32; 2] {
+    let lesser = |a: [u32; 2], b: [u32; 2]| if above(a, b) { b } else { a };
+    let key = |i: u32| at(keys, i as usize)[KEY];
+    lesser(lesser(key(vertices[0]), key(vertices[1])), key(vertices[2]))
 }
 
 #[inline(always)]
-fn greatest(vertices: &[u32; 3], keys: &[[[u32; 2]; 6]], axis: usize) -> [u32; 2] {
-    let mut out = at(keys, vertices[0] as usize)[3 + axis];
-    for i in 1..3 {
-        let next = at(keys, vertices[i] as usize)[3 + axis];
-        if above(next, out) {
-            out = next;
-        }
-    }
-    out
+fn greatest<const KEY: usize>(vertices: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> [u32; 2] {
+    let greater = |a: [u32; 2], b: [u32; 2]| if above(b, a) { b } else { a };
+    let key = |i: u32| at(keys, i as usize)[KEY];
+    greater(greater(key(vertices[0]), key(vertices[1])), key(vertices[2]))
 }
 
 /// A bound as two words, low first, whose order as integers is that of the numbers: exact comparisons on devices without `f64`.

@@ -96,23 +96,21 @@ pub fn edge_edge_wide(pair: Pair, params: &Params, paths: &[Path], wide: &[[f64;
 
 /// Positions as given: in `f32` if those are exact.
 #[inline(always)]
-fn wide_ends(ids: [u32; 4], params: &Params, paths: &[Path], wide: &[[f64; 3]]) -> ([[f64; 3]; 4], [[f64; 3]; 4]) {
-    let mut x0 = [[0.0; 3]; 4];
-    let mut x1 = [[0.0; 3]; 4];
+fn wide_ends(ids: [u32; 4], params: &Params, paths: &[Path], positions: &[[f64; 3]]) -> ([[f64; 3]; 4], [[f64; 3]; 4]) {
     if params.has(Params::FLAG_EXACT) {
         let (p, q) = ends(ids, paths);
-        for i in 0..4 {
-            for k in 0..3 {
-                x0[i][k] = p[i][k] as f64;
-                x1[i][k] = q[i][k] as f64;
-            }
-        }
+        (widened(p), widened(q))
     } else {
-        for i in 0..4 {
-            (x0[i], x1[i]) = given(ids[i], params, wide);
-        }
+        let (v0, v1) = (given(ids[0], params, positions), given(ids[1], params, positions));
+        let (v2, v3) = (given(ids[2], params, positions), given(ids[3], params, positions));
+        ([v0.0, v1.0, v2.0, v3.0], [v0.1, v1.1, v2.1, v3.1])
     }
-    (x0, x1)
+}
+
+#[inline(always)]
+fn widened(x: [[f32; 3]; 4]) -> [[f64; 3]; 4] {
+    let wide = |p: [f32; 3]| [p[0] as f64, p[1] as f64, p[2] as f64];
+    [wide(x[0]), wide(x[1]), wide(x[2]), wide(x[3])]
 }
 
 #[cfg(test)]

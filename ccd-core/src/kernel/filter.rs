@@ -43,8 +43,8 @@ fn may_touch(m: &Motion<f32>, patch: Patch, min_distance: f32) -> bool {
     if apart(m, patch, min_distance) {
         return false;
     }
-    let halves = m.halves();
-    !(apart(&halves[0], patch, min_distance) && apart(&halves[1], patch, min_distance))
+    let (first, second) = m.halves();
+    !(apart(&first, patch, min_distance) && apart(&second, patch, min_distance))
 }
 
 #[inline(always)]

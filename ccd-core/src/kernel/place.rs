@@ -83,7 +83,7 @@ mod tests {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             // Exponents from 2^-100 to 2^100; every fourth exactly between two f32.
             let exponent = (1023 - 100 + (state >> 50) % 200) << 52;
-            let fraction = if state % 4 == 0 { (state >> 12) & !0x1fff_ffff | 0x1000_0000 } else { state >> 12 };
+            let fraction = if state.is_multiple_of(4) { (state >> 12) & !0x1fff_ffff | 0x1000_0000 } else { state >> 12 };
             let x = f64::from_bits(state >> 63 << 63 | exponent | fraction & ((1 << 52) - 1));
             assert_eq!(nearest(x).to_bits(), (x as f32).to_bits(), "{x:e}");
         }

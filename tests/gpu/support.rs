@@ -1,0 +1,80 @@
+//! What tests of single kernels share: bytes, scenes, lists, comparisons of boxes.
+
+use crate::twin::Twin;
+use ccd::{Aabb, Pair};
+use ccd_core::layout::{LIST_HEADER, Path};
+use ccd_testkit::brute;
+use ccd_testkit::generate::{Random, Step, crumpled_sheet};
+
+pub fn bytes<T: bytemuck::Pod>(x: &[T]) -> Vec<u8> {
+    bytemuck::cast_slice(x).to_vec()
+}
+
+pub fn read<T: bytemuck::Pod>(bytes: &[u8]) -> Vec<T> {
+    bytemuck::pod_collect_to_vec(bytes)
+}
+
+const POISON: [f32; 14] =
+    [0.0, -0.0, 1e-45, -1e-40, f32::MIN_POSITIVE, 1.0, -1.0, 1e30, -1e38, 2.9e38, -2.9e38, 3.4e38, f32::NAN, f32::INFINITY];
+
+/// Paths of a scene, and paths of poison.
+pub fn paths(step: &Step, poison: bool) -> Vec<Path> {
+    let four = |p: &[f64; 3]| [p[0] as f32, p[1] as f32, p[2] as f32, 0.0];
+    let mut out: Vec<Path> = step.x0.iter().zip(&step.x1).map(|(p, q)| Path { t0: four(p), t1: four(q) }).collect();
+    let mut random = Random::new(4);
+    let mut pick = || POISON[random.below(POISON.len() as u32) as usize];
+    if poison {
+        out.iter_mut().step_by(3).for_each(|p| *p = Path { t0: [pick(), pick(), pick(), 0.0], t1: [pick(), pick(), pick(), 0.0] });
+    }
+    out
+}
+
+/// Equal bits, or both NaN, or both so small that a device may flush them.
+pub fn same(a: f32, b: f32) -> bool {
+    let small = |x: f32| x.abs() < f32::MIN_POSITIVE;
+    a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan() || small(a) && small(b)
+}
+
+pub fn check_boxes(what: &str, want: &[Aabb], got: &[Aabb]) {
+    assert_eq!(want.len(), got.len(), "{what}");
+    for (i, (w, g)) in want.iter().zip(got).enumerate() {
+        let fine = (0..3).all(|k| same(w.min[k], g.min[k]) && same(w.max[k], g.max[k]));
+        assert!(fine, "{what} {i}: {w:?} on the CPU, {g:?} on the device");
+    }
+}
+
+/// A path's box, by hand.
+pub fn swept(p: &Path) -> Aabb {
+    let low = |a: f32, b: f32| if a < b { a } else { b };
+    let high = |a: f32, b: f32| if a > b { a } else { b };
+    let clamp = |x: f32| low(high(x, -2.9e38), 2.9e38);
+    Aabb { min: std::array::from_fn(|k| clamp(low(p.t0[k], p.t1[k]))), max: std::array::from_fn(|k| clamp(high(p.t0[k], p.t1[k]))) }
+}
+
+pub fn twin(n: usize, seed: u32) -> (Twin, Step) {
+    let step = crumpled_sheet(n, seed);
+    let single = |x: &[[f64; 3]]| x.iter().map(|p| p.map(|c| c as f32)).collect::<Vec<[f32; 3]>>();
+    let sets = brute::swept_boxes(&step.mesh, &single(&step.x0), &single(&step.x1));
+    let mesh = step.mesh.clone();
+    let twin = Twin::new([&sets[0], &sets[1], &sets[2]], |set, i| match set {
+        0 => [i; 3],
+        1 => [mesh.edges()[i as usize][0], mesh.edges()[i as usize][1], mesh.edges()[i as usize][1]],
+        _ => mesh.faces()[i as usize],
+    });
+    (twin, step)
+}
+
+pub fn list(pairs: &[Pair]) -> Vec<u8> {
+    let mut words = vec![pairs.len() as u32, 0, 0, 0];
+    words.extend(pairs.iter().flat_map(|p| [p.a, p.b]));
+    bytes(&words)
+}
+
+pub fn entries(list: &[u8]) -> Vec<Pair> {
+    let words: Vec<u32> = read(list);
+    words[LIST_HEADER..LIST_HEADER + 2 * words[0] as usize].chunks_exact(2).map(|p| Pair { a: p[0], b: p[1] }).collect()
+}
+
+pub fn room(n: u32) -> Vec<u8> {
+    vec![0; 4 * (LIST_HEADER + 2 * n as usize)]
+}
