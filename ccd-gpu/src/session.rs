@@ -26,6 +26,8 @@ pub struct Session {
     report: Report,
     stages: Vec<(&'static str, f64)>,
     grown: u32,
+    /// Contacts that the device found in the last step: about as many are read with the results of the next.
+    expected: u32,
     /// Calls for which the earliest time is looked for at once, because a sample did not pay the last time.
     at_once: u32,
     left_open: PerKind,
@@ -71,6 +73,7 @@ impl Session {
             report: Report::default(),
             stages: Vec::new(),
             grown: 0,
+            expected: 0,
             at_once: 0,
             left_open: PerKind::default(),
         })
@@ -210,12 +213,11 @@ impl Session {
         if positions.upload(&self.device, x0, x1, distance, &tree.boxes)? {
             self.bench.forget();
         }
-        let last = self.report.contacts.len() as u32;
         self.report = Report { contacts: std::mem::take(&mut self.report.contacts), rebuilt: true, ..Report::default() };
         self.report.contacts.clear();
         let uploaded = start.elapsed();
         let found = loop {
-            match self.attempt(goal, last)? {
+            match self.attempt(goal)? {
                 Some(found) => break found,
                 None => self.grown += 1,
             }
@@ -226,23 +228,27 @@ impl Session {
         Ok(())
     }
 
-    /// Makes room for the order of as many contacts as are expected to be read at once, if they are many. Returns their number.
-    fn plan_contacts(&mut self, goal: Goal, last: u32) -> Result<u32, Error> {
-        let Self { device, buffers, bench, .. } = self;
-        let n = if goal == Goal::Contacts { (last + last / 4 + 256).min(buffers.contacts.room()) } else { 0 };
-        buffers.to_order = if last >= order::FEWEST { n } else { 0 };
+    /// Makes room for the order of as many contacts as are expected, if they are many. Returns how many are to be read at once.
+    fn plan_contacts(&mut self, goal: Goal) -> Result<u32, Error> {
+        let Self { device, buffers, bench, expected, .. } = self;
+        let n = if goal == Goal::Contacts { (*expected + *expected / 4 + 256).min(buffers.contacts.room()) } else { 0 };
+        buffers.to_order = if *expected >= order::FEWEST { n } else { 0 };
         if buffers.order.as_ref().map_or(0, Order::room) < buffers.to_order {
-            // As for lists: some more, or else just enough.
             buffers.order = None;
-            buffers.order = Some(Order::new(device, n + n / 4).or_else(|_| Order::new(device, n))?);
             bench.forget();
+            // As for lists: some more, or else just enough; where there is no memory even for that, the host sorts.
+            match Order::new(device, n + n / 4).or_else(|_| Order::new(device, n)) {
+                Ok(order) => buffers.order = Some(order),
+                Err(Error::TooLarge { .. } | Error::OutOfMemory { .. }) => buffers.to_order = 0,
+                Err(e) => return Err(e),
+            }
         }
         Ok(n)
     }
 
-    /// Runs a frame; `None` if a list was too short and has been replaced. `last`: contacts of the last one.
-    fn attempt(&mut self, goal: Goal, last: u32) -> Result<Option<Found>, Error> {
-        let guess = self.plan_contacts(goal, last)?;
+    /// Runs a frame; `None` if a list was too short and has been replaced.
+    fn attempt(&mut self, goal: Goal) -> Result<Option<Found>, Error> {
+        let guess = self.plan_contacts(goal)?;
         let Self { device, buffers, bench, readback, report, .. } = self;
         let params = buffers.params(&self.options);
         let heads: Vec<List> = buffers.lists().cloned().collect();
@@ -303,6 +309,9 @@ impl Session {
         }
         let (n_contacts, n_open) = (contacts[0], [open_vf[0], open_ee[0]]);
         let beyond = goal == Goal::Contacts && n_contacts > guess;
+        if goal == Goal::Contacts {
+            self.expected = n_contacts;
+        }
         found.in_order = !beyond && buffers.to_order > 0;
         if beyond || !wide && n_open != [0, 0] {
             self.read_rest(&mut found, if beyond { n_contacts } else { 0 }, n_open)?;
