@@ -82,12 +82,7 @@ impl Bench {
 
     /// Starts recording into `encoder`.
     pub fn record<'a>(&'a mut self, encoder: &'a mut wgpu::CommandEncoder) -> Recorder<'a> {
-        let mut recorder = Recorder { bench: self, encoder, pass: None, params: Vec::new(), stages: Vec::new(), ended: false };
-        if recorder.bench.timing == Timing::Whole {
-            recorder.stages.push("whole");
-            recorder.stamp(Some(0), None);
-        }
-        recorder
+        Recorder { bench: self, encoder, pass: None, params: Vec::new(), stages: Vec::new(), ended: false }
     }
 
     /// Milliseconds between the first and the last timestamp of each stage that was recorded last; the work must be done.
@@ -131,20 +126,19 @@ impl Recorder<'_> {
     /// The last kernel was recorded; what comes now only hands results over.
     pub fn end_of_work(&mut self) {
         self.pass = None;
-        if self.bench.timing == Timing::Whole && !self.ended {
-            self.stamp(None, Some(1));
+        if self.bench.timing == Timing::Whole
+            && !self.stages.is_empty()
+            && !self.ended
+            && let Some(timer) = &self.bench.timer
+        {
+            let writes = wgpu::ComputePassTimestampWrites {
+                query_set: &timer.queries,
+                beginning_of_pass_write_index: None,
+                end_of_pass_write_index: Some(1),
+            };
+            self.encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some("end"), timestamp_writes: Some(writes) });
         }
         self.ended = true;
-    }
-
-    /// Writes a timestamp, in a pass that does nothing else.
-    fn stamp(&mut self, beginning: Option<u32>, end: Option<u32>) {
-        let timestamp_writes = self.bench.timer.as_ref().map(|timer| wgpu::ComputePassTimestampWrites {
-            query_set: &timer.queries,
-            beginning_of_pass_write_index: beginning,
-            end_of_pass_write_index: end,
-        });
-        self.encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some("timestamp"), timestamp_writes });
     }
 
     /// Sets the first `bytes` of a buffer to zero.
@@ -177,12 +171,23 @@ impl Recorder<'_> {
             bench.device.wgpu().create_bind_group(&descriptor)
         });
         let pass = self.pass.get_or_insert_with(|| {
-            let at = 2 * (self.stages.len() as u32).saturating_sub(1);
-            let by_stage = matches!(bench.timing, Timing::Stages | Timing::Kernels) && !self.stages.is_empty();
-            let timestamp_writes = bench.timer.as_ref().filter(|_| by_stage).map(|timer| wgpu::ComputePassTimestampWrites {
+            let writes = match bench.timing {
+                Timing::Off => None,
+                // With the first kernel, because uploads arrive until then.
+                Timing::Whole if self.stages.is_empty() => {
+                    self.stages.push("whole");
+                    Some((0, None))
+                }
+                Timing::Whole => None,
+                Timing::Stages | Timing::Kernels => {
+                    let last = self.stages.len().checked_sub(1).map(|last| 2 * last as u32);
+                    last.map(|at| (at, Some(at + 1)))
+                }
+            };
+            let timestamp_writes = bench.timer.as_ref().zip(writes).map(|(timer, (begin, end))| wgpu::ComputePassTimestampWrites {
                 query_set: &timer.queries,
-                beginning_of_pass_write_index: Some(at),
-                end_of_pass_write_index: Some(at + 1),
+                beginning_of_pass_write_index: Some(begin),
+                end_of_pass_write_index: end,
             });
             self.encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some("ccd"), timestamp_writes }).forget_lifetime()
         });

@@ -287,6 +287,14 @@ impl AnyBroadPhase {
         }
     }
 
+    /// The last count once more, of the boxes that a GPU has already; `None` on the CPU.
+    pub fn again(&mut self) -> Result<Option<usize>, gpu::Error> {
+        match self {
+            Self::Cpu(_) => Ok(None),
+            Self::Gpu { broad, .. } => broad.again().map(|n| Some(n as usize)),
+        }
+    }
+
     /// Where it runs.
     pub fn place(&self) -> Place {
         match self {
