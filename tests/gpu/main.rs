@@ -6,6 +6,7 @@
 mod failures;
 mod kernels;
 mod pairs;
+mod poison;
 mod scalars;
 mod scenes;
 mod support;
@@ -63,7 +64,7 @@ fn main() {
         Err(why) => vec![("no_device", Err(why.clone()))],
     };
     for (path, device) in each {
-        for (name, test) in kernels::TESTS.iter().chain(pairs::TESTS).chain(scalars::TESTS).chain(failures::TESTS) {
+        for (name, test) in kernels::TESTS.iter().chain(pairs::TESTS).chain(poison::TESTS).chain(scalars::TESTS).chain(failures::TESTS) {
             add(&mut trials, format!("{path}_{name}"), Box::new(test), device.clone());
         }
         for (name, test) in scenes::tests() {
@@ -74,6 +75,7 @@ fn main() {
         scenes::check_negative_controls();
         scalars::check_negative_control();
         kernels::check_negative_controls();
+        poison::check_negative_control();
         Ok(())
     }));
     trials.push(Trial::test("layouts_in_spirv", || {

@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 
 type Test = Box<dyn FnOnce(&Device) + Send>;
 /// Four vertices at both ends.
-type Ends = ([[f64; 3]; 4], [[f64; 3]; 4]);
+pub type Ends = ([[f64; 3]; 4], [[f64; 3]; 4]);
 
 /// Names and tests.
 pub fn tests() -> Vec<(String, Test)> {
@@ -146,7 +146,7 @@ fn check_queries(device: &Device) {
 }
 
 /// Verdicts of the device for queries of four vertices each: vertex `4 i` and face `i`, or edges `2 i` and `2 i + 1`.
-fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> {
+pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> {
     let n = ends.len();
     let mut verdicts = vec![Verdict::Miss; n];
     let mut scan = Scan::NONE;

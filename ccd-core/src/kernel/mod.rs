@@ -105,7 +105,7 @@ table! {
     FitLeaves "fit_leaves" 256 [Params Read Read Read Read Write Write] Exact false;
     /// Nodes of the next level: params; nodes.
     FitLevel "fit_level" 256 [Params Write] Exact false;
-    /// Internal nodes of a binary tree over the first set: params, keys; branches.
+    /// Internal nodes of a binary tree over set 1, the only one: params, keys; branches.
     Branches "branches" 256 [Params Read Write] Exact false;
     /// Boxes of a binary tree: params, branches, block nodes, leaves; nodes.
     BranchBoxes "branch_boxes" 256 [Params Read Read Read Write] Exact false;

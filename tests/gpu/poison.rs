@@ -1,0 +1,134 @@
+//! Kernels that filter and decide, on coordinates that break arithmetic: zeros of both signs, denormals, the smallest normal number, neighbours of 1, numbers whose products leave
+//! the range of `f32`. (Hosts refuse NaN and infinity; `kernels.rs` and `scalars.rs` have those.) Against `f64` on the CPU, and exact arithmetic where that is not certain.
+
+use crate::scenes::{Ends, decide};
+use crate::support::{bytes, entries, list, read, room};
+use crate::twin::Twin;
+use ccd::gpu::{Device, harness};
+use ccd::{EdgeEdge, Mesh, Pair, TOI_TOLERANCE, Verdict, VertexFace};
+use ccd_core::kernel::{Id, narrow};
+use ccd_core::layout::{Params, Path};
+use ccd_testkit::generate::Random;
+use ccd_testkit::oracle::{self, Answer};
+use ccd_testkit::{brute, compare};
+
+pub const TESTS: crate::Tests = &[("poisoned_queries", check_queries), ("poisoned_filters", check_filters)];
+
+/// Small and large numbers by themselves: exact arithmetic takes minutes for both together.
+const POISON: [[f32; 8]; 2] = [
+    [0.0, -0.0, 1e-45, -1e-40, f32::MIN_POSITIVE, -1.5 * f32::MIN_POSITIVE, 1e-20, 1.0 - f32::EPSILON / 2.0],
+    [0.0, 1.0 + f32::EPSILON, 1e12, 1e19, -1e30, 1e30, 2.9e38, -3.4e38],
+];
+
+/// A point whose coordinates are poison, so many of a hundred, or some of few ordinary numbers, so that features meet.
+fn point(random: &mut Random, poison: u32, family: usize) -> [f32; 3] {
+    std::array::from_fn(|_| {
+        if random.below(100) < poison { POISON[family][random.below(8) as usize] } else { random.below(9) as f32 * 0.25 - 1.0 }
+    })
+}
+
+/// The verdict of the CPU in `f64`.
+fn on_cpu(is_vf: bool, (t0, t1): Ends) -> Verdict<f64> {
+    if is_vf { ccd::vertex_face(&VertexFace { t0, t1 }, 0.0) } else { ccd::edge_edge(&EdgeEdge { t0, t1 }, 0.0) }
+}
+
+/// A device may be less certain than the CPU, but not certain of something else.
+fn check_verdict(is_vf: bool, ends: Ends, cpu: Verdict<f64>, device: Verdict<f64>) {
+    match (cpu, device) {
+        (Verdict::Hit { .. }, Verdict::Miss) | (Verdict::Miss, Verdict::Hit { .. }) => panic!("{ends:?}: {cpu:?} on the CPU, {device:?}"),
+        (Verdict::Hit { toi: want }, Verdict::Hit { toi }) => {
+            assert!((toi - want).abs() <= 2.0 * TOI_TOLERANCE, "{ends:?}: {cpu:?} on the CPU, {device:?}");
+        }
+        (Verdict::Undecided { .. }, Verdict::Miss) => {
+            let answer = if is_vf { oracle::vertex_face(&ends.0, &ends.1) } else { oracle::edge_edge(&ends.0, &ends.1) };
+            assert!(!matches!(answer, Answer::Contact(..)), "{ends:?}: missed, {answer:?}");
+        }
+        _ => {}
+    }
+}
+
+fn check_queries(device: &Device) {
+    for is_vf in [true, false] {
+        let mut random = Random::new(31 + is_vf as u32);
+        let mut ends = |poison: u32, family| -> Ends {
+            let mut four = || std::array::from_fn(|_| point(&mut random, poison, family).map(f64::from));
+            (four(), four())
+        };
+        let queries: Vec<Ends> = (0..4000).map(|i| ends([0, 5, 20, 60][i % 4], i / 4 % 2)).collect();
+        let (mut n_misses, mut n_hits) = (0, 0);
+        for (&query, verdict) in queries.iter().zip(decide(device, is_vf, &queries)) {
+            let cpu = on_cpu(is_vf, query);
+            check_verdict(is_vf, query, cpu, verdict);
+            n_misses += (verdict == Verdict::Miss) as usize;
+            n_hits += matches!(cpu, Verdict::Hit { .. }) as usize;
+        }
+        println!("{} poisoned queries: {n_misses} misses, {n_hits} certain contacts", queries.len());
+        assert!(n_misses > 1000 && n_hits > 30, "{n_misses} misses and {n_hits} contacts show nothing");
+    }
+}
+
+fn check_filters(device: &Device) {
+    let mut random = Random::new(77);
+    let n = 60u32;
+    let mut ends = |i: u32| (point(&mut random, i % 12, i as usize / 3 % 2), point(&mut random, i % 12, i as usize / 3 % 2));
+    let (x0, x1): (Vec<[f32; 3]>, Vec<[f32; 3]>) = (0..3 * n).map(&mut ends).unzip();
+    let faces: Vec<[u32; 3]> = (0..n).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    let mesh = Mesh::new(x0.len(), &faces).unwrap();
+    // As kernels box them: bounds beyond the greatest become that.
+    let sets = brute::swept_boxes(&mesh, &x0, &x1).map(|set| set.iter().map(|b| b.round_out()).collect::<Vec<_>>());
+    let twin = Twin::new([&sets[0], &sets[1], &sets[2]], |set, i| match set {
+        0 => [i; 3],
+        1 => [mesh.edges()[i as usize][0], mesh.edges()[i as usize][1], mesh.edges()[i as usize][1]],
+        _ => faces[i as usize],
+    });
+    let four = |p: [f32; 3]| [p[0], p[1], p[2], 0.0];
+    let paths: Vec<Path> = x0.iter().zip(&x1).map(|(p, q)| Path { t0: four(*p), t1: four(*q) }).collect();
+    for (kind, id) in [(0, Id::FilterVertexFace), (1, Id::FilterEdgeEdge)] {
+        let blocks = twin.node_pairs(1, kind);
+        let p = Params { kind, level: 1, room_in: blocks.len() as u32, room_out: 40_000, ..twin.params };
+        let mut buffers = [bytes(&twin.nodes), bytes(&twin.leaves), vec![0; 16], vec![0; 48], bytes(&paths), list(&blocks), room(40_000)];
+        harness::run(device, id, &p, &mut buffers, 3, 65_535).unwrap();
+        let counted = read::<u32>(&buffers[6])[1] as usize;
+        let mut left = entries(&buffers[6]);
+        left.sort_unstable();
+        let all = candidates(&sets, &mesh, kind);
+        // A device that flushes denormals finds boxes to touch that are apart by less than the smallest normal number.
+        assert!(counted >= all.len() && counted <= all.len() + all.len() / 10, "{counted} candidates, {} by brute force", all.len());
+        let (mut n_touching, mut n_dropped) = (0, 0);
+        for pair in all {
+            let ids = if kind == 0 { narrow::vertex_face_ids(pair, &faces) } else { narrow::edge_edge_ids(pair, mesh.edges()) };
+            let at = |x: &[[f32; 3]]| ids.map(|v| x[v as usize].map(f64::from));
+            let query = (at(&x0), at(&x1));
+            let cpu = on_cpu(kind == 0, query);
+            n_touching += matches!(cpu, Verdict::Hit { .. }) as usize;
+            if left.binary_search(&pair).is_err() {
+                n_dropped += 1;
+                check_verdict(kind == 0, query, cpu, Verdict::Miss);
+            }
+        }
+        println!("kind {kind}: {counted} candidates, {n_dropped} dropped, {n_touching} certain contacts");
+        assert!(n_touching > 20 && n_dropped > 100, "{n_touching} contacts and {n_dropped} dropped show nothing");
+    }
+}
+
+/// Features without a common vertex whose boxes overlap.
+fn candidates([v, e, f]: &[Vec<ccd::Aabb>; 3], mesh: &Mesh, kind: u32) -> Vec<Pair> {
+    let (edges, faces) = (mesh.edges(), mesh.faces());
+    let mut out = if kind == 0 { brute::pairs(v, f) } else { brute::self_pairs(e) };
+    out.retain(|p| match kind {
+        0 => !faces[p.b as usize].contains(&p.a),
+        _ => edges[p.a as usize].iter().all(|i| !edges[p.b as usize].contains(i)),
+    });
+    out
+}
+
+/// The comparison fails when it should.
+pub fn check_negative_control() {
+    // A vertex that falls through a face, at t = 1/2.
+    let face = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+    let ends = ([[0.25, 1.0, 0.25], face[0], face[1], face[2]], [[0.25, -1.0, 0.25], face[0], face[1], face[2]]);
+    let fails = |cpu, device| compare::fails(|| check_verdict(true, ends, cpu, device));
+    let (hit, open) = (|toi| Verdict::Hit { toi }, Verdict::Undecided { toi: 0.0 });
+    assert!(!fails(hit(0.5), hit(0.5)) && !fails(hit(0.5), open) && !fails(Verdict::Miss, open) && !fails(open, hit(0.5)));
+    assert!(fails(hit(0.5), Verdict::Miss) && fails(Verdict::Miss, hit(0.5)) && fails(hit(0.5), hit(0.6)) && fails(open, Verdict::Miss));
+}
