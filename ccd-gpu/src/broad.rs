@@ -2,7 +2,7 @@
 
 use crate::device::Device;
 use crate::error::Error;
-use crate::list::{HEADER_BYTES, List, read_header};
+use crate::list::{HEADER_BYTES, List, read_header, read_pairs};
 use crate::radix_tree::RadixTree;
 use crate::readback::Readback;
 use crate::recorder::{Bench, Recorder, Timing, submit};
@@ -155,7 +155,7 @@ impl BroadPhase {
         let parts = readback.plan(device, &[pairs.bytes(n)])?;
         submit(device, bench, |recorder| readback.copy(recorder, parts[0], pairs.buffer(), 0))?;
         let bytes = readback.read(device, &parts)?.into_iter().next().unwrap_or_default();
-        Ok(bytemuck::pod_collect_to_vec(&bytes[HEADER_BYTES as usize..]))
+        Ok(read_pairs(&bytes))
     }
 }
 

@@ -120,11 +120,13 @@ impl Device {
         pollster::block_on(Self::open_async(options))
     }
 
+    /// All adapters of this machine, once for every GPU API that reaches them.
+    pub fn adapters() -> Vec<wgpu::AdapterInfo> {
+        pollster::block_on(instance().enumerate_adapters(wgpu::Backends::all())).iter().map(|a| a.get_info()).collect()
+    }
+
     async fn open_async(options: &DeviceOptions) -> Result<Self, Error> {
-        let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
-        // Arguments of indirect dispatches, if there were any, would be our own: checking them costs a dispatch each.
-        descriptor.flags.remove(wgpu::InstanceFlags::VALIDATION_INDIRECT_CALL);
-        let instance = wgpu::Instance::new(descriptor);
+        let instance = instance();
         let adapter = choose(&instance, options).await?;
         let info = adapter.get_info();
         let features = wanted_features(options) & adapter.features();
@@ -323,6 +325,13 @@ fn check_limits(adapter: &wgpu::AdapterInfo, limits: &wgpu::Limits) -> Result<()
         Some((what, has, needed)) => Err(Error::Unavailable { why: format!("{} has {has} {what}, {needed} are needed", adapter.name) }),
         None => Ok(()),
     }
+}
+
+fn instance() -> wgpu::Instance {
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+    // Arguments of indirect dispatches, if there were any, would be our own: checking them costs a dispatch each.
+    descriptor.flags.remove(wgpu::InstanceFlags::VALIDATION_INDIRECT_CALL);
+    wgpu::Instance::new(descriptor)
 }
 
 async fn choose(instance: &wgpu::Instance, options: &DeviceOptions) -> Result<wgpu::Adapter, Error> {

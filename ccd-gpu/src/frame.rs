@@ -144,7 +144,7 @@ impl Buffers {
                 self.clear(recorder);
                 recorder.stage("shorten");
                 let buffers = [&self.positions.paths, &self.earliest[0], &self.earliest[1], &self.shortened];
-                recorder.dispatch(Id::Shorten, &cut, &buffers, cut.count[0].div_ceil(256));
+                recorder.each(Id::Shorten, &cut, &buffers, cut.count[0]);
                 self.sweep(recorder, &cut, &self.shortened, Boxes::OfPaths);
                 self.tree.fit(recorder, &cut, &self.edges, &self.faces);
                 self.contacts(recorder, &cut, &self.shortened, 1, wide);
@@ -162,12 +162,12 @@ impl Buffers {
         let [v, e, f] = params.count;
         let Positions { wide, keys, .. } = &self.positions;
         match of_vertices {
-            Boxes::OfPaths => recorder.dispatch(Id::SweepVertices, params, &[paths, &self.tree.boxes], v.div_ceil(256)),
-            Boxes::OfPositions => recorder.dispatch(Id::PlaceVertices, params, &[wide, paths, keys, &self.tree.boxes], v.div_ceil(256)),
+            Boxes::OfPaths => recorder.each(Id::SweepVertices, params, &[paths, &self.tree.boxes], v),
+            Boxes::OfPositions => recorder.each(Id::PlaceVertices, params, &[wide, paths, keys, &self.tree.boxes], v),
             Boxes::Sent => {}
         }
-        recorder.dispatch(Id::SweepEdges, params, &[&self.edges, &self.tree.boxes], e.div_ceil(256));
-        recorder.dispatch(Id::SweepFaces, params, &[&self.faces, &self.tree.boxes], f.div_ceil(256));
+        recorder.each(Id::SweepEdges, params, &[&self.edges, &self.tree.boxes], e);
+        recorder.each(Id::SweepFaces, params, &[&self.faces, &self.tree.boxes], f);
     }
 
     /// Descends for both kinds, then calls `leaves` for each.

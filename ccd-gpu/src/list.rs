@@ -2,7 +2,8 @@
 
 use crate::device::Device;
 use crate::error::Error;
-use ccd_core::layout::LIST_HEADER;
+use crate::readback::word;
+use ccd_core::layout::{LIST_HEADER, Pair};
 use wgpu::BufferUsages as U;
 
 /// Bytes of a header.
@@ -10,14 +11,18 @@ pub const HEADER_BYTES: u64 = 4 * LIST_HEADER as u64;
 
 /// What the header of a list says: the number of entries wanted, and the number of candidates looked at.
 pub fn read_header(bytes: &[u8]) -> Result<[u32; 2], Error> {
-    let word = |i: usize| bytes[4 * i..4 * i + 4].iter().rev().fold(0, |w, &b| w << 8 | b as u32);
     for i in [0, 1] {
-        if word(i + 2) > 0 {
-            let count = (word(i + 2) as u64) << 32 | word(i) as u64;
+        if word(bytes, i + 2) > 0 {
+            let count = (word(bytes, i + 2) as u64) << 32 | word(bytes, i) as u64;
             return Err(ccd_core::Error::TooMany { element: "overlapping pairs", count, limit: u32::MAX as u64 }.into());
         }
     }
-    Ok([word(0), word(1)])
+    Ok([word(bytes, 0), word(bytes, 1)])
+}
+
+/// The pairs of a list that was read.
+pub fn read_pairs(bytes: &[u8]) -> Vec<Pair> {
+    bytemuck::pod_collect_to_vec(&bytes[HEADER_BYTES as usize..])
 }
 
 /// A list on the device.

@@ -33,17 +33,16 @@ impl Order {
 
     /// Puts the contacts of a list in order if there are at most `n`. `params`: of the frame.
     pub fn run(&self, recorder: &mut Recorder, params: &Params, contacts: &List, n: u32) {
-        let groups = n.div_ceil(256);
         let bits = |greatest: u32| 32 - greatest.leading_zeros();
         let [vertices, edges, faces] = params.count;
         let mut half = 0;
         for (level, bits) in [bits(edges.max(faces)), bits(vertices + edges)].into_iter().enumerate() {
             let p = Params { level: level as u32, n, room_in: contacts.room(), ..*params };
             let [keys, order] = self.sort.half(half);
-            recorder.dispatch(Id::ContactKeys, &p, &[contacts.buffer(), keys, order], groups);
+            recorder.each(Id::ContactKeys, &p, &[contacts.buffer(), keys, order], n);
             half = self.sort.run(recorder, n, bits, half);
         }
         let p = Params { n, room_in: contacts.room(), ..*params };
-        recorder.dispatch(Id::OrderContacts, &p, &[contacts.buffer(), self.sort.half(half)[1], &self.ordered], groups);
+        recorder.each(Id::OrderContacts, &p, &[contacts.buffer(), self.sort.half(half)[1], &self.ordered], n);
     }
 }

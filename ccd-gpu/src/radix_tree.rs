@@ -32,32 +32,31 @@ impl RadixTree {
 
     /// Builds the tree over the boxes of a block tree that is sorted and fitted.
     pub fn build(&self, recorder: &mut Recorder, params: &Params, blocks: &Tree) {
-        let groups = self.n.div_ceil(256);
         recorder.stage("branches");
-        recorder.dispatch(Id::Branches, params, &[blocks.sorted()[0], &self.branches], groups);
+        recorder.each(Id::Branches, params, &[blocks.sorted()[0], &self.branches], self.n);
         recorder.stage("boxes of branches");
         let p = Params { level: blocks.levels.top(), ..*params };
-        recorder.dispatch(Id::BranchBoxes, &p, &[&self.branches, &blocks.nodes, &blocks.leaves, &self.nodes], groups);
+        recorder.each(Id::BranchBoxes, &p, &[&self.branches, &blocks.nodes, &blocks.leaves, &self.nodes], self.n);
     }
 
     /// Lists all pairs of boxes that overlap.
     pub fn self_pairs(&self, recorder: &mut Recorder, params: &Params, pairs: &List) {
-        self.queries(params, self.n, pairs, |p, groups| {
-            recorder.dispatch(Id::TraverseHalf, p, &[&self.nodes, &self.branches, pairs.buffer()], groups);
+        self.queries(params, self.n, pairs, |p| {
+            recorder.each(Id::TraverseHalf, p, &[&self.nodes, &self.branches, pairs.buffer()], p.n);
         });
     }
 
     /// Lists all pairs of one of `n` loose boxes with a box of the tree.
     pub fn pairs_with(&self, recorder: &mut Recorder, params: &Params, boxes: &wgpu::Buffer, n: u32, pairs: &List) {
-        self.queries(params, n, pairs, |p, groups| {
-            recorder.dispatch(Id::TraverseAgainst, p, &[boxes, &self.nodes, &self.branches, pairs.buffer()], groups);
+        self.queries(params, n, pairs, |p| {
+            recorder.each(Id::TraverseAgainst, p, &[boxes, &self.nodes, &self.branches, pairs.buffer()], p.n);
         });
     }
 
-    fn queries(&self, params: &Params, n: u32, pairs: &List, mut run: impl FnMut(&Params, u32)) {
+    fn queries(&self, params: &Params, n: u32, pairs: &List, mut run: impl FnMut(&Params)) {
         for first in (0..n).step_by(DISPATCH_LIMIT as usize) {
             let part = (n - first).min(DISPATCH_LIMIT);
-            run(&Params { first, n: part, room_out: pairs.room(), ..*params }, part.div_ceil(128));
+            run(&Params { first, n: part, room_out: pairs.room(), ..*params });
         }
     }
 }

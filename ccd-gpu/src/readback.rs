@@ -74,6 +74,11 @@ impl Part {
     }
 }
 
+/// Word `i` of what was read.
+pub fn word(bytes: &[u8], i: usize) -> u32 {
+    bytes[4 * i..4 * i + 4].iter().rev().fold(0, |w, &b| w << 8 | b as u32)
+}
+
 /// Waits for the device and calls `read` with the first bytes of a mappable buffer.
 pub fn map<T>(device: &Device, buffer: &wgpu::Buffer, bytes: u64, read: impl FnOnce(&[u8]) -> T) -> Result<T, Error> {
     let slice = buffer.slice(..bytes);

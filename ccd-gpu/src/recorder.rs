@@ -153,6 +153,11 @@ impl Recorder<'_> {
         self.encoder.copy_buffer_to_buffer(from, from_byte, to, to_byte, bytes);
     }
 
+    /// Runs a kernel with a thread for each of `n` items. `buffers`: as for [`Recorder::dispatch`].
+    pub fn each(&mut self, id: Id, params: &Params, buffers: &[&wgpu::Buffer], n: u32) {
+        self.dispatch(id, params, buffers, n.div_ceil(id.row().workgroup));
+    }
+
     /// Runs a kernel with `groups` workgroups. `buffers`: those after the parameters, in the order of the table.
     pub fn dispatch(&mut self, id: Id, params: &Params, buffers: &[&wgpu::Buffer], groups: u32) {
         if groups == 0 {

@@ -3,9 +3,9 @@
 use crate::device::Device;
 use crate::error::Error;
 use crate::frame::{Buffers, Goal, SAMPLE};
-use crate::list::{HEADER_BYTES, List, read_header};
+use crate::list::{HEADER_BYTES, List, read_header, read_pairs};
 use crate::order::{self, Order};
-use crate::readback::{Part, Readback};
+use crate::readback::{Readback, word};
 use crate::recorder::{Bench, Timing, submit};
 use crate::tail;
 use ccd_core::Real;
@@ -169,8 +169,7 @@ impl Session {
                 readback.copy(recorder, *part, list.buffer(), 0);
             }
         })?;
-        let pairs = |bytes: &[u8]| bytemuck::pod_collect_to_vec::<u8, Pair>(&bytes[HEADER_BYTES as usize..]);
-        let read = readback.with(device, |bytes| Candidates { vf: pairs(parts[0].of(bytes)), ee: pairs(parts[1].of(bytes)) })?;
+        let read = readback.with(device, |bytes| Candidates { vf: read_pairs(parts[0].of(bytes)), ee: read_pairs(parts[1].of(bytes)) })?;
         Ok(read.unwrap_or_default())
     }
 
@@ -272,11 +271,10 @@ impl Session {
                 _ => readback.copy(recorder, *of_contacts, buffers.contacts.buffer(), HEADER_BYTES),
             }
         })?;
-        let word = |part: &Part, bytes: &[u8], i: usize| part.of(bytes)[4 * i..4 * i + 4].iter().rev().fold(0, |w, &b| w << 8 | b as u32);
         let mut found = Found::default();
         let headers = readback.with(device, |bytes| -> Result<Vec<[u32; 2]>, Error> {
-            found.earliest = word(of_vf, bytes, 0).min(word(of_ee, bytes, 0));
-            found.sampled = word(of_sample, bytes, 0) as u64 + word(of_sample, bytes, 1) as u64;
+            found.earliest = word(of_vf.of(bytes), 0).min(word(of_ee.of(bytes), 0));
+            found.sampled = word(of_sample.of(bytes), 0) as u64 + word(of_sample.of(bytes), 1) as u64;
             let headers = of_heads.iter().map(|p| read_header(p.of(bytes))).collect::<Result<Vec<[u32; 2]>, Error>>()?;
             let n = headers[CONTACTS][0].min(guess) as usize;
             tail::take_touches(&of_contacts.of(bytes)[..n * size_of::<Touch>()], &mut report.contacts);
@@ -331,12 +329,12 @@ impl Session {
             }
         })?;
         let open = readback.with(device, |bytes| {
-            let [contacts, vf, ee] = [0, 1, 2].map(|i| &parts[i].of(bytes)[HEADER_BYTES as usize..]);
+            let [contacts, vf, ee] = [0, 1, 2].map(|i| parts[i].of(bytes));
             if n_contacts > 0 {
                 report.contacts.clear();
-                tail::take_touches(contacts, &mut report.contacts);
+                tail::take_touches(&contacts[HEADER_BYTES as usize..], &mut report.contacts);
             }
-            [bytemuck::pod_collect_to_vec(vf), bytemuck::pod_collect_to_vec(ee)]
+            [read_pairs(vf), read_pairs(ee)]
         })?;
         found.open = open.unwrap_or_default();
         Ok(())

@@ -104,7 +104,7 @@ impl Tree {
         let p = Params { n: n_bounding, ..*params };
         recorder.dispatch(Id::SceneBounds, &p, &[&self.boxes, &self.bounds], n_bounding.div_ceil(256 * bounds::CHUNK as u32));
         let [keys, order] = self.sorted();
-        recorder.dispatch(Id::Morton, params, &[&self.boxes, &self.bounds, keys, order], n.div_ceil(256));
+        recorder.each(Id::Morton, params, &[&self.boxes, &self.bounds, keys, order], n);
         recorder.stage("sort");
         self.sort.run(recorder, n, 32, 0);
     }
@@ -117,10 +117,10 @@ impl Tree {
     /// Boxes of all nodes, in the order of the last sort.
     pub fn fit(&self, recorder: &mut Recorder, params: &Params, edges: &wgpu::Buffer, faces: &wgpu::Buffer) {
         let buffers = [&self.boxes, self.sorted()[1], edges, faces, &self.nodes, &self.leaves];
-        recorder.dispatch(Id::FitLeaves, params, &buffers, self.levels.padded(0).div_ceil(256));
+        recorder.each(Id::FitLeaves, params, &buffers, self.levels.padded(0));
         for level in 1..self.levels.top() {
             let p = Params { level, ..*params };
-            recorder.dispatch(Id::FitLevel, &p, &[&self.nodes], self.levels.padded(level).div_ceil(256));
+            recorder.each(Id::FitLevel, &p, &[&self.nodes], self.levels.padded(level));
         }
     }
 

@@ -3,7 +3,7 @@
 use crate::device::Device;
 use crate::error::Error;
 use ccd_core::input::{Scan, margin};
-use ccd_core::kernel::{blocks::bound_key, sweep};
+use ccd_core::kernel::{place, sweep};
 use ccd_core::layout::{Params, Path, split};
 use ccd_core::real::Real;
 use ccd_core::{Aabb, error};
@@ -103,12 +103,12 @@ impl Positions {
             queue.write_buffer(&self.wide, bytes, bytemuck::cast_slice(x1));
             return Ok(replaced);
         }
-        let place = |p: &[T; 3]| {
+        let path_end = |p: &[T; 3]| {
             let p = table.place([p[0].to_f64(), p[1].to_f64(), p[2].to_f64()]);
             [p[0], p[1], p[2], 0.0]
         };
         self.host_paths.clear();
-        self.host_paths.extend(x0.iter().zip(x1).map(|(p, q)| Path { t0: place(p), t1: place(q) }));
+        self.host_paths.extend(x0.iter().zip(x1).map(|(p, q)| Path { t0: path_end(p), t1: path_end(q) }));
         queue.write_buffer(&self.paths, 0, bytemuck::cast_slice(&self.host_paths));
         if self.boxes == Boxes::OfPaths {
             return Ok(false);
@@ -118,9 +118,7 @@ impl Positions {
         self.host_boxes.clear();
         for (p, q) in x0.iter().zip(x1) {
             let exact = sweep::swept(*p, *q).inflated(margin);
-            let key = |x: T| bound_key(x.to_f64());
-            let (min, max) = (exact.min, exact.max);
-            self.host_keys.push([key(min[0]), key(min[1]), key(min[2]), key(max[0]), key(max[1]), key(max[2])]);
+            self.host_keys.push(place::keys(&Aabb { min: exact.min.map(T::to_f64), max: exact.max.map(T::to_f64) }));
             self.host_boxes.push(exact.round_out());
         }
         let keys: &[u8] = bytemuck::cast_slice(&self.host_keys);

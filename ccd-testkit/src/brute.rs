@@ -39,11 +39,15 @@ pub fn swept_boxes<T: Real>(mesh: &Mesh, x0: &[[T; 3]], x1: &[[T; 3]]) -> [Vec<A
 
 /// Candidates of a mesh step without shared vertices: vertex-face, edge-edge, sorted.
 pub fn candidates<T: Real>(mesh: &Mesh, x0: &[[T; 3]], x1: &[[T; 3]]) -> [Vec<Pair>; 2] {
-    let [v, e, f] = swept_boxes(mesh, x0, x1);
+    candidates_among(mesh, &swept_boxes(mesh, x0, x1))
+}
+
+/// The same, of boxes of vertices, edges and faces.
+pub fn candidates_among<T: Real>(mesh: &Mesh, [v, e, f]: &[Vec<Aabb<T>>; 3]) -> [Vec<Pair>; 2] {
     let (edges, faces) = (mesh.edges(), mesh.faces());
-    let mut vf = pairs(&v, &f);
+    let mut vf = pairs(v, f);
     vf.retain(|p| !faces[p.b as usize].contains(&p.a));
-    let mut ee = self_pairs(&e);
+    let mut ee = self_pairs(e);
     ee.retain(|p| edges[p.a as usize].iter().all(|i| !edges[p.b as usize].contains(i)));
     [vf, ee]
 }

@@ -220,22 +220,6 @@ impl AnySession {
             Self::Gpu { session, .. } => Place { threads: None, adapter: Some(session.device().info().adapter.name.clone()) },
         }
     }
-
-    /// Sets what is timed on the device, if it is one.
-    pub fn set_timing(&mut self, timing: gpu::Timing) -> Result<(), gpu::Error> {
-        match self {
-            Self::Cpu(_) => Ok(()),
-            Self::Gpu { session, .. } => session.set_timing(timing),
-        }
-    }
-
-    /// What was timed of the last call.
-    pub fn stages(&self) -> &[(&'static str, f64)] {
-        match self {
-            Self::Cpu(_) => &[],
-            Self::Gpu { session, .. } => session.stages(),
-        }
-    }
 }
 
 /// A broad phase on either.
@@ -287,14 +271,6 @@ impl AnyBroadPhase {
         }
     }
 
-    /// The last count once more, of the boxes that a GPU has already; `None` on the CPU.
-    pub fn again(&mut self) -> Result<Option<usize>, gpu::Error> {
-        match self {
-            Self::Cpu(_) => Ok(None),
-            Self::Gpu { broad, .. } => broad.again().map(|n| Some(n as usize)),
-        }
-    }
-
     /// Where it runs.
     pub fn place(&self) -> Place {
         match self {
@@ -302,20 +278,57 @@ impl AnyBroadPhase {
             Self::Gpu { adapter, .. } => Place { threads: None, adapter: Some(adapter.clone()) },
         }
     }
+}
 
-    /// Sets what is timed on the device, if it is one.
-    pub fn set_timing(&mut self, timing: gpu::Timing) -> Result<(), gpu::Error> {
+/// What can be timed on a device.
+pub trait OnDevice {
+    /// Sets what is timed, if there is a device.
+    fn set_timing(&mut self, timing: gpu::Timing) -> Result<(), gpu::Error>;
+    /// What was timed of the last call.
+    fn stages(&self) -> &[(&'static str, f64)];
+    /// Finds pairs of boxes once more without sending anything, and says how many; `None` if that cannot be.
+    fn again(&mut self) -> Result<Option<usize>, gpu::Error>;
+}
+
+impl OnDevice for AnySession {
+    fn set_timing(&mut self, timing: gpu::Timing) -> Result<(), gpu::Error> {
+        match self {
+            Self::Cpu(_) => Ok(()),
+            Self::Gpu { session, .. } => session.set_timing(timing),
+        }
+    }
+
+    fn stages(&self) -> &[(&'static str, f64)] {
+        match self {
+            Self::Cpu(_) => &[],
+            Self::Gpu { session, .. } => session.stages(),
+        }
+    }
+
+    fn again(&mut self) -> Result<Option<usize>, gpu::Error> {
+        Ok(None)
+    }
+}
+
+impl OnDevice for AnyBroadPhase {
+    fn set_timing(&mut self, timing: gpu::Timing) -> Result<(), gpu::Error> {
         match self {
             Self::Cpu(_) => Ok(()),
             Self::Gpu { broad, .. } => broad.set_timing(timing),
         }
     }
 
-    /// What was timed of the last call.
-    pub fn stages(&self) -> &[(&'static str, f64)] {
+    fn stages(&self) -> &[(&'static str, f64)] {
         match self {
             Self::Cpu(_) => &[],
             Self::Gpu { broad, .. } => broad.stages(),
+        }
+    }
+
+    fn again(&mut self) -> Result<Option<usize>, gpu::Error> {
+        match self {
+            Self::Cpu(_) => Ok(None),
+            Self::Gpu { broad, .. } => broad.again().map(|n| Some(n as usize)),
         }
     }
 }

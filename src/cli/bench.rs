@@ -1,8 +1,8 @@
 //! `ccd bench`: times of two built-in scenes on any machine. A time counts only with the right answer, so every run's answer is checked.
 
-use super::backend::{AnyBroadPhase, AnySession, BackendOptions, Choice};
+use super::backend::{AnyBroadPhase, AnySession, BackendOptions, Choice, OnDevice};
 use super::{Failure, Outcome, output};
-use ccd::gpu::{self, Timing};
+use ccd::gpu::Timing;
 use ccd::{Aabb, BroadPhase, Mesh, Method, Options, PerKind, TOI_TOLERANCE};
 use clap::Args;
 use serde::Serialize;
@@ -165,7 +165,7 @@ impl Bench {
 
     /// Runs once to warm up and `runs` times by the clock, then as often by the device's timestamps.
     /// `pairs`: how many a broad phase finds.
-    fn time<S: Stages>(
+    fn time<S: OnDevice>(
         &self,
         subject: &mut S,
         pairs: Option<usize>,
@@ -217,38 +217,6 @@ struct Timed {
 fn median(mut times: Vec<f64>) -> Option<(f64, f64)> {
     times.sort_unstable_by(f64::total_cmp);
     Some((*times.get(times.len() / 2)?, *times.first()?))
-}
-
-/// What can be timed on a device.
-trait Stages {
-    fn set_timing(&mut self, timing: Timing) -> Result<(), gpu::Error>;
-    fn stages(&self) -> &[(&'static str, f64)];
-    /// Does the last work once more without sending anything, and says how many pairs that gave; `None` if that cannot be.
-    fn again(&mut self) -> Result<Option<usize>, gpu::Error>;
-}
-
-impl Stages for AnySession {
-    fn set_timing(&mut self, timing: Timing) -> Result<(), gpu::Error> {
-        self.set_timing(timing)
-    }
-    fn stages(&self) -> &[(&'static str, f64)] {
-        self.stages()
-    }
-    fn again(&mut self) -> Result<Option<usize>, gpu::Error> {
-        Ok(None)
-    }
-}
-
-impl Stages for AnyBroadPhase {
-    fn set_timing(&mut self, timing: Timing) -> Result<(), gpu::Error> {
-        self.set_timing(timing)
-    }
-    fn stages(&self) -> &[(&'static str, f64)] {
-        self.stages()
-    }
-    fn again(&mut self) -> Result<Option<usize>, gpu::Error> {
-        self.again()
-    }
 }
 
 /// The processor, as Linux names it; elsewhere its architecture.

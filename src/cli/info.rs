@@ -2,11 +2,9 @@
 
 use super::backend::AdapterOptions;
 use super::{Failure, Outcome, output};
-use ccd::gpu::{Info, Path, wgpu};
+use ccd::gpu::{Device, Info, Path, wgpu};
 use clap::Args;
 use serde::Serialize;
-use std::future::Future;
-use std::task::{Context, Poll, Waker};
 
 #[derive(Args)]
 pub struct InfoCommand {
@@ -47,7 +45,8 @@ impl From<&wgpu::AdapterInfo> for Adapter {
 impl InfoCommand {
     pub fn run(&self) -> Outcome {
         let device = self.adapter.open().map_err(|e| Failure(format!("{e}; every command works on the CPU without one")))?;
-        let (info, adapters) = (device.info(), adapters());
+        let info = device.info();
+        let adapters: Vec<Adapter> = Device::adapters().iter().map(Adapter::from).collect();
         if self.json {
             output::json(&json(info, adapters))?;
         } else {
@@ -74,16 +73,5 @@ fn json(info: &Info, adapters: Vec<Adapter>) -> Json {
         max_binding_bytes: info.limits.max_storage_buffer_binding_size,
         max_buffer_bytes: info.limits.max_buffer_size,
         adapters,
-    }
-}
-
-/// All adapters of this machine, once for every GPU API that reaches them.
-fn adapters() -> Vec<Adapter> {
-    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
-    let all = std::pin::pin!(instance.enumerate_adapters(wgpu::Backends::all()));
-    // Outside of a browser, the list is there at once.
-    match all.poll(&mut Context::from_waker(Waker::noop())) {
-        Poll::Ready(all) => all.iter().map(|a| (&a.get_info()).into()).collect(),
-        Poll::Pending => Vec::new(),
     }
 }

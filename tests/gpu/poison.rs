@@ -5,7 +5,7 @@ use crate::scenes::{Ends, decide};
 use crate::support::{bytes, entries, list, read, room};
 use crate::twin::Twin;
 use ccd::gpu::{Device, harness};
-use ccd::{EdgeEdge, Mesh, Pair, TOI_TOLERANCE, Verdict, VertexFace};
+use ccd::{EdgeEdge, Mesh, TOI_TOLERANCE, Verdict, VertexFace};
 use ccd_core::kernel::{Id, narrow};
 use ccd_core::layout::{Params, Path};
 use ccd_testkit::generate::Random;
@@ -76,14 +76,11 @@ fn check_filters(device: &Device) {
     let mesh = Mesh::new(x0.len(), &faces).unwrap();
     // As kernels box them: bounds beyond the greatest become that.
     let sets = brute::swept_boxes(&mesh, &x0, &x1).map(|set| set.iter().map(|b| b.round_out()).collect::<Vec<_>>());
-    let twin = Twin::new([&sets[0], &sets[1], &sets[2]], |set, i| match set {
-        0 => [i; 3],
-        1 => [mesh.edges()[i as usize][0], mesh.edges()[i as usize][1], mesh.edges()[i as usize][1]],
-        _ => faces[i as usize],
-    });
+    let twin = Twin::of_mesh(&mesh, &sets);
     let four = |p: [f32; 3]| [p[0], p[1], p[2], 0.0];
     let paths: Vec<Path> = x0.iter().zip(&x1).map(|(p, q)| Path { t0: four(*p), t1: four(*q) }).collect();
-    for (kind, id) in [(0, Id::FilterVertexFace), (1, Id::FilterEdgeEdge)] {
+    let candidates = brute::candidates_among(&mesh, &sets);
+    for ((kind, id), all) in [(0, Id::FilterVertexFace), (1, Id::FilterEdgeEdge)].into_iter().zip(candidates) {
         let blocks = twin.node_pairs(1, kind);
         let p = Params { kind, level: 1, room_in: blocks.len() as u32, room_out: 40_000, ..twin.params };
         let mut buffers = [bytes(&twin.nodes), bytes(&twin.leaves), vec![0; 16], vec![0; 48], bytes(&paths), list(&blocks), room(40_000)];
@@ -91,7 +88,6 @@ fn check_filters(device: &Device) {
         let counted = read::<u32>(&buffers[6])[1] as usize;
         let mut left = entries(&buffers[6]);
         left.sort_unstable();
-        let all = candidates(&sets, &mesh, kind);
         // A device that flushes denormals finds boxes to touch that are apart by less than the smallest normal number.
         assert!(counted >= all.len() && counted <= all.len() + all.len() / 10, "{counted} candidates, {} by brute force", all.len());
         let (mut n_touching, mut n_dropped) = (0, 0);
@@ -109,17 +105,6 @@ fn check_filters(device: &Device) {
         println!("kind {kind}: {counted} candidates, {n_dropped} dropped, {n_touching} certain contacts");
         assert!(n_touching > 20 && n_dropped > 100, "{n_touching} contacts and {n_dropped} dropped show nothing");
     }
-}
-
-/// Features without a common vertex whose boxes overlap.
-fn candidates([v, e, f]: &[Vec<ccd::Aabb>; 3], mesh: &Mesh, kind: u32) -> Vec<Pair> {
-    let (edges, faces) = (mesh.edges(), mesh.faces());
-    let mut out = if kind == 0 { brute::pairs(v, f) } else { brute::self_pairs(e) };
-    out.retain(|p| match kind {
-        0 => !faces[p.b as usize].contains(&p.a),
-        _ => edges[p.a as usize].iter().all(|i| !edges[p.b as usize].contains(i)),
-    });
-    out
 }
 
 /// The comparison fails when it should.

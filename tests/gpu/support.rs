@@ -55,12 +55,7 @@ pub fn twin(n: usize, seed: u32) -> (Twin, Step) {
     let step = crumpled_sheet(n, seed);
     let single = |x: &[[f64; 3]]| x.iter().map(|p| p.map(|c| c as f32)).collect::<Vec<[f32; 3]>>();
     let sets = brute::swept_boxes(&step.mesh, &single(&step.x0), &single(&step.x1));
-    let mesh = step.mesh.clone();
-    let twin = Twin::new([&sets[0], &sets[1], &sets[2]], |set, i| match set {
-        0 => [i; 3],
-        1 => [mesh.edges()[i as usize][0], mesh.edges()[i as usize][1], mesh.edges()[i as usize][1]],
-        _ => mesh.faces()[i as usize],
-    });
+    let twin = Twin::of_mesh(&step.mesh, &sets);
     (twin, step)
 }
 

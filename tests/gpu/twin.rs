@@ -1,6 +1,6 @@
 //! Plain twins of the kernels that build and descend block trees: loops over slices, sorts of the standard library.
 
-use ccd::{Aabb, Pair};
+use ccd::{Aabb, Mesh, Pair};
 use ccd_core::kernel::blocks::{PADDING, WIDTH};
 use ccd_core::layout::{Leaf, MAX_LEVELS, Params};
 
@@ -32,6 +32,15 @@ pub fn code(b: &Aabb, scene: &Aabb) -> u32 {
 }
 
 impl Twin {
+    /// Of the boxes of a mesh's vertices, edges and faces.
+    pub fn of_mesh(mesh: &Mesh, [v, e, f]: &[Vec<Aabb>; 3]) -> Self {
+        Self::new([v, e, f], |set, i| match set {
+            0 => [i; 3],
+            1 => [mesh.edges()[i as usize][0], mesh.edges()[i as usize][1], mesh.edges()[i as usize][1]],
+            _ => mesh.faces()[i as usize],
+        })
+    }
+
     /// Builds everything. `leaf(set, i)`: vertices of feature `i`.
     pub fn new(sets: [&[Aabb]; 3], leaf: impl Fn(usize, u32) -> [u32; 3]) -> Self {
         let count = sets.map(|s| s.len() as u32);

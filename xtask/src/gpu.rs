@@ -71,7 +71,6 @@ fn median(values: &mut [f64]) -> f64 {
 }
 
 /// Medians of what was measured.
-#[derive(Default)]
 struct Measured {
     /// All kernels together, by the device.
     device: f64,
@@ -148,23 +147,17 @@ fn measure_scene(device: &Device, scene: &Scene, dir: &Path, runs: usize, text: 
     let c = want.candidates;
     let note = format!("{} vertex-face, {} edge-edge", c.vf, c.ee);
     row(text, "candidates", &measured, trees + 8.0 * c.total() as f64, peer.map_or("", |p| p.candidates), &note);
-    // The next two in turns, because a clock that changes between them would be taken for a difference.
-    let mut steps = Measured::default();
-    let mut earliest = Measured::default();
-    let mut report = ccd::Report::default();
-    for _ in 0..2 {
-        steps = sample(runs, |timing| -> Result<Stages, ccd::gpu::Error> {
-            session.set_timing(timing)?;
-            session.step(x0, x1)?;
-            Ok(session.stages().to_vec())
-        })?;
-        report = session.report().clone();
-        earliest = sample(runs, |timing| -> Result<Stages, ccd::gpu::Error> {
-            session.set_timing(timing)?;
-            session.earliest_toi(x0, x1)?;
-            Ok(session.stages().to_vec())
-        })?;
-    }
+    let steps = sample(runs, |timing| -> Result<Stages, ccd::gpu::Error> {
+        session.set_timing(timing)?;
+        session.step(x0, x1)?;
+        Ok(session.stages().to_vec())
+    })?;
+    let report = session.report().clone();
+    let earliest = sample(runs, |timing| -> Result<Stages, ccd::gpu::Error> {
+        session.set_timing(timing)?;
+        session.earliest_toi(x0, x1)?;
+        Ok(session.stages().to_vec())
+    })?;
     assert_eq!(report.n_contacts(), want.n_contacts(), "contacts of {}", scene.name);
     let (f, n) = (report.filtered, report.n_contacts());
     let note = format!("filtered {} + {}, contacts {} + {}, {} undecided", f.vf, f.ee, n.vf, n.ee, report.undecided);
