@@ -1,6 +1,6 @@
 //! Number types that one body of geometry is written over: `f32`, `f64`, and SIMD lanes of them.
 
-use core::ops::{Add, Mul, Neg, Sub};
+use core::ops::{Add, BitAnd, BitOr, Mul, Neg, Sub};
 
 /// A number, or several side by side, with the operations that a branch-free filter needs.
 ///
@@ -11,6 +11,10 @@ pub trait Num: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Sel
     const UNIT: Self;
     /// Smallest positive normal number; flushing a result to zero loses less than this.
     const MIN_NORMAL: Self;
+    /// The answer of a comparison: one Boolean, or one a lane.
+    type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask>;
+    /// Whether the number is greater than the other; false if either is NaN. Every rejection ends in this.
+    fn gt(self, other: Self) -> Self::Mask;
     /// `x` in every lane; exact. The constants of the geometry are `f32`, because a shader without `f64` cannot even name one.
     fn splat(x: f32) -> Self;
     /// Absolute value.
@@ -46,6 +50,11 @@ macro_rules! real {
         impl Num for $t {
             const UNIT: Self = $unit;
             const MIN_NORMAL: Self = <$t>::MIN_POSITIVE;
+            type Mask = bool;
+            #[inline(always)]
+            fn gt(self, other: Self) -> bool {
+                self > other
+            }
             #[inline(always)]
             fn splat(x: f32) -> Self {
                 x as $t

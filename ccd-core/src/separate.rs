@@ -7,17 +7,16 @@ use crate::motion::{Motion, Patch};
 use crate::real::Num;
 use crate::vec3::{add, cross, dot, sub, sum_abs};
 
-/// The greatest gap that two features keep along one of the three axes during the whole step, or a number that is not positive; from their
-/// boxes `[min, max]` at `t = 0` and `t = 1`. Only compares and subtracts coordinates.
+/// Whether one of the three axes keeps two features further than `needed >= 0` apart during the whole step, from their boxes
+/// `[min, max]` at `t = 0` and `t = 1`.
+///
+/// One subtraction a side and time, so a true gap of `needed (1 + 2 u)` is seen; `needed` must exceed what is wanted by that
+/// much. A difference that overflows has the right sign; one that is NaN separates nothing.
 #[inline(always)]
-pub fn axis_gap<N: Num>(a0: &[[N; 3]; 2], a1: &[[N; 3]; 2], b0: &[[N; 3]; 2], b1: &[[N; 3]; 2]) -> N {
-    let mut best = N::splat(0.0);
-    for k in 0..3 {
-        let above = (a0[0][k] - b0[1][k]).min(a1[0][k] - b1[1][k]);
-        let below = (b0[0][k] - a0[1][k]).min(b1[0][k] - a1[1][k]);
-        best = best.max(above).max(below);
-    }
-    best
+pub fn axis_separated<N: Num>(a0: &[[N; 3]; 2], a1: &[[N; 3]; 2], b0: &[[N; 3]; 2], b1: &[[N; 3]; 2], needed: N) -> N::Mask {
+    let above = |k: usize| (a0[0][k] - b0[1][k]).gt(needed) & (a1[0][k] - b1[1][k]).gt(needed);
+    let below = |k: usize| (b0[0][k] - a0[1][k]).gt(needed) & (b1[0][k] - a1[1][k]).gt(needed);
+    (above(0) | below(0)) | (above(1) | below(1)) | (above(2) | below(2))
 }
 
 /// Positive only if the features are certainly never closer than `min_distance`, because they pass beside each other: tries the directions in the plane of

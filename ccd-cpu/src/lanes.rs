@@ -60,6 +60,15 @@ impl Neg for Lanes {
 impl Num for Lanes {
     const UNIT: Self = Self([f32::UNIT; WIDTH]);
     const MIN_NORMAL: Self = Self([f32::MIN_NORMAL; WIDTH]);
+    type Mask = u32;
+    #[inline(always)]
+    fn gt(self, other: Self) -> u32 {
+        let mut mask = 0;
+        for i in 0..WIDTH {
+            mask |= ((self.0[i] > other.0[i]) as u32) << i;
+        }
+        mask
+    }
     #[inline(always)]
     fn splat(x: f32) -> Self {
         Self([x; WIDTH])

@@ -9,7 +9,7 @@ use crate::threads::Threads;
 use crate::traverse::Rows;
 use ccd_core::kernel::sweep;
 use ccd_core::report::Kind;
-use ccd_core::separate::axis_gap;
+use ccd_core::separate::axis_separated;
 use ccd_core::topology::{Bodies, Mesh};
 use ccd_core::{Num, Real};
 use std::marker::PhantomData;
@@ -151,7 +151,7 @@ impl<T: Real + Send + Sync, W: Take> Rows for EdgeRows<'_, T, W> {
         }
         worker.count(mask.count_ones() as u64);
         if W::FILTERED {
-            mask &= !separated(simd, &self.leaves.ends[a], lane, &self.leaves.ends[b], self.scene.needed_gap());
+            mask &= !separated(&self.leaves.ends[a], lane, &self.leaves.ends[b], self.scene.needed_gap());
         }
         if mask != 0 {
             let (id, ids) = (self.edges.order()[a * WIDTH + lane], lane_ids(self.edges.order(), b));
@@ -189,7 +189,7 @@ impl<T: Real + Send + Sync, W: Take> Rows for FaceRows<'_, T, W> {
         }
         worker.count(mask.count_ones() as u64);
         if W::FILTERED {
-            mask &= !separated(simd, &self.vertex_leaves.ends[a], lane, &self.face_leaves.ends[b], self.scene.needed_gap());
+            mask &= !separated(&self.vertex_leaves.ends[a], lane, &self.face_leaves.ends[b], self.scene.needed_gap());
         }
         if mask != 0 {
             worker.take(simd, self.scene, Kind::VertexFace, vertex, &lane_ids(self.faces.order(), b), mask);
@@ -221,8 +221,8 @@ pub(crate) fn keep(mask: u32, wanted: impl Fn(usize) -> bool) -> u32 {
 
 /// Lanes of `b` that an axis keeps further than `needed` from lane `i` of `a` during the whole step.
 #[inline(always)]
-fn separated<S: Simd>(simd: S, a: &[Block; 2], i: usize, b: &[Block; 2], needed: f32) -> u32 {
-    simd.greater(axis_gap(&one(&a[0], i), &one(&a[1], i), &all(&b[0]), &all(&b[1])), needed)
+fn separated(a: &[Block; 2], i: usize, b: &[Block; 2], needed: f32) -> u32 {
+    axis_separated(&one(&a[0], i), &one(&a[1], i), &all(&b[0]), &all(&b[1]), Lanes([needed; WIDTH]))
 }
 
 /// Lane `i` in all lanes.
