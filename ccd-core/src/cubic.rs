@@ -131,7 +131,7 @@ impl<R: Real> Cubic<R> {
             return Interval { lo: R::splat(1.0), hi: zero, crosses };
         }
         let lo = if starts_outside { self.enter_band(from, to, f0 < zero) } else { from };
-        let hi = if ends_outside { self.leave_band(lo, to) } else { to };
+        let hi = if ends_outside { self.leave_band(lo, to, f1 < zero) } else { to };
         Interval { lo, hi, crosses }
     }
 
@@ -163,27 +163,25 @@ impl<R: Real> Cubic<R> {
         low
     }
 
-    /// A time after `from` at which `f` has certainly left the band, at most twice as far away as needed; `to` if none is found.
-    fn leave_band(&self, from: R, to: R) -> R {
+    /// A time after `from` from which on `f` certainly is on the side where it is at `to`, at most twice as far away as needed;
+    /// `to` if none is found.
+    ///
+    /// Only that side counts: on the other one noise at a critical point may lie just outside of the band, with the crossing
+    /// still to come. On the piece `f` is monotone up to what the band allows for, so it does not come back.
+    fn leave_band(&self, from: R, to: R, negative: bool) -> R {
+        let sign = if negative { R::splat(-1.0) } else { R::splat(1.0) };
         let mut step = R::splat(2.0 * WIDTH);
         for _ in 0..MAX_STEPS {
             let t = from + step;
             if !(t < to) {
                 break;
             }
-            if self.left(from, t) {
+            if sign * self.value(t) > self.band {
                 return t;
             }
             step = step + step;
         }
         to
-    }
-
-    /// Whether `f` is outside of the band at `t`, on the other side than at `from` if it was outside there too.
-    #[inline]
-    fn left(&self, from: R, t: R) -> bool {
-        let (f, f_from) = (self.value(t), self.value(from));
-        f.abs() > self.band && !(f_from.abs() > self.band && (f > R::splat(0.0)) == (f_from > R::splat(0.0)))
     }
 }
 
