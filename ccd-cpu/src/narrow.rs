@@ -141,7 +141,7 @@ impl<T: Real> Filter<'_, T> {
     #[inline(always)]
     fn keep<S: Simd, const VERTEX_FACE: bool, const HALVES: bool>(&mut self, simd: S) {
         let patch = if VERTEX_FACE { Patch::Triangle } else { Patch::Parallelogram };
-        let distance = Lanes([Real::round_up(self.scene.min_distance); WIDTH]);
+        let distance = Lanes([self.scene.table_distance; WIDTH]);
         let mut n = 0;
         for start in (0..self.pairs.len()).step_by(WIDTH) {
             let end = (start + WIDTH).min(self.pairs.len());

@@ -5,7 +5,7 @@ use crate::pyramid::Pyramid;
 use crate::rows::{Leaves, Scene};
 use crate::session::MAX_LOOSENESS;
 use crate::threads::Threads;
-use ccd_core::input::Scan;
+use ccd_core::input::{Scan, Table};
 use ccd_core::kernel::sweep;
 use ccd_core::report::Options;
 use ccd_core::topology::{Bodies, Mesh};
@@ -38,7 +38,7 @@ pub struct Prepared {
     scans: Vec<Scan>,
     scan: Scan,
     table: Vec<[f32; WIDTH]>,
-    table_error: f32,
+    units: Table,
     pub vertices: Feature<1>,
     pub edges: Feature<2>,
     pub faces: Feature<3>,
@@ -62,7 +62,7 @@ impl Prepared {
         x: &Positions<T>,
     ) -> Result<(), Error> {
         self.scan = self.scan(threads, x)?;
-        self.table_error = self.fill_table(threads, x);
+        self.units = self.fill_table(threads, x);
         self.sweep(threads, mesh, x, ccd_core::input::margin(options.min_distance));
         Ok(())
     }
@@ -77,7 +77,8 @@ impl Prepared {
             x0: x.x0,
             x1: x.x1,
             table: &self.table,
-            table_error: self.table_error,
+            table_error: self.units.error,
+            table_distance: self.units.distance(options.min_distance),
             min_distance: options.min_distance,
             slack: rounded.then(|| self.scan.slack(options.min_distance)),
             margin: ccd_core::input::margin(options.min_distance),
@@ -105,8 +106,8 @@ impl Prepared {
         Ok(all)
     }
 
-    /// Fills the table that filters read; returns how far its numbers may be from the true ones (minus a common origin).
-    fn fill_table<T: Real + Send + Sync>(&mut self, threads: &Threads, x: &Positions<T>) -> f32 {
+    /// Fills the table that filters read; returns its origin, unit and error.
+    fn fill_table<T: Real + Send + Sync>(&mut self, threads: &Threads, x: &Positions<T>) -> Table {
         let table = self.scan.table(x.whole());
         self.table.resize(x.x0.len(), [0.0; WIDTH]);
         threads.fill(&mut self.table, |i| {
@@ -114,7 +115,7 @@ impl Prepared {
             let (p, q) = (table.place(p), table.place(q));
             [p[0], p[1], p[2], 0.0, q[0], q[1], q[2], 0.0]
         });
-        table.error
+        table
     }
 
     /// Boxes of all features.

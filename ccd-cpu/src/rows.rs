@@ -21,9 +21,11 @@ pub struct Scene<'a, T> {
     /// Positions as given.
     pub x0: &'a [[T; 3]],
     pub x1: &'a [[T; 3]],
-    /// Per vertex `x y z _` at both ends in `f32`, each within `table_error` of the true one after recentring.
+    /// Per vertex `x y z _` at both ends in `f32`, each within `table_error` of the true one, in the origin and the unit of a
+    /// [`ccd_core::input::Table`]; the minimum distance in that unit, rounded up.
     pub table: &'a [[f32; WIDTH]],
     pub table_error: f32,
+    pub table_distance: f32,
     pub min_distance: f64,
     /// Where boxes were rounded: how far, see `slack_at`.
     pub slack: Option<f32>,
@@ -36,7 +38,7 @@ pub struct Scene<'a, T> {
 impl<T: Real> Scene<'_, T> {
     /// The gap that two features must keep along an axis to be apart: 1.0001 covers the rounding of this line and of the gap.
     fn needed_gap(&self) -> f32 {
-        (Real::round_up(self.min_distance) + 2.0 * self.table_error) * 1.0001
+        (self.table_distance + 2.0 * self.table_error) * 1.0001
     }
 
     /// Whether the swept boxes of two features overlap in the precision of the input.
