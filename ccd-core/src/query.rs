@@ -185,9 +185,7 @@ mod tests {
     /// A vertex grazes the plane of the face near t = 0.15 and goes through it at t = 0.589: the coplanarity cubic nearly touches
     /// zero before it crosses.
     fn check_tangential<R: Real>() {
-        let at = |v: [f64; 3], z: f64| {
-            [v, [0.0; 3], [1.0, 0.0, z], [0.0, 1.0, 0.0]].map(|p| p.map(R::from_f64))
-        };
+        let at = |v: [f64; 3], z: f64| [v, [0.0; 3], [1.0, 0.0, z], [0.0, 1.0, 0.0]].map(|p| p.map(R::from_f64));
         let t0 = at([-0.540_695_877_705_146_2, 0.225_321_612_868_974_26, 0.027_710_373_284_185_068], -0.646_476_115_185_463_8);
         let t1 = at([0.376_821_355_790_778_86, 0.225_321_612_868_974_26, -0.019_311_892_065_309_713], 0.363_575_607_019_382_63);
         let verdict = vertex_face(&VertexFace { t0, t1 }, R::splat(0.0));
