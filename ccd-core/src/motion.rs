@@ -72,6 +72,13 @@ impl<N: Num> Motion<N> {
         )
     }
 
+    /// The same in another unit of length; exact for a power of two, unless a component vanishes.
+    #[inline(always)]
+    pub fn scaled(&self, unit: N) -> Self {
+        let both = |x: &[[N; 3]; 2]| [scale(x[0], unit), scale(x[1], unit)];
+        Self { a: both(&self.a), b: both(&self.b), c: both(&self.c), error: self.error * unit }
+    }
+
     /// Bounds of the absolute components of `a`, `b`, `c` over the whole step, input error included.
     #[inline(always)]
     pub fn magnitudes(&self) -> [N; 3] {

@@ -91,12 +91,35 @@ pub fn edge_edge<R: Real>(q: &EdgeEdge<R>, min_distance: R) -> Verdict<R> {
 
 /// Decides a query that is already in relative form; input errors of `m` are part of every bound.
 pub fn solve<R: Real>(m: &Motion<R>, patch: Patch, min_distance: R) -> Verdict<R> {
-    let zero = R::splat(0.0);
-    let plane = Coplanarity::new(m);
-    if plane.clearance(min_distance) > zero {
+    let (m, min_distance) = in_unit(m, min_distance);
+    let plane = Coplanarity::new(&m);
+    if plane.clearance(min_distance) > R::splat(0.0) {
         return Verdict::Miss;
     }
-    if min_distance > zero { at_distance(m, patch, min_distance) } else { touching(m, patch, &plane) }
+    if min_distance > R::splat(0.0) { at_distance(&m, patch, min_distance) } else { touching(&m, patch, &plane) }
+}
+
+/// Vectors whose greatest component is within this factor of 1, 2^16, need no other unit: fourth powers and their inverses
+/// stay inside `f32`.
+const UNIT_RANGE: f32 = 65_536.0;
+
+/// The query in a unit of length in which its vectors are neither huge nor tiny: times do not depend on the unit, products do.
+///
+/// Scaling by a power of two is exact, but for components so much smaller than the greatest that they vanish, which is what
+/// every bound allows for where results are flushed to zero. A distance that vanishes becomes the smallest normal number; that
+/// is more, and too little for a certain contact.
+#[inline(always)]
+fn in_unit<R: Real>(m: &Motion<R>, min_distance: R) -> (Motion<R>, R) {
+    let [a, b, c] = m.magnitudes();
+    let size = a.max(b).max(c);
+    let fine = size <= R::splat(UNIT_RANGE) && size >= R::splat(1.0 / UNIT_RANGE);
+    if fine || !(size >= R::MIN_NORMAL) || !size.is_finite_number() {
+        return (*m, min_distance);
+    }
+    let unit = size.to_unit();
+    let scaled = min_distance * unit;
+    let distance = if min_distance > R::splat(0.0) { scaled.max(R::MIN_NORMAL) } else { scaled };
+    (m.scaled(unit), distance)
 }
 
 /// Contact as coplanarity and containment: `min_distance = 0`.

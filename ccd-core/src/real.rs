@@ -43,6 +43,8 @@ pub trait Real: Num + PartialOrd + core::ops::Div<Output = Self> + core::fmt::De
     fn next_down(self) -> Self;
     /// Whether the number is neither infinite nor NaN, by its bits (some devices fold `x != x` away).
     fn is_finite_number(self) -> bool;
+    /// The power of two that brings a positive normal number to `[1, 2)`; to `[2, 4)` the greatest, whose inverse is tiny.
+    fn to_unit(self) -> Self;
 }
 
 macro_rules! real {
@@ -126,6 +128,13 @@ macro_rules! real {
             fn is_finite_number(self) -> bool {
                 self.to_bits() & $exponent != $exponent
             }
+            #[inline]
+            fn to_unit(self) -> Self {
+                // From 2^e to 2^-e: exponents are stored with that of 1 added.
+                let (one, least) = ((1.0 as $t).to_bits(), <$t>::MIN_POSITIVE.to_bits());
+                let inverse = one + one - (self.to_bits() & $exponent);
+                <$t>::from_bits(if inverse > least { inverse } else { least })
+            }
         }
     };
 }
@@ -175,6 +184,18 @@ mod tests {
         }
         assert!(Real::next_up(f64::NAN).is_nan());
         assert!(![f32::NAN, f32::INFINITY, f32::NEG_INFINITY].into_iter().any(Real::is_finite_number) && f32::MAX.is_finite_number());
+    }
+
+    #[test]
+    fn units_are_powers_of_two() {
+        for e in -126..=126 {
+            for m in [1.0, 1.3, f32::from_bits(0x3fff_ffff)] {
+                let x = m * 2f32.powi(e);
+                assert_eq!(x.to_unit(), 2f32.powi(-e), "{x:e}");
+                assert_eq!((x as f64 * 2f64.powi(7 * e)).to_unit(), 2f64.powi(-8 * e), "{x:e}");
+            }
+        }
+        assert_eq!((f32::MAX.to_unit(), f64::MAX.to_unit()), (f32::MIN_POSITIVE, f64::MIN_POSITIVE));
     }
 
     #[test]
