@@ -9,12 +9,14 @@ use crate::tree::Tree;
 use ccd_core::error::check_boxes;
 use ccd_core::layout::Pair;
 use ccd_core::report::Method;
-use ccd_core::{Aabb, Error, Num, Real};
+use ccd_core::{Aabb, Error, Real};
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// Finds overlapping boxes; keeps its buffers between calls.
 ///
-/// Overlap is closed: boxes that touch are a pair. Infinite bounds count as the greatest finite `f32`. `f64` boxes are compared as they are, not as
-/// their `f32` roundings. The order of pairs depends on the boxes and the method, not on the number of threads.
+/// Overlap is closed: boxes that touch are a pair. Boxes are compared as they are, not as their
+/// roundings in `f32`; infinite bounds too: infinity touches infinity and nothing else.
+/// The order of pairs depends on the boxes and the method, not on the number of threads.
 #[derive(Debug)]
 pub struct BroadPhase {
     threads: Threads,
@@ -254,19 +256,113 @@ pub(crate) fn order_runs(workers: &[Lister], runs: &mut Vec<Run>) {
 }
 
 impl Side {
-    /// Takes boxes, rounded outward; whether nothing was rounded.
+    /// Takes boxes, rounded outward; whether that changed none of them. Bounds beyond the greatest
+    /// of a rounded box change in `f32` too.
     fn take<T: Real + Send + Sync>(&mut self, threads: &Threads, boxes: &[Aabb<T>]) -> bool {
         self.boxes.resize(boxes.len(), Aabb::EMPTY);
-        threads.fill(&mut self.boxes, |i| boxes[i].round_out());
-        let same =
-            |r: &Aabb<f32>, b: &Aabb<T>| (0..3).all(|k| r.min[k] as f64 == b.min[k].to_f64() && r.max[k] as f64 == b.max[k].to_f64());
-        T::UNIT.to_f64() == f32::UNIT as f64 || self.boxes.iter().zip(boxes).all(|(r, b)| same(r, b))
+        let exact = AtomicBool::new(true);
+        threads.fill(&mut self.boxes, |i| {
+            let (b, r) = (&boxes[i], boxes[i].round_out());
+            let same = |r: f32, b: T| r as f64 == b.to_f64();
+            if !(0..3).all(|k| same(r.min[k], b.min[k]) && same(r.max[k], b.max[k])) {
+                exact.store(false, Relaxed);
+            }
+            r
+        });
+        exact.into_inner()
     }
 }
 
-/// Twice the spacing of `f32` at the greatest coordinate: outward rounding moves two bounds by less than that together.
+/// Twice the spacing of `f32` at the greatest coordinate: outward rounding moves two bounds by less
+/// than that together. Bounds that were cut to the greatest of a rounded box are equal, so that pairs
+/// which overlap only there overlap by nothing; a bound that was not cut compares with them as with
+/// what they were.
 fn slack(a: &[Aabb<f32>], b: &[Aabb<f32>]) -> f32 {
     let greatest =
         |boxes: &[Aabb<f32>]| boxes.iter().fold(0f32, |m, b| m.max(ccd_core::vec3::max_abs(b.min)).max(ccd_core::vec3::max_abs(b.max)));
     ccd_core::input::slack_at(greatest(a).max(greatest(b)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Bounds at and beyond the greatest that a rounded box has, and ordinary ones.
+    const BOUNDS: [f32; 13] = [
+        f32::NEG_INFINITY,
+        f32::MIN,
+        -3.2e38,
+        -2.95e38,
+        -2.9e38,
+        -1.0,
+        0.0,
+        1.0,
+        2.9e38,
+        2.95e38,
+        3.2e38,
+        f32::MAX,
+        f32::INFINITY,
+    ];
+
+    /// Pairs by both methods are those of brute force, in the precision of the boxes.
+    fn check_pairs<T: Real + Send + Sync>(a: &[Aabb<T>], b: &[Aabb<T>]) {
+        let all = |n: usize, m: usize| (0..n).flat_map(move |i| (0..m).map(move |j| (i, j)));
+        let pair = |(i, j): (usize, usize)| Pair { a: i as u32, b: j as u32 };
+        let n = a.len();
+        let within: Vec<Pair> =
+            all(n, n).filter(|&(i, j)| i < j && a[i].overlaps(&a[j])).map(pair).collect();
+        let between: Vec<Pair> =
+            all(n, b.len()).filter(|&(i, j)| a[i].overlaps(&b[j])).map(pair).collect();
+        assert!(!within.is_empty() && within.len() < n * (n - 1) / 2, "all or none overlap");
+        let sorted = |pairs: Pairs| {
+            let mut pairs = pairs.to_vec();
+            pairs.sort_unstable_by_key(|p| (p.a, p.b));
+            pairs
+        };
+        for method in [Method::Blocks, Method::Tree] {
+            let mut broad = BroadPhase::new(1, method).unwrap();
+            let got = sorted(broad.self_pairs(a).unwrap());
+            assert_eq!(got, within, "{method:?}, within {a:?}");
+            let got = sorted(broad.pairs(a, b).unwrap());
+            assert_eq!(got, between, "{method:?}, {a:?} against {b:?}");
+        }
+    }
+
+    #[test]
+    fn huge_and_infinite_bounds_are_compared_as_they_are() {
+        let apart = [(2.95e38f32, 3.0e38), (3.2e38, 3.3e38), (0.0, 3.1e38)]
+            .map(|(min, max)| Aabb { min: [min, 0.0, 0.0], max: [max, 1.0, 1.0] });
+        check_pairs(&apart, &apart);
+        let mut x = 11u32;
+        let mut bound = || {
+            x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+            (x >> 16) as usize % BOUNDS.len()
+        };
+        for n in [3usize, 8, 40] {
+            for _ in 0..20 {
+                let mut side = || (bound(), bound());
+                let mut one = || {
+                    let sides: [_; 3] = std::array::from_fn(|_| side());
+                    Aabb {
+                        min: sides.map(|(p, q)| BOUNDS[p.min(q)]),
+                        max: sides.map(|(p, q)| BOUNDS[p.max(q)]),
+                    }
+                };
+                // The first two are apart, the third and the fourth overlap.
+                let mut boxes = vec![apart[0], apart[1], apart[2], apart[2]];
+                boxes.extend((0..n).map(|_| one()));
+                let others: Vec<_> = (0..n).map(|_| one()).collect();
+                check_pairs(&boxes, &others);
+                let wide = |b: &Aabb<f32>| Aabb { min: b.min.map(f64::from), max: b.max.map(f64::from) };
+                let far = |b: &Aabb<f32>| {
+                    let wide = wide(b);
+                    Aabb { min: wide.min.map(|x| x * 1e60), max: wide.max.map(|x| x * 1e60) }
+                };
+                for to_f64 in [&wide as &dyn Fn(&Aabb<f32>) -> Aabb<f64>, &far] {
+                    let all = |boxes: &[Aabb<f32>]| boxes.iter().map(to_f64).collect::<Vec<_>>();
+                    check_pairs(&all(&boxes), &all(&others));
+                }
+            }
+        }
+    }
 }

@@ -17,7 +17,7 @@ pub struct Pyramid {
     /// `levels[0]` holds the boxes, `levels[height - 1]` is one block; those above are kept for their memory.
     levels: Vec<Vec<Block>>,
     height: usize,
-    /// Per level and block: the lanes that hold fixed boxes only; used if any is fixed.
+    /// Per level and block: the lanes that hold fixed boxes only; empty where none was marked.
     fixed: Vec<Vec<u8>>,
     any_fixed: bool,
     morton: MortonOrder,
@@ -68,13 +68,14 @@ impl Pyramid {
 
     fn mark_fixed(&mut self, fixed: Option<&(dyn Fn(usize) -> bool + Sync)>) {
         self.any_fixed = fixed.is_some();
+        // Levels beyond those of this build, too: `raise` may need them, and they are not marked.
+        self.fixed.iter_mut().for_each(Vec::clear);
         let Some(fixed) = fixed else { return };
         for level in 0..self.height {
             if self.fixed.len() == level {
                 self.fixed.push(Vec::new());
             }
             let (below, here) = self.fixed.split_at_mut(level);
-            here[0].clear();
             match below.last() {
                 None => here[0].extend(self.order.chunks(WIDTH).map(|ids| all_of(ids, |&id| fixed(id as usize)))),
                 Some(below) => here[0].extend(below.chunks(WIDTH).map(|masks| all_of(masks, |&mask| mask == 0xff))),
@@ -229,5 +230,24 @@ mod tests {
             pyramid.refit(&threads, &boxes);
             check_well_formed(&pyramid, &boxes);
         }
+    }
+
+    #[test]
+    fn fixed_lanes_are_those_of_the_last_build() {
+        let threads = Threads::new(1).unwrap();
+        let boxes: Vec<_> = (0..4096).map(|i| Aabb::of_point([i as f32, 0.0, 0.0])).collect();
+        let (all, none) = (|_: usize| true, |_: usize| false);
+        let mut pyramid = Pyramid::default();
+        pyramid.build(&threads, &boxes, Some(&all));
+        let height = pyramid.height();
+        let any = |pyramid: &Pyramid| (0..height).any(|level| pyramid.fixed(level, 0) != 0);
+        assert!(any(&pyramid), "all boxes are fixed");
+        // Fewer boxes and fewer levels, then as many levels as before.
+        pyramid.build(&threads, &boxes[..WIDTH], Some(&none));
+        pyramid.raise(height);
+        assert!(!any(&pyramid), "lanes of an earlier build");
+        pyramid.build(&threads, &boxes, Some(&all));
+        pyramid.build(&threads, &boxes, None);
+        assert!(!any(&pyramid), "lanes of an earlier build that had fixed boxes");
     }
 }
