@@ -135,10 +135,14 @@ impl Table {
     }
 }
 
-/// Half of the minimum distance, rounded up: two boxes grown by it keep the distance.
+/// Half of the minimum distance and the smallest normal number, rounded up: two boxes grown by it keep the distance.
+///
+/// The smallest normal number is for devices that flush denormals. A coordinate that is flushed when it is read moves by less
+/// than that, and what a comparison or a sum flushes keeps its order; a margin that is a denormal would be none.
 pub fn margin<T: Real>(min_distance: f64) -> T {
     let half = T::from_f64(min_distance * 0.5);
-    if half > T::splat(0.0) { half.next_up() } else { half }
+    // Two roundings, of half of a unit of the sum each at most, are one step.
+    if min_distance > 0.0 { (half + T::MIN_NORMAL).next_up() } else { T::splat(0.0) }
 }
 
 /// Boxes of coordinates up to `greatest` that were rounded to `f32` and overlap by at most this may not overlap in truth: twice the spacing of `f32` there,
