@@ -106,6 +106,9 @@ impl Real for Flushed {
     fn is_finite_number(self) -> bool {
         self.0.is_finite()
     }
+    fn to_unit(self) -> Self {
+        Self(self.0.to_unit())
+    }
 }
 
 /// Numbers from far below the smallest normal one to some way above it, of both signs.
