@@ -1,9 +1,9 @@
 //! Kernel bodies and pieces of the pipeline under criterion; every benchmark asserts its answer.
 
 use ccd::{Aabb, BroadPhase, EdgeEdge, Method, Options, Session, Verdict, VertexFace};
-use ccd_core::kernel::{bounds, build};
+use ccd_core::broad_phase::{morton_key, radix_tree};
 use ccd_core::layout::Pair;
-use ccd_core::morton::MortonGrid;
+use ccd_core::math::morton::MortonGrid;
 use ccd_testkit::brute::swept_boxes;
 use ccd_testkit::generate::{crumpled_sheet, uniform_boxes};
 use criterion::{Criterion, criterion_group, criterion_main};
@@ -33,15 +33,15 @@ fn boxes(c: &mut Criterion) {
     let boxes = uniform_boxes(100_000);
     let scene = boxes.iter().fold(Aabb::EMPTY, |all, b| all.union(b));
     let grid = MortonGrid::new(&scene, 21);
-    let mut codes: Vec<[u32; 2]> = (0..boxes.len()).map(|i| bounds::morton(i, &boxes, &grid)).collect();
+    let mut codes: Vec<[u32; 2]> = (0..boxes.len()).map(|i| morton_key::morton(i, &boxes, &grid)).collect();
     c.bench_function("morton, 100,000 boxes", |b| {
-        b.iter(|| (0..boxes.len()).fold(0u32, |sum, i| sum ^ bounds::morton(i, black_box(&boxes), &grid)[0]))
+        b.iter(|| (0..boxes.len()).fold(0u32, |sum, i| sum ^ morton_key::morton(i, black_box(&boxes), &grid)[0]))
     });
     codes.sort_unstable_by_key(|&[low, high]| (high, low));
     c.bench_function("tree branches, 100,000 boxes", |b| {
         b.iter(|| {
             let leaves: u64 = (0..codes.len() as u32 - 1)
-                .map(|i| build::branch(i, codes.len() as u32, black_box(&codes)))
+                .map(|i| radix_tree::branch(i, codes.len() as u32, black_box(&codes)))
                 .map(|n| (n.last - n.first) as u64)
                 .sum();
             assert!(leaves > codes.len() as u64);

@@ -56,9 +56,12 @@ pub use ccd_gpu as gpu;
 #[doc = include_str!("../README.md")]
 struct Readme;
 
-pub use ccd_core::digest::Digest;
 pub use ccd_core::layout::Pair;
-pub use ccd_core::report::{Contact, Kind, Method, Options, PerKind, Report, State, Times};
-pub use ccd_core::topology::{Bodies, Mesh};
+pub use ccd_core::model::bodies::Bodies;
+pub use ccd_core::model::contact::{Contact, Kind, PerKind, State};
+pub use ccd_core::model::digest::Digest;
+pub use ccd_core::model::mesh::Mesh;
+pub use ccd_core::model::options::{Method, Options};
+pub use ccd_core::model::report::{Report, Times};
 pub use ccd_core::{Aabb, EdgeEdge, Error, Real, TOI_TOLERANCE, Verdict, VertexFace, edge_edge, vertex_face};
 pub use ccd_cpu::{BroadPhase, Candidates, MAX_LOOSENESS, Pairs, Session, earliest_toi, step};

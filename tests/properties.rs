@@ -84,7 +84,7 @@ proptest! {
 
     #[test]
     fn filters_reject_misses_only(t0 in points(), t1 in points(), distance in 0.0..0.2f64) {
-        use ccd_core::bernstein::{edge_edge_filter, vertex_face_filter};
+        use ccd_core::narrow_phase::coplanarity::{edge_edge_filter, vertex_face_filter};
         for d in [0.0, distance] {
             let (face, edges) = (VertexFace { t0, t1 }, EdgeEdge { t0, t1 });
             if vertex_face_filter(&t0, &t1, d) {

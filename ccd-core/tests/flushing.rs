@@ -2,8 +2,8 @@
 //! into an operation and what comes out of it plays the device.
 
 use bytemuck::{Pod, Zeroable};
-use ccd_core::input::margin;
-use ccd_core::kernel::sweep::swept;
+use ccd_core::broad_phase::swept_box::swept;
+use ccd_core::model::quantization::margin;
 use ccd_core::{Aabb, Num, Real};
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};

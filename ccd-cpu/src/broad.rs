@@ -6,9 +6,9 @@ use crate::simd::Simd;
 use crate::threads::Threads;
 use crate::traverse::{Rows, Traversal};
 use crate::tree::Tree;
-use ccd_core::error::check_boxes;
 use ccd_core::layout::Pair;
-use ccd_core::report::Method;
+use ccd_core::model::error::check_boxes;
+use ccd_core::model::options::Method;
 use ccd_core::{Aabb, Error, Real};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
@@ -278,9 +278,10 @@ impl Side {
 /// which overlap only there overlap by nothing; a bound that was not cut compares with them as with
 /// what they were.
 fn slack(a: &[Aabb<f32>], b: &[Aabb<f32>]) -> f32 {
-    let greatest =
-        |boxes: &[Aabb<f32>]| boxes.iter().fold(0f32, |m, b| m.max(ccd_core::vec3::max_abs(b.min)).max(ccd_core::vec3::max_abs(b.max)));
-    ccd_core::input::slack_at(greatest(a).max(greatest(b)))
+    let greatest = |boxes: &[Aabb<f32>]| {
+        boxes.iter().fold(0f32, |m, b| m.max(ccd_core::math::vec3::max_abs(b.min)).max(ccd_core::math::vec3::max_abs(b.max)))
+    };
+    ccd_core::model::quantization::slack_at(greatest(a).max(greatest(b)))
 }
 
 #[cfg(test)]
@@ -288,31 +289,16 @@ mod tests {
     use super::*;
 
     /// Bounds at and beyond the greatest that a rounded box has, and ordinary ones.
-    const BOUNDS: [f32; 13] = [
-        f32::NEG_INFINITY,
-        f32::MIN,
-        -3.2e38,
-        -2.95e38,
-        -2.9e38,
-        -1.0,
-        0.0,
-        1.0,
-        2.9e38,
-        2.95e38,
-        3.2e38,
-        f32::MAX,
-        f32::INFINITY,
-    ];
+    const BOUNDS: [f32; 13] =
+        [f32::NEG_INFINITY, f32::MIN, -3.2e38, -2.95e38, -2.9e38, -1.0, 0.0, 1.0, 2.9e38, 2.95e38, 3.2e38, f32::MAX, f32::INFINITY];
 
     /// Pairs by both methods are those of brute force, in the precision of the boxes.
     fn check_pairs<T: Real + Send + Sync>(a: &[Aabb<T>], b: &[Aabb<T>]) {
         let all = |n: usize, m: usize| (0..n).flat_map(move |i| (0..m).map(move |j| (i, j)));
         let pair = |(i, j): (usize, usize)| Pair { a: i as u32, b: j as u32 };
         let n = a.len();
-        let within: Vec<Pair> =
-            all(n, n).filter(|&(i, j)| i < j && a[i].overlaps(&a[j])).map(pair).collect();
-        let between: Vec<Pair> =
-            all(n, b.len()).filter(|&(i, j)| a[i].overlaps(&b[j])).map(pair).collect();
+        let within: Vec<Pair> = all(n, n).filter(|&(i, j)| i < j && a[i].overlaps(&a[j])).map(pair).collect();
+        let between: Vec<Pair> = all(n, b.len()).filter(|&(i, j)| a[i].overlaps(&b[j])).map(pair).collect();
         assert!(!within.is_empty() && within.len() < n * (n - 1) / 2, "all or none overlap");
         let sorted = |pairs: Pairs| {
             let mut pairs = pairs.to_vec();
@@ -330,8 +316,8 @@ mod tests {
 
     #[test]
     fn huge_and_infinite_bounds_are_compared_as_they_are() {
-        let apart = [(2.95e38f32, 3.0e38), (3.2e38, 3.3e38), (0.0, 3.1e38)]
-            .map(|(min, max)| Aabb { min: [min, 0.0, 0.0], max: [max, 1.0, 1.0] });
+        let apart =
+            [(2.95e38f32, 3.0e38), (3.2e38, 3.3e38), (0.0, 3.1e38)].map(|(min, max)| Aabb { min: [min, 0.0, 0.0], max: [max, 1.0, 1.0] });
         check_pairs(&apart, &apart);
         let mut x = 11u32;
         let mut bound = || {
@@ -343,10 +329,7 @@ mod tests {
                 let mut side = || (bound(), bound());
                 let mut one = || {
                     let sides: [_; 3] = std::array::from_fn(|_| side());
-                    Aabb {
-                        min: sides.map(|(p, q)| BOUNDS[p.min(q)]),
-                        max: sides.map(|(p, q)| BOUNDS[p.max(q)]),
-                    }
+                    Aabb { min: sides.map(|(p, q)| BOUNDS[p.min(q)]), max: sides.map(|(p, q)| BOUNDS[p.max(q)]) }
                 };
                 // The first two are apart, the third and the fourth overlap.
                 let mut boxes = vec![apart[0], apart[1], apart[2], apart[2]];

@@ -6,12 +6,12 @@ use crate::lanes::{Lanes, WIDTH};
 use crate::rows::{Scene, Take};
 use crate::simd::{Simd, Work};
 use ccd_core::Real;
-use ccd_core::bernstein::Coplanarity;
-use ccd_core::kernel::narrow;
 use ccd_core::layout::Pair;
-use ccd_core::motion::{Motion, Patch};
-use ccd_core::report::{Contact, Kind};
-use ccd_core::separate::beside;
+use ccd_core::model::contact::{Contact, Kind};
+use ccd_core::narrow_phase::coplanarity::Coplanarity;
+use ccd_core::narrow_phase::decide;
+use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
+use ccd_core::narrow_phase::separating_direction::beside;
 use std::time::{Duration, Instant};
 
 /// Pairs that a queue holds before it is worked off: fits the first-level cache with the positions it touches.
@@ -61,8 +61,8 @@ impl Worker {
     fn decide<T: Real>(&mut self, scene: &Scene<T>, kind: Kind, pair: Pair) {
         let ids = vertices(scene, kind, pair);
         let verdict = match kind {
-            Kind::VertexFace => narrow::vertex_face(ids, scene.x0, scene.x1, scene.min_distance, 0.0),
-            Kind::EdgeEdge => narrow::edge_edge(ids, scene.x0, scene.x1, scene.min_distance, 0.0),
+            Kind::VertexFace => decide::vertex_face_pair(ids, scene.x0, scene.x1, scene.min_distance, 0.0),
+            Kind::EdgeEdge => decide::edge_edge_pair(ids, scene.x0, scene.x1, scene.min_distance, 0.0),
         };
         let Some(contact) = Contact::of(kind, pair, verdict) else { return };
         self.toi = Some(self.toi.map_or(contact.toi, |t| t.min(contact.toi)));
@@ -105,8 +105,8 @@ impl Take for Worker {
 #[inline(always)]
 fn vertices<T>(scene: &Scene<T>, kind: Kind, pair: Pair) -> [u32; 4] {
     match kind {
-        Kind::VertexFace => narrow::vertex_face_ids(pair, scene.mesh.faces()),
-        Kind::EdgeEdge => narrow::edge_edge_ids(pair, scene.mesh.edges()),
+        Kind::VertexFace => decide::vertex_face_ids(pair, scene.mesh.faces()),
+        Kind::EdgeEdge => decide::edge_edge_ids(pair, scene.mesh.edges()),
     }
 }
 

@@ -5,10 +5,11 @@ use crate::pyramid::Pyramid;
 use crate::rows::{Leaves, Scene};
 use crate::session::MAX_LOOSENESS;
 use crate::threads::Threads;
-use ccd_core::input::{Scan, Table};
-use ccd_core::kernel::sweep;
-use ccd_core::report::Options;
-use ccd_core::topology::{Bodies, Mesh};
+use ccd_core::broad_phase::swept_box;
+use ccd_core::model::bodies::Bodies;
+use ccd_core::model::mesh::Mesh;
+use ccd_core::model::options::Options;
+use ccd_core::model::quantization::{Scan, Table};
 use ccd_core::{Aabb, Error, Num, Real};
 
 /// Positions of a step, of which only the times up to `until` matter.
@@ -63,7 +64,7 @@ impl Prepared {
     ) -> Result<(), Error> {
         self.scan = self.scan(threads, x)?;
         self.units = self.fill_table(threads, x);
-        self.sweep(threads, mesh, x, ccd_core::input::margin(options.min_distance));
+        self.sweep(threads, mesh, x, ccd_core::model::quantization::margin(options.min_distance));
         Ok(())
     }
 
@@ -81,7 +82,7 @@ impl Prepared {
             table_distance: self.units.distance(options.min_distance),
             min_distance: options.min_distance,
             slack: rounded.then(|| self.scan.slack(options.min_distance)),
-            margin: ccd_core::input::margin(options.min_distance),
+            margin: ccd_core::model::quantization::margin(options.min_distance),
             keep_contacts,
         }
     }
@@ -100,8 +101,8 @@ impl Prepared {
         });
         let all = self.scans.iter().fold(Scan::NONE, |all, s| all.merged(s));
         if !all.finite {
-            ccd_core::error::check_coordinates(0, x.x0)?;
-            ccd_core::error::check_coordinates(1, x.x1)?;
+            ccd_core::model::error::check_coordinates(0, x.x0)?;
+            ccd_core::model::error::check_coordinates(1, x.x1)?;
         }
         Ok(all)
     }
@@ -123,20 +124,20 @@ impl Prepared {
         let boxes = &mut self.vertices.boxes;
         boxes.resize(mesh.n_vertices(), Aabb::EMPTY);
         if x.whole() {
-            threads.fill(boxes, |i| sweep::vertex(i, x.x0, x.x1, margin));
+            threads.fill(boxes, |i| swept_box::vertex(i, x.x0, x.x1, margin));
         } else {
             threads.fill(boxes, |i| {
                 let (p, q) = (x.x0[i].map(T::to_f64), x.end(i));
-                let largest = ccd_core::vec3::max_abs(p).max(ccd_core::vec3::max_abs(x.x1[i].map(T::to_f64)));
+                let largest = ccd_core::math::vec3::max_abs(p).max(ccd_core::math::vec3::max_abs(x.x1[i].map(T::to_f64)));
                 // Four roundings of numbers at most twice the largest coordinate.
-                sweep::swept(p, q).inflated(margin.to_f64() + largest * (16.0 * f64::UNIT)).round_out()
+                swept_box::swept(p, q).inflated(margin.to_f64() + largest * (16.0 * f64::UNIT)).round_out()
             });
         }
         let vertices = &self.vertices.boxes;
         self.edges.boxes.resize(mesh.edges().len(), Aabb::EMPTY);
-        threads.fill(&mut self.edges.boxes, |i| sweep::edge(i, mesh.edges(), vertices));
+        threads.fill(&mut self.edges.boxes, |i| swept_box::edge(i, mesh.edges(), vertices));
         self.faces.boxes.resize(mesh.faces().len(), Aabb::EMPTY);
-        threads.fill(&mut self.faces.boxes, |i| sweep::face(i, mesh.faces(), vertices));
+        threads.fill(&mut self.faces.boxes, |i| swept_box::face(i, mesh.faces(), vertices));
     }
 
     /// Refits all trees, or builds them if they never were or if one has become too loose. Returns whether they were built. Boxes of less than the

@@ -7,10 +7,11 @@ use crate::pyramid::Pyramid;
 use crate::simd::{Block, Simd, Work};
 use crate::threads::Threads;
 use crate::traverse::Rows;
-use ccd_core::kernel::sweep;
-use ccd_core::report::Kind;
-use ccd_core::separate::axis_separated;
-use ccd_core::topology::{Bodies, Mesh};
+use ccd_core::broad_phase::swept_box;
+use ccd_core::model::bodies::Bodies;
+use ccd_core::model::contact::Kind;
+use ccd_core::model::mesh::Mesh;
+use ccd_core::narrow_phase::separating_direction::axis_separated;
 use ccd_core::{Num, Real};
 use std::marker::PhantomData;
 
@@ -22,7 +23,7 @@ pub struct Scene<'a, T> {
     pub x0: &'a [[T; 3]],
     pub x1: &'a [[T; 3]],
     /// Per vertex `x y z _` at both ends in `f32`, each within `table_error` of the true one, in the origin and the unit of a
-    /// [`ccd_core::input::Table`]; the minimum distance in that unit, rounded up.
+    /// [`ccd_core::model::quantization::Table`]; the minimum distance in that unit, rounded up.
     pub table: &'a [[f32; WIDTH]],
     pub table_error: f32,
     pub table_distance: f32,
@@ -43,7 +44,7 @@ impl<T: Real> Scene<'_, T> {
 
     /// Whether the swept boxes of two features overlap in the precision of the input.
     fn boxes_overlap<const A: usize, const B: usize>(&self, a: [u32; A], b: [u32; B]) -> bool {
-        let swept = |v: u32| sweep::swept(self.x0[v as usize], self.x1[v as usize]);
+        let swept = |v: u32| swept_box::swept(self.x0[v as usize], self.x1[v as usize]);
         let of = |ids: &[u32]| ids.iter().skip(1).fold(swept(ids[0]), |all, &v| all.union(&swept(v))).inflated(self.margin);
         of(&a).overlaps(&of(&b))
     }

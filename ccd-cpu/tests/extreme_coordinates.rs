@@ -1,8 +1,9 @@
 //! The unit of the coordinates decides nothing: a scene in any unit that is accepted has the contacts that it has at scale 1.
 
 use ccd_core::Real;
-use ccd_core::report::{Contact, Options};
-use ccd_core::topology::Mesh;
+use ccd_core::model::contact::Contact;
+use ccd_core::model::mesh::Mesh;
+use ccd_core::model::options::Options;
 use ccd_cpu::Session;
 
 /// Triangles that fly through each other, around a point that is not the origin.
@@ -29,7 +30,7 @@ fn scaled<R: Real>(x: &[[f64; 3]], scale: f64) -> Vec<[R; 3]> {
     x.iter().map(|p| p.map(|c| R::from_f64(c * scale))).collect()
 }
 
-type Key = (ccd_core::report::Kind, u32, u32);
+type Key = (ccd_core::model::contact::Kind, u32, u32);
 
 fn keys(contacts: &[Contact]) -> Vec<Key> {
     contacts.iter().map(|c| (c.kind, c.a, c.b)).collect()

@@ -1,18 +1,18 @@
 //! Boxes in, overlapping pairs out, on a device.
 
 use crate::device::Device;
-use crate::error::Error;
 use crate::list::{HEADER_BYTES, List, read_header, read_pairs};
+use crate::error::Error;
 use crate::radix_tree::RadixTree;
 use crate::readback::Readback;
 use crate::recorder::{Bench, Recorder, Timing, submit};
 use crate::tree::Tree;
 use ccd_core::Aabb;
-use ccd_core::aabb::GREATEST;
-use ccd_core::error::check_boxes;
 use ccd_core::kernel::Id;
 use ccd_core::layout::{Pair, Params};
-use ccd_core::report::Method;
+use ccd_core::math::aabb::GREATEST;
+use ccd_core::model::error::check_boxes;
+use ccd_core::model::options::Method;
 use wgpu::BufferUsages as U;
 
 /// Finds overlapping pairs of boxes; buffers are kept from call to call.

@@ -1,8 +1,8 @@
 //! What a frame is on a device: all its buffers, and the dispatches from positions to results.
 
 use crate::device::Device;
-use crate::error::Error;
 use crate::list::{HEADER_BYTES, List};
+use crate::error::Error;
 use crate::order::Order;
 use crate::recorder::Recorder;
 use crate::tree::Tree;
@@ -10,8 +10,9 @@ use crate::upload::{Boxes, Positions};
 use ccd_core::Num;
 use ccd_core::kernel::Id;
 use ccd_core::layout::{Params, Path, Touch};
-use ccd_core::report::Options;
-use ccd_core::topology::{Bodies, Mesh};
+use ccd_core::model::bodies::Bodies;
+use ccd_core::model::mesh::Mesh;
+use ccd_core::model::options::Options;
 use wgpu::BufferUsages as U;
 
 /// Of how many pairs of blocks one is sampled to bound the earliest time of impact.

@@ -1,18 +1,20 @@
 //! A mesh stepped frame by frame on a device: everything of a frame in one submission, lists that grow when they were too short.
 
 use crate::device::Device;
-use crate::error::Error;
 use crate::frame::{Buffers, Goal, SAMPLE};
 use crate::list::{HEADER_BYTES, List, read_header, read_pairs};
+use crate::error::Error;
 use crate::order::{self, Order};
 use crate::readback::{Readback, word};
 use crate::recorder::{Bench, Timing, submit};
 use crate::tail;
 use ccd_core::Real;
-use ccd_core::kernel::decide;
 use ccd_core::layout::{Pair, Touch};
-use ccd_core::report::{Kind, Options, PerKind, Report, State};
-use ccd_core::topology::Mesh;
+use ccd_core::model::contact::{Kind, PerKind, State};
+use ccd_core::model::mesh::Mesh;
+use ccd_core::model::options::Options;
+use ccd_core::model::report::Report;
+use ccd_core::narrow_phase::decide;
 use std::time::Instant;
 
 /// Continuous collision detection of one mesh over many steps, on a GPU.

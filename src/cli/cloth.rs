@@ -7,9 +7,9 @@
 use super::Failure;
 use super::backend::{AnySession, BackendOptions, Place};
 use ccd::{Bodies, Contact, Kind, Mesh, Options};
-use ccd_core::closest::closest;
-use ccd_core::motion::{Motion, Patch};
-use ccd_core::vec3::{add, dot, lerp, scale, sub};
+use ccd_core::math::vec3::{add, dot, lerp, scale, sub};
+use ccd_core::narrow_phase::closest_point::closest;
+use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
 
 /// Side of the cloth, number of vertices along it: 4,096 vertices and 7,938 triangles.
 const SIDE: f64 = 2.0;

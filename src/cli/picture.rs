@@ -2,7 +2,7 @@
 
 use super::{Failure, in_file};
 use ccd::{Contact, Kind, Mesh, State};
-use ccd_core::vec3::{cross, dot, lerp, scale, sub};
+use ccd_core::math::vec3::{cross, dot, lerp, scale, sub};
 use std::path::Path;
 
 /// Size of the picture in pixels.

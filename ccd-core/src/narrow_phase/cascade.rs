@@ -1,10 +1,10 @@
 //! Map: what the filters in `f32` say about one candidate pair.
 
-use crate::bernstein::Coplanarity;
+use crate::kernel::memory::at;
 use crate::layout::{Leaf, Path};
-use crate::motion::{Motion, Patch};
-use crate::separate::beside;
-use crate::slice::at;
+use crate::narrow_phase::coplanarity::Coplanarity;
+use crate::narrow_phase::relative_motion::{Motion, Patch};
+use crate::narrow_phase::separating_direction::beside;
 
 /// Whether a vertex and a face may come within `min_distance`; `false` is certain.
 ///

@@ -1,6 +1,6 @@
 //! Three-component arithmetic on plain arrays, over any [`Num`]: the same lines serve `f32`, `f64` and SIMD lanes.
 
-use crate::real::Num;
+use crate::math::real::Num;
 
 /// `a + b`
 #[inline(always)]

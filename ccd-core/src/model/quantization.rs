@@ -1,8 +1,8 @@
 //! What hosts find out about positions before a step: bounds, whether they are exact in `f32`, and the numbers that follow from that.
 
-use crate::aabb::Aabb;
-use crate::error::Error;
-use crate::real::{Num, Real};
+use crate::math::aabb::Aabb;
+use crate::math::real::{Num, Real};
+use crate::model::error::Error;
 
 /// What one pass over positions finds.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,9 +3,10 @@
 //! Boxes pass between threads inside one dispatch, so they live in shared words, six a node, and the visit counter carries
 //! acquire and release. Where a device has no such order across workgroups, a host runs the levels one after the other instead.
 
-use super::{Words, build::MAX_DEPTH};
-use crate::aabb::Aabb;
+use super::radix_tree::MAX_DEPTH;
+use crate::kernel::Words;
 use crate::layout::Branch;
+use crate::math::aabb::Aabb;
 
 /// Words per node: `min` and `max`, as bits of `f32`.
 pub const STRIDE: usize = 6;

@@ -1,6 +1,6 @@
 //! Morton codes: the bits of three coordinates interleaved, so that near codes are mostly near in space.
 
-use crate::aabb::Aabb;
+use crate::math::aabb::Aabb;
 
 /// Spreads the low 10 bits of `v` to every third bit.
 #[inline]

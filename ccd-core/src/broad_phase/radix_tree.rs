@@ -2,9 +2,9 @@
 //!
 //! Changed here: codes are one or two 32-bit words, and the tie-break of equal codes by their index is part of the same comparison.
 
-use super::Words;
+use crate::kernel::Words;
+use crate::kernel::memory::at;
 use crate::layout::Branch;
-use crate::slice::at;
 
 /// Levels that a tree can have: 63 bits of code and 32 of index, each deciding at most once on a path, and a leaf.
 /// Stacks of traversals are this large, so they cannot overflow.

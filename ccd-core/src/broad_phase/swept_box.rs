@@ -2,11 +2,11 @@
 //!
 //! Vertices move on straight lines, so the box of both ends holds the whole path; edges and faces are unions of their vertices.
 
-use crate::aabb::Aabb;
+use crate::kernel::memory::at;
 use crate::layout::Path;
-use crate::real::Real;
-use crate::slice::at;
-use crate::vec3::lerp;
+use crate::math::aabb::Aabb;
+use crate::math::real::Real;
+use crate::math::vec3::lerp;
 
 /// Box of vertex `i` from positions at `t = 0` and `t = 1`, grown by `margin >= 0`.
 #[inline]

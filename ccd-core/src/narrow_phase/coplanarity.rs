@@ -16,9 +16,9 @@
 //! the factors still to come, which `256 MIN_NORMAL (1 + A)(1 + B)(1 + C)` covers. If anything overflows, so does `64 A B C`, which is
 //! part of the bound, and the filter answers "unknown".
 
-use crate::motion::Motion;
-use crate::real::Num;
-use crate::vec3::{add, cross, dot, sum_abs};
+use crate::math::real::Num;
+use crate::math::vec3::{add, cross, dot, sum_abs};
+use crate::narrow_phase::relative_motion::Motion;
 
 /// The cubic of coplanarity, `c[0] s^3 + c[1] s^2 t + c[2] s t^2 + c[3] t^3` with `s = 1 - t`.
 ///
@@ -74,7 +74,7 @@ impl<N: Num> Coplanarity<N> {
 ///
 /// `t0`, `t1`: `v f0 f1 f2` at the start and the end.
 #[inline]
-pub fn vertex_face_filter<R: crate::real::Real>(t0: &[[R; 3]; 4], t1: &[[R; 3]; 4], min_distance: R) -> bool {
+pub fn vertex_face_filter<R: crate::math::real::Real>(t0: &[[R; 3]; 4], t1: &[[R; 3]; 4], min_distance: R) -> bool {
     let m = Motion::vertex_face(t0, t1, R::splat(0.0));
     Coplanarity::new(&m).clearance(min_distance) > R::splat(0.0)
 }
@@ -83,7 +83,7 @@ pub fn vertex_face_filter<R: crate::real::Real>(t0: &[[R; 3]; 4], t1: &[[R; 3]; 
 ///
 /// `t0`, `t1`: `ea0 ea1 eb0 eb1` at the start and the end.
 #[inline]
-pub fn edge_edge_filter<R: crate::real::Real>(t0: &[[R; 3]; 4], t1: &[[R; 3]; 4], min_distance: R) -> bool {
+pub fn edge_edge_filter<R: crate::math::real::Real>(t0: &[[R; 3]; 4], t1: &[[R; 3]; 4], min_distance: R) -> bool {
     let m = Motion::edge_edge(t0, t1, R::splat(0.0));
     Coplanarity::new(&m).clearance(min_distance) > R::splat(0.0)
 }

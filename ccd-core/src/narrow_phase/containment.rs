@@ -4,9 +4,9 @@
 //! `s = S / D`, `r = R / D` with `D = b x c`, `S = a x c`, `R = b x a` (2D cross products). Signs of `S`, `R`, `D - S - R` (triangle) or
 //! `D - S`, `D - R` (parallelogram) relative to `D` that hold over the interval decide; a value within its error decides nothing.
 
-use crate::motion::{Motion, Patch};
-use crate::real::Real;
-use crate::vec3::{cross, lerp, max_abs, sub};
+use crate::math::real::Real;
+use crate::math::vec3::{cross, lerp, max_abs, sub};
+use crate::narrow_phase::relative_motion::{Motion, Patch};
 
 /// What is certain about an interval of time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

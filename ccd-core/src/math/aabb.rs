@@ -1,6 +1,6 @@
 //! Axis-aligned boxes, closed overlap, and the one place where numbers are rounded outward.
 
-use crate::real::{Num, Real};
+use crate::math::real::{Num, Real};
 use bytemuck::{Pod, Zeroable};
 
 /// A closed axis-aligned box; `min > max` in any axis means empty.

@@ -4,7 +4,7 @@
 //! (dissertation 2.3.2 takes Newton-Raphson with bisection from Press et al. 2007, chapter 9.4; changed here: the iteration looks for
 //! the two ends of the band `|f| <= bound` rather than for a root of the rounded polynomial).
 
-use crate::real::Real;
+use crate::math::real::Real;
 
 /// A closed interval of time inside `[0, 1]`.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -20,10 +20,10 @@
 //! roundings of these sums and of the sum of two such differences, `12 u` of `min_distance |w|` those of its own.
 //! `|w + x (v - w)|` is at most `(1 - x) |w| + x |v|`, which raised to the same degree has the values `|w|`, `(|w| + |v|) / 2`, `|v|`.
 
-use crate::closest::closest;
-use crate::motion::{Motion, Patch};
-use crate::real::Real;
-use crate::vec3::{dot, lerp, scale, sum_abs};
+use crate::math::real::Real;
+use crate::math::vec3::{dot, lerp, scale, sum_abs};
+use crate::narrow_phase::closest_point::closest;
+use crate::narrow_phase::relative_motion::{Motion, Patch};
 
 /// The outcome of [`advance`].
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! Map: the bounds of many boxes, and their Morton codes.
 
-use crate::aabb::Aabb;
-use crate::morton::{MortonGrid, morton30, morton63};
-use crate::slice::at;
+use crate::kernel::memory::at;
+use crate::math::aabb::Aabb;
+use crate::math::morton::{MortonGrid, morton30, morton63};
 
 /// Boxes that one thread merges.
 pub const CHUNK: usize = 8;

@@ -4,9 +4,9 @@
 //! either side the children that reach into the other's box, and tests those against each other. No stack, no order between workgroups, and reads of
 //! whole blocks; the levels above the boxes hold a thirty-second of the nodes each (see "Blocks" in ARCHITECTURE.md).
 
-use crate::aabb::Aabb;
+use crate::kernel::memory::at;
 use crate::layout::{Leaf, MAX_LEVELS, Params, split};
-use crate::slice::at;
+use crate::math::aabb::Aabb;
 
 /// Children of a node.
 pub const WIDTH: u32 = 32;

@@ -2,12 +2,12 @@
 //!
 //! For devices with `f64`; a host does the same for the others. Positions of all vertices at the start of the step come first, then those at its end.
 
-use super::blocks::bound_key;
-use super::sweep::swept;
-use crate::aabb::Aabb;
+use super::block_bvh::bound_key;
+use super::swept_box::swept;
+use crate::kernel::memory::at;
 use crate::layout::{Params, Path, join, split};
-use crate::real::{Num, Real};
-use crate::slice::at;
+use crate::math::aabb::Aabb;
+use crate::math::real::{Num, Real};
 
 /// Positions of vertex `i` at both ends of the step.
 #[inline(always)]

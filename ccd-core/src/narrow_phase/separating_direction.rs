@@ -3,9 +3,9 @@
 //! Along a fixed direction, separation at `t = 0` and on the same side at `t = 1` is separation throughout: positions are linear in time, so every
 //! difference of two positions along the direction keeps its sign. Branch-free, for lanes.
 
-use crate::motion::{Motion, Patch};
-use crate::real::Num;
-use crate::vec3::{add, cross, dot, sub, sum_abs};
+use crate::math::real::Num;
+use crate::math::vec3::{add, cross, dot, sub, sum_abs};
+use crate::narrow_phase::relative_motion::{Motion, Patch};
 
 /// Whether one of the three axes keeps two features further than `needed >= 0` apart during the whole step, from their boxes
 /// `[min, max]` at `t = 0` and `t = 1`.

@@ -9,8 +9,8 @@
 //! differences first recentres the query: each difference has relative error of one unit roundoff, however far from the
 //! origin the query is.
 
-use crate::real::Num;
-use crate::vec3::{add, max_abs, scale, sub};
+use crate::math::real::Num;
+use crate::math::vec3::{add, max_abs, scale, sub};
 
 /// The region of `(s, r)` in which the patch exists.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

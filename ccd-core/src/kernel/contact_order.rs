@@ -1,7 +1,7 @@
 //! Map: the keys by which contacts are sorted into their canonical order, in two sorts: by `b`, then, stable, by kind and `a`.
 
+use crate::kernel::memory::at;
 use crate::layout::{LIST_HEADER, Params, TOUCH_WORDS};
-use crate::slice::at;
 
 /// The key of contact `i` of a list in sort `params.level`: 0 by `b`, 1 by kind and `a`. Past the end of the list: the greatest, so such entries stay last.
 ///

@@ -1,8 +1,8 @@
 //! The point of a patch nearest to the origin: gives a direction to separate along, and an upper bound of the distance.
 
-use crate::motion::Patch;
-use crate::real::Real;
-use crate::vec3::{dot, scale, sub};
+use crate::math::real::Real;
+use crate::math::vec3::{dot, scale, sub};
+use crate::narrow_phase::relative_motion::Patch;
 
 /// `x` limited to `[0, 1]`; NaN (from a side of no length) becomes 0.
 #[inline]

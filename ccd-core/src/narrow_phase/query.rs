@@ -3,12 +3,12 @@
 //! Coordinates are in any unit of length, time runs from 0 to 1, vertices move on straight lines. Contact is closed: touching
 //! counts, also at `t = 0` and `t = 1`. With a minimum distance `d > 0`, contact means a distance of at most `d`.
 
-use crate::advance::{Advance, advance, within};
-use crate::bernstein::Coplanarity;
-use crate::cubic::Cubic;
-use crate::inside::{Inside, inside};
-use crate::motion::{Motion, Patch};
-use crate::real::Real;
+use crate::math::real::Real;
+use crate::narrow_phase::conservative_advancement::{Advance, advance, within};
+use crate::narrow_phase::containment::{Inside, inside};
+use crate::narrow_phase::coplanarity::Coplanarity;
+use crate::narrow_phase::cubic_roots::Cubic;
+use crate::narrow_phase::relative_motion::{Motion, Patch};
 
 /// How early an unflagged time of impact may be, in units of the step.
 pub const TOI_TOLERANCE: f64 = 1e-6;

@@ -2,10 +2,10 @@
 //!
 //! Within one set, queries go in leaf order and each looks only at leaves after its own, so that every pair is found once.
 
-use super::build::MAX_DEPTH;
-use crate::aabb::Aabb;
+use super::radix_tree::MAX_DEPTH;
+use crate::kernel::memory::at;
 use crate::layout::{Branch, Node};
-use crate::slice::at;
+use crate::math::aabb::Aabb;
 
 /// A traversal between two of its steps.
 #[derive(Clone, Copy, Debug)]
