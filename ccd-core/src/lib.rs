@@ -32,6 +32,7 @@ pub mod kernel;
 pub mod layout;
 pub mod morton;
 pub mod motion;
+pub mod precision;
 pub mod query;
 pub mod real;
 #[cfg(feature = "alloc")]
