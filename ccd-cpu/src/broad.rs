@@ -2,13 +2,15 @@
 
 use crate::pyramid::Pyramid;
 use crate::rows::keep;
-use crate::simd::Simd;
+use crate::simd::RowSimd;
 use crate::threads::Threads;
 use crate::traverse::{Rows, Traversal};
 use crate::tree::Tree;
 use ccd_core::layout::Pair;
+use ccd_core::math::aabb::Boxes;
 use ccd_core::model::error::check_boxes;
 use ccd_core::model::options::Method;
+use ccd_core::model::precision::{Precision, Slices};
 use ccd_core::{Aabb, Error, Real};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
@@ -57,62 +59,90 @@ impl BroadPhase {
     }
 
     /// Pairs within one set, each once, lesser index first.
-    pub fn self_pairs<T: Real + Send + Sync>(&mut self, boxes: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
-        check_boxes(boxes, f64::INFINITY)?;
+    pub fn self_pairs<T: Real>(&mut self, boxes: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
+        self.within(T::slices::<Boxes, 1>([boxes]))?;
+        Ok(Pairs { runs: &self.runs, workers: &self.workers })
+    }
+
+    /// Pairs of a box of `a` with a box of `b`.
+    pub fn pairs<T: Real>(&mut self, a: &[Aabb<T>], b: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
+        self.between(T::slices::<Boxes, 2>([a, b]))?;
+        Ok(Pairs { runs: &self.runs, workers: &self.workers })
+    }
+
+    #[inline(never)]
+    fn within(&mut self, boxes: Slices<Boxes, 1>) -> Result<(), Error> {
+        let exact = match boxes {
+            Precision::F32([boxes]) => self.a.take(&self.threads, boxes),
+            Precision::F64([boxes]) => self.a.take(&self.threads, boxes),
+        }?;
+        let overlap = |i: u32, j: u32| match boxes {
+            Precision::F32([boxes]) => boxes[i as usize].overlaps(&boxes[j as usize]),
+            Precision::F64([boxes]) => boxes[i as usize].overlaps(&boxes[j as usize]),
+        };
+        let confirm: Option<Confirm> = if exact { None } else { Some(&overlap) };
         let Self { threads, method, a, traversal, tree, workers, runs, .. } = self;
         threads.enter(|| {
-            let exact = a.take(threads, boxes);
             match method {
                 Method::Blocks => {
                     a.pyramid.build(threads, &a.boxes, None);
-                    let slack = (!exact).then(|| slack(&a.boxes, &a.boxes));
-                    let confirm = |i: u32, j: u32| boxes[i as usize].overlaps(&boxes[j as usize]);
-                    let rows = Listing::<true> { a: &a.pyramid, b: &a.pyramid, slack, confirm: &confirm };
+                    let slack = slack(&a.boxes, &a.boxes);
+                    let rows = Listing::<true> { a: &a.pyramid, b: &a.pyramid, slack, confirm };
                     list(threads, traversal, &rows, workers);
                 }
                 Method::Tree => {
                     let out = only_list(workers);
                     tree.self_pairs(threads, &a.boxes, out);
-                    if !exact {
-                        out.retain(|p| boxes[p.a as usize].overlaps(&boxes[p.b as usize]));
-                    }
+                    keep_confirmed(out, confirm);
                 }
             }
             order_runs(workers, runs);
         });
-        Ok(Pairs { runs: &self.runs, workers: &self.workers })
+        Ok(())
     }
 
-    /// Pairs of a box of `a` with a box of `b`.
-    pub fn pairs<T: Real + Send + Sync>(&mut self, a: &[Aabb<T>], b: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
-        check_boxes(a, f64::INFINITY)?;
-        check_boxes(b, f64::INFINITY)?;
-        let Self { threads, method, a: side_a, b: side_b, traversal, tree, workers, runs } = self;
+    #[inline(never)]
+    fn between(&mut self, boxes: Slices<Boxes, 2>) -> Result<(), Error> {
+        let Self { threads, method, a, b, traversal, tree, workers, runs } = self;
+        let exact = match boxes {
+            Precision::F32([x, y]) => a.take(threads, x)? & b.take(threads, y)?,
+            Precision::F64([x, y]) => a.take(threads, x)? & b.take(threads, y)?,
+        };
+        let overlap = |i: u32, j: u32| match boxes {
+            Precision::F32([a, b]) => a[i as usize].overlaps(&b[j as usize]),
+            Precision::F64([a, b]) => a[i as usize].overlaps(&b[j as usize]),
+        };
+        let confirm: Option<Confirm> = if exact { None } else { Some(&overlap) };
         threads.enter(|| {
-            let exact = side_a.take(threads, a) & side_b.take(threads, b);
             match method {
                 Method::Blocks => {
-                    side_a.pyramid.build(threads, &side_a.boxes, None);
-                    side_b.pyramid.build(threads, &side_b.boxes, None);
-                    let height = side_a.pyramid.height().max(side_b.pyramid.height());
-                    side_a.pyramid.raise(height);
-                    side_b.pyramid.raise(height);
-                    let slack = (!exact).then(|| slack(&side_a.boxes, &side_b.boxes));
-                    let confirm = |i: u32, j: u32| a[i as usize].overlaps(&b[j as usize]);
-                    let rows = Listing::<false> { a: &side_a.pyramid, b: &side_b.pyramid, slack, confirm: &confirm };
+                    a.pyramid.build(threads, &a.boxes, None);
+                    b.pyramid.build(threads, &b.boxes, None);
+                    let height = a.pyramid.height().max(b.pyramid.height());
+                    a.pyramid.raise(height);
+                    b.pyramid.raise(height);
+                    let slack = slack(&a.boxes, &b.boxes);
+                    let rows = Listing::<false> { a: &a.pyramid, b: &b.pyramid, slack, confirm };
                     list(threads, traversal, &rows, workers);
                 }
                 Method::Tree => {
                     let out = only_list(workers);
-                    tree.pairs(threads, &side_a.boxes, &side_b.boxes, out);
-                    if !exact {
-                        out.retain(|p| a[p.a as usize].overlaps(&b[p.b as usize]));
-                    }
+                    tree.pairs(threads, &a.boxes, &b.boxes, out);
+                    keep_confirmed(out, confirm);
                 }
             }
             order_runs(workers, runs);
         });
-        Ok(Pairs { runs: &self.runs, workers: &self.workers })
+        Ok(())
+    }
+}
+
+/// Whether two boxes overlap as they were given; asked where rounding may have made it so.
+type Confirm<'a> = &'a (dyn Fn(u32, u32) -> bool + Sync);
+
+fn keep_confirmed(pairs: &mut Vec<Pair>, confirm: Option<Confirm>) {
+    if let Some(confirm) = confirm {
+        pairs.retain(|p| confirm(p.a, p.b));
     }
 }
 
@@ -147,20 +177,21 @@ impl Lister {
 struct Listing<'a, const WITHIN: bool> {
     a: &'a Pyramid,
     b: &'a Pyramid,
-    slack: Option<f32>,
-    confirm: &'a (dyn Fn(u32, u32) -> bool + Sync),
+    slack: f32,
+    confirm: Option<Confirm<'a>>,
 }
 
 impl<const WITHIN: bool> Rows for Listing<'_, WITHIN> {
     type Worker = Lister;
 
     #[inline(always)]
-    fn row<S: Simd>(&self, lister: &mut Lister, simd: S, a: usize, lane: usize, b: usize, mut mask: u32) {
+    fn row<S: RowSimd>(&self, lister: &mut Lister, simd: S, a: usize, lane: usize, b: usize, mut mask: u32) {
         let id = self.a.order()[a * 8 + lane];
         let ids = lane_ids(self.b.order(), b);
-        if let Some(slack) = self.slack {
-            let sure = simd.overlaps_shrunk(&self.a.level(0)[a], lane, &self.b.level(0)[b], slack);
-            mask = mask & sure | keep(mask & !sure, |j| (self.confirm)(id, ids[j]));
+        if let Some(confirm) = self.confirm {
+            let (block_a, block_b) = (&self.a.level(0)[a], &self.b.level(0)[b]);
+            let sure = simd.overlaps(block_a, lane, block_b, self.slack);
+            mask = mask & sure | keep(mask & !sure, |j| confirm(id, ids[j]));
         }
         simd.append::<WITHIN>(&mut lister.pairs, id, &ids, mask);
     }
@@ -258,18 +289,20 @@ pub(crate) fn order_runs(workers: &[Lister], runs: &mut Vec<Run>) {
 impl Side {
     /// Takes boxes, rounded outward; whether that changed none of them. Bounds beyond the greatest
     /// of a rounded box change in `f32` too.
-    fn take<T: Real + Send + Sync>(&mut self, threads: &Threads, boxes: &[Aabb<T>]) -> bool {
+    fn take<T: Real>(&mut self, threads: &Threads, boxes: &[Aabb<T>]) -> Result<bool, Error> {
+        check_boxes(boxes, f64::INFINITY)?;
         self.boxes.resize(boxes.len(), Aabb::EMPTY);
         let exact = AtomicBool::new(true);
-        threads.fill(&mut self.boxes, |i| {
+        let rounded = |i: usize| {
             let (b, r) = (&boxes[i], boxes[i].round_out());
             let same = |r: f32, b: T| r as f64 == b.to_f64();
             if !(0..3).all(|k| same(r.min[k], b.min[k]) && same(r.max[k], b.max[k])) {
                 exact.store(false, Relaxed);
             }
             r
-        });
-        exact.into_inner()
+        };
+        threads.enter(|| threads.fill(&mut self.boxes, rounded));
+        Ok(exact.into_inner())
     }
 }
 
@@ -293,7 +326,7 @@ mod tests {
         [f32::NEG_INFINITY, f32::MIN, -3.2e38, -2.95e38, -2.9e38, -1.0, 0.0, 1.0, 2.9e38, 2.95e38, 3.2e38, f32::MAX, f32::INFINITY];
 
     /// Pairs by both methods are those of brute force, in the precision of the boxes.
-    fn check_pairs<T: Real + Send + Sync>(a: &[Aabb<T>], b: &[Aabb<T>]) {
+    fn check_pairs<T: Real>(a: &[Aabb<T>], b: &[Aabb<T>]) {
         let all = |n: usize, m: usize| (0..n).flat_map(move |i| (0..m).map(move |j| (i, j)));
         let pair = |(i, j): (usize, usize)| Pair { a: i as u32, b: j as u32 };
         let n = a.len();

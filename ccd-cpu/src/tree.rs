@@ -102,7 +102,7 @@ impl Tree {
     /// Runs queries `0 .. n` in chunks and joins their pairs in the order of chunks.
     fn collect(&self, threads: &Threads, n: usize, out: &mut Vec<Pair>, query: impl Fn(usize, &mut Vec<Pair>) + Sync) {
         let mut chunks: Vec<Vec<Pair>> = vec![Vec::new(); n.div_ceil(CHUNK)];
-        threads.each(&mut chunks, |k, pairs| {
+        threads.each(&mut chunks, &|k, pairs| {
             for i in k * CHUNK..((k + 1) * CHUNK).min(n) {
                 query(i, pairs);
             }

@@ -1,8 +1,8 @@
 //! Boxes in, overlapping pairs out, on a device.
 
 use crate::device::Device;
-use crate::list::{HEADER_BYTES, List, read_header, read_pairs};
 use crate::error::Error;
+use crate::list::{HEADER_BYTES, List, read_header, read_pairs};
 use crate::radix_tree::RadixTree;
 use crate::readback::Readback;
 use crate::recorder::{Bench, Recorder, Timing, submit};

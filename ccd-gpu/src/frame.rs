@@ -1,8 +1,8 @@
 //! What a frame is on a device: all its buffers, and the dispatches from positions to results.
 
 use crate::device::Device;
-use crate::list::{HEADER_BYTES, List};
 use crate::error::Error;
+use crate::list::{HEADER_BYTES, List};
 use crate::order::Order;
 use crate::recorder::Recorder;
 use crate::tree::Tree;

@@ -1,8 +1,8 @@
 //! Contacts in their canonical order, sorted where they were found: by `b`, then by kind and `a`.
 
 use crate::device::Device;
-use crate::list::List;
 use crate::error::Error;
+use crate::list::List;
 use crate::recorder::Recorder;
 use crate::sort::Sort;
 use ccd_core::kernel::Id;

@@ -1,8 +1,8 @@
 //! The binary radix tree on a device: built from the sorted keys and the boxes of a block tree, traversed by one thread a query.
 
 use crate::device::Device;
-use crate::list::List;
 use crate::error::Error;
+use crate::list::List;
 use crate::recorder::Recorder;
 use crate::tree::Tree;
 use ccd_core::kernel::Id;

@@ -1,9 +1,9 @@
 //! A mesh stepped frame by frame on a device: everything of a frame in one submission, lists that grow when they were too short.
 
 use crate::device::Device;
+use crate::error::Error;
 use crate::frame::{Buffers, Goal, SAMPLE};
 use crate::list::{HEADER_BYTES, List, read_header, read_pairs};
-use crate::error::Error;
 use crate::order::{self, Order};
 use crate::readback::{Readback, word};
 use crate::recorder::{Bench, Timing, submit};

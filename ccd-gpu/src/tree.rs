@@ -1,9 +1,9 @@
 //! Block trees over boxes on the device: sort, fit, descent to pairs of blocks.
 
 use crate::device::Device;
+use crate::error::Error;
 use crate::levels::Levels;
 use crate::list::List;
-use crate::error::Error;
 use crate::recorder::Recorder;
 use crate::sort::Sort;
 use ccd_core::Aabb;

@@ -2,12 +2,12 @@
 
 use crate::device::Device;
 use crate::error::Error;
+use ccd_core::Aabb;
 use ccd_core::broad_phase::{placement, swept_box};
 use ccd_core::layout::{Params, Path, split};
 use ccd_core::math::real::Real;
-use ccd_core::model::quantization::{Scan, margin};
-use ccd_core::Aabb;
 use ccd_core::model::error;
+use ccd_core::model::quantization::{Scan, margin};
 use wgpu::BufferUsages as U;
 
 /// Positions on the device.

@@ -1,6 +1,7 @@
 //! Axis-aligned boxes, closed overlap, and the one place where numbers are rounded outward.
 
 use crate::math::real::{Num, Real};
+use crate::model::precision::Record;
 use bytemuck::{Pod, Zeroable};
 
 /// A closed axis-aligned box; `min > max` in any axis means empty.
@@ -28,6 +29,26 @@ unsafe impl Zeroable for Aabb<f64> {}
 unsafe impl Pod for Aabb<f64> {}
 
 const _: () = assert!(size_of::<Aabb<f32>>() == 24 && size_of::<Aabb<f64>>() == 48);
+
+/// Boxes, `Aabb<T>`.
+#[derive(Clone, Copy, Debug)]
+pub struct Boxes;
+
+impl Record for Boxes {
+    type Of<T: 'static> = Aabb<T>;
+}
+
+impl<N: Num> Aabb<N> {
+    /// Where an axis separates the closed boxes: the contrary of an overlap. A bound that is NaN
+    /// separates nothing.
+    #[inline(always)]
+    pub fn separated(&self, other: &Self) -> N::Mask {
+        let x = self.min[0].gt(other.max[0]) | other.min[0].gt(self.max[0]);
+        let y = self.min[1].gt(other.max[1]) | other.min[1].gt(self.max[1]);
+        let z = self.min[2].gt(other.max[2]) | other.min[2].gt(self.max[2]);
+        x | y | z
+    }
+}
 
 impl<T: Real> Aabb<T> {
     /// The box of one point.

@@ -9,6 +9,7 @@ pub mod error;
 pub mod mesh;
 #[cfg(feature = "alloc")]
 pub mod options;
+pub mod precision;
 pub mod quantization;
 #[cfg(feature = "alloc")]
 pub mod report;
