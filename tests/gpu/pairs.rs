@@ -131,8 +131,8 @@ fn verdict(step: &Step, kind: u32, pair: Pair, paths: &[Path]) -> Verdict<f64> {
     };
     let (x0, x1) = (x(|p| p.t0), x(|p| p.t1));
     match kind {
-        0 => decide::vertex_face(decide::vertex_face_ids(pair, step.mesh.faces()), &x0, &x1, 0.0, 0.0),
-        _ => decide::edge_edge(decide::edge_edge_ids(pair, step.mesh.edges()), &x0, &x1, 0.0, 0.0),
+        0 => decide::vertex_face_pair(decide::vertex_face_ids(pair, step.mesh.faces()), &x0, &x1, 0.0, 0.0),
+        _ => decide::edge_edge_pair(decide::edge_edge_ids(pair, step.mesh.edges()), &x0, &x1, 0.0, 0.0),
     }
 }
 
