@@ -1,7 +1,7 @@
 //! Bad input is refused with what, where and the value; odd but valid input is handled.
 
 use ccd::io::{ReadErrorKind, read_frame, read_queries};
-use ccd::{Aabb, BroadPhase, Error, Mesh, Method, Options, Session, Verdict, VertexFace};
+use ccd::{Aabb, BroadPhase, BroadPhaseMethod, Error, Mesh, Options, Session, Verdict, VertexFace};
 use std::path::{Path, PathBuf};
 
 const TRIANGLE: [[f64; 3]; 3] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
@@ -39,7 +39,7 @@ fn sizes_indices_and_distances_are_checked() {
         assert!(matches!(error, Error::MinDistance { .. }), "{error}");
     }
     assert!(matches!(Mesh::new(1 << 31, &[]), Err(Error::TooMany { element: "vertices", count: 2_147_483_648, .. })));
-    let mut broad = BroadPhase::new(1, Method::Blocks).unwrap();
+    let mut broad = BroadPhase::new(1, BroadPhaseMethod::Blocks).unwrap();
     let bad = [Aabb { min: [0.0f32; 3], max: [1.0; 3] }, Aabb { min: [0.0, 2.0, 0.0], max: [1.0; 3] }];
     assert!(matches!(broad.self_pairs(&bad), Err(Error::Box { at: 1, axis: 1, .. })));
 }

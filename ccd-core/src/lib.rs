@@ -10,6 +10,7 @@
 //! | [`separate`] | cheap certificates of passing beside |
 //! | [`cubic`], [`inside`], [`advance`] | roots, containment, advancement: how a query is decided |
 //! | [`aabb`], [`morton`] | boxes rounded outward, space-filling codes |
+//! | [`method`] | the ways to find overlapping boxes |
 //! | [`layout`] | records that cross between CPU and GPU |
 //! | [`kernel`] | one per-thread function per stage of the pipeline |
 //! | `topology` | edges and adjacency of a triangle mesh (feature `alloc`) |
@@ -30,6 +31,7 @@ pub mod input;
 pub mod inside;
 pub mod kernel;
 pub mod layout;
+pub mod method;
 pub mod morton;
 pub mod motion;
 pub mod query;

@@ -8,7 +8,7 @@ use crate::traverse::{Rows, Traversal};
 use crate::tree::Tree;
 use ccd_core::error::check_boxes;
 use ccd_core::layout::Pair;
-use ccd_core::report::Method;
+use ccd_core::method::BroadPhaseMethod;
 use ccd_core::{Aabb, Error, Num, Real};
 
 /// Finds overlapping boxes; keeps its buffers between calls.
@@ -18,7 +18,7 @@ use ccd_core::{Aabb, Error, Num, Real};
 #[derive(Debug)]
 pub struct BroadPhase {
     threads: Threads,
-    method: Method,
+    method: BroadPhaseMethod,
     a: Side,
     b: Side,
     traversal: Traversal,
@@ -36,7 +36,7 @@ struct Side {
 
 impl BroadPhase {
     /// With `threads` threads: 0 for those of rayon's current pool, 1 for the calling one alone.
-    pub fn new(threads: usize, method: Method) -> Result<Self, Error> {
+    pub fn new(threads: usize, method: BroadPhaseMethod) -> Result<Self, Error> {
         Ok(Self {
             threads: Threads::new(threads)?,
             method,
@@ -61,14 +61,15 @@ impl BroadPhase {
         threads.enter(|| {
             let exact = a.take(threads, boxes);
             match method {
-                Method::Blocks => {
+                BroadPhaseMethod::Blocks => {
                     a.pyramid.build(threads, &a.boxes, None);
                     let slack = (!exact).then(|| slack(&a.boxes, &a.boxes));
                     let confirm = |i: u32, j: u32| boxes[i as usize].overlaps(&boxes[j as usize]);
                     let rows = Listing::<true> { a: &a.pyramid, b: &a.pyramid, slack, confirm: &confirm };
                     list(threads, traversal, &rows, workers);
                 }
-                Method::Tree => {
+                // The other method that there is.
+                _ => {
                     let out = only_list(workers);
                     tree.self_pairs(threads, &a.boxes, out);
                     if !exact {
@@ -89,7 +90,7 @@ impl BroadPhase {
         threads.enter(|| {
             let exact = side_a.take(threads, a) & side_b.take(threads, b);
             match method {
-                Method::Blocks => {
+                BroadPhaseMethod::Blocks => {
                     side_a.pyramid.build(threads, &side_a.boxes, None);
                     side_b.pyramid.build(threads, &side_b.boxes, None);
                     let height = side_a.pyramid.height().max(side_b.pyramid.height());
@@ -100,7 +101,8 @@ impl BroadPhase {
                     let rows = Listing::<false> { a: &side_a.pyramid, b: &side_b.pyramid, slack, confirm: &confirm };
                     list(threads, traversal, &rows, workers);
                 }
-                Method::Tree => {
+                // The other method that there is.
+                _ => {
                     let out = only_list(workers);
                     tree.pairs(threads, &side_a.boxes, &side_b.boxes, out);
                     if !exact {
