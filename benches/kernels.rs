@@ -1,6 +1,6 @@
 //! Kernel bodies and pieces of the pipeline under criterion; every benchmark asserts its answer.
 
-use ccd::{Aabb, BroadPhase, EdgeEdge, Method, Options, Session, Verdict, VertexFace};
+use ccd::{Aabb, BroadPhase, BroadPhaseMethod, EdgeEdge, Options, Session, Verdict, VertexFace};
 use ccd_core::broad_phase::{morton_key, radix_tree};
 use ccd_core::layout::Pair;
 use ccd_core::math::morton::MortonGrid;
@@ -47,7 +47,7 @@ fn boxes(c: &mut Criterion) {
             assert!(leaves > codes.len() as u64);
         })
     });
-    for (name, method) in [("blocks", Method::Blocks), ("tree", Method::Tree)] {
+    for (name, method) in [("blocks", BroadPhaseMethod::Blocks), ("tree", BroadPhaseMethod::Tree)] {
         let mut broad = BroadPhase::new(1, method).expect("one thread");
         c.bench_function(&format!("broad phase by {name}, 100,000 uniform boxes"), |b| {
             b.iter(|| assert_eq!(broad.self_pairs(black_box(&boxes)).map(|p| p.len()), Ok(320)))
@@ -63,7 +63,7 @@ fn steps(c: &mut Criterion) {
         b.iter(|| assert_eq!(session.step(black_box(&step.x0), &step.x1).map(|r| r.contacts.len()), Ok(want)))
     });
     let [_, edges, _] = swept_boxes(&step.mesh, &step.x0, &step.x1);
-    let mut broad = BroadPhase::new(1, Method::Blocks).expect("one thread");
+    let mut broad = BroadPhase::new(1, BroadPhaseMethod::Blocks).expect("one thread");
     let want: Vec<Pair> = broad.self_pairs(&edges).expect("valid boxes").to_vec();
     c.bench_function("broad phase in f64, edges of that sheet", |b| {
         b.iter(|| assert_eq!(broad.self_pairs(black_box(&edges)).map(|p| p.len()), Ok(want.len())))

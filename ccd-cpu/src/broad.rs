@@ -9,7 +9,7 @@ use crate::tree::Tree;
 use ccd_core::layout::Pair;
 use ccd_core::math::aabb::Boxes;
 use ccd_core::model::error::check_boxes;
-use ccd_core::model::options::Method;
+use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::precision::{Precision, Slices};
 use ccd_core::{Aabb, Error, Real};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
@@ -22,7 +22,7 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 #[derive(Debug)]
 pub struct BroadPhase {
     threads: Threads,
-    method: Method,
+    method: BroadPhaseMethod,
     a: Side,
     b: Side,
     traversal: Traversal,
@@ -40,7 +40,7 @@ struct Side {
 
 impl BroadPhase {
     /// With `threads` threads: 0 for those of rayon's current pool, 1 for the calling one alone.
-    pub fn new(threads: usize, method: Method) -> Result<Self, Error> {
+    pub fn new(threads: usize, method: BroadPhaseMethod) -> Result<Self, Error> {
         Ok(Self {
             threads: Threads::new(threads)?,
             method,
@@ -84,13 +84,14 @@ impl BroadPhase {
         let Self { threads, method, a, traversal, tree, workers, runs, .. } = self;
         threads.enter(|| {
             match method {
-                Method::Blocks => {
+                BroadPhaseMethod::Blocks => {
                     a.pyramid.build(threads, &a.boxes, None);
                     let slack = slack(&a.boxes, &a.boxes);
                     let rows = Listing::<true> { a: &a.pyramid, b: &a.pyramid, slack, confirm };
                     list(threads, traversal, &rows, workers);
                 }
-                Method::Tree => {
+                // The other method that there is.
+                _ => {
                     let out = only_list(workers);
                     tree.self_pairs(threads, &a.boxes, out);
                     keep_confirmed(out, confirm);
@@ -115,7 +116,7 @@ impl BroadPhase {
         let confirm: Option<Confirm> = if exact { None } else { Some(&overlap) };
         threads.enter(|| {
             match method {
-                Method::Blocks => {
+                BroadPhaseMethod::Blocks => {
                     a.pyramid.build(threads, &a.boxes, None);
                     b.pyramid.build(threads, &b.boxes, None);
                     let height = a.pyramid.height().max(b.pyramid.height());
@@ -125,7 +126,8 @@ impl BroadPhase {
                     let rows = Listing::<false> { a: &a.pyramid, b: &b.pyramid, slack, confirm };
                     list(threads, traversal, &rows, workers);
                 }
-                Method::Tree => {
+                // The other method that there is.
+                _ => {
                     let out = only_list(workers);
                     tree.pairs(threads, &a.boxes, &b.boxes, out);
                     keep_confirmed(out, confirm);
@@ -338,7 +340,7 @@ mod tests {
             pairs.sort_unstable_by_key(|p| (p.a, p.b));
             pairs
         };
-        for method in [Method::Blocks, Method::Tree] {
+        for method in [BroadPhaseMethod::Blocks, _] {
             let mut broad = BroadPhase::new(1, method).unwrap();
             let got = sorted(broad.self_pairs(a).unwrap());
             assert_eq!(got, within, "{method:?}, within {a:?}");

@@ -4,7 +4,7 @@ use crate::scenes::check_pairs;
 use crate::support::{bytes, check_boxes, entries, list, paths, read, room, twin};
 use crate::twin::{Twin, union};
 use ccd::gpu::{BroadPhase, Device, harness};
-use ccd::{Aabb, Method, Pair, Verdict};
+use ccd::{Aabb, BroadPhaseMethod, Pair, Verdict};
 use ccd_core::broad_phase::block_bvh;
 use ccd_core::kernel::Id;
 use ccd_core::layout::{Branch, LIST_HEADER, Node, Params, Path};
@@ -17,8 +17,8 @@ pub const TESTS: crate::Tests = &[
     ("candidates", check_candidates),
     ("filters", check_filters),
     ("radix_tree", check_radix_tree),
-    ("uniform_boxes_by_blocks", |device| check_uniform(device, Method::Blocks)),
-    ("uniform_boxes_by_tree", |device| check_uniform(device, Method::Tree)),
+    ("uniform_boxes_by_blocks", |device| check_uniform(device, BroadPhaseMethod::Blocks)),
+    ("uniform_boxes_by_tree", |device| check_uniform(device, BroadPhaseMethod::Tree)),
 ];
 
 fn check_node_pairs(device: &Device) {
@@ -213,12 +213,12 @@ fn check_radix_tree(device: &Device) {
     }
 }
 
-fn check_uniform(device: &Device, method: Method) {
+fn check_uniform(device: &Device, method: BroadPhaseMethod) {
     let boxes = uniform_boxes(100_000);
     let mut broad = BroadPhase::new(device, method).unwrap();
     let pairs = broad.self_pairs(&boxes).unwrap();
     assert_eq!(pairs.len(), 320);
-    let mut cpu = ccd::BroadPhase::new(2, Method::Blocks).unwrap();
+    let mut cpu = ccd::BroadPhase::new(2, BroadPhaseMethod::Blocks).unwrap();
     check_pairs("uniform boxes", cpu.self_pairs(&boxes).unwrap().to_vec(), pairs);
     let (a, b) = (&boxes[..3000], &boxes[3000..9000]);
     let grown = |boxes: &[Aabb]| boxes.iter().map(|b| b.inflated(0.02)).collect::<Vec<_>>();

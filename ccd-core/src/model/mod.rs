@@ -7,6 +7,7 @@ pub mod digest;
 pub mod error;
 #[cfg(feature = "alloc")]
 pub mod mesh;
+pub mod method;
 #[cfg(feature = "alloc")]
 pub mod options;
 pub mod precision;

@@ -22,13 +22,3 @@ impl Options {
         self.bodies.as_ref().map_or(Ok(()), |bodies| bodies.check(mesh))
     }
 }
-
-/// How a broad phase finds overlapping boxes; all methods give the same set.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Method {
-    /// Blocks of neighbouring boxes in Morton order, descended together: the fastest where boxes overlap many others.
-    #[default]
-    Blocks,
-    /// A binary radix tree (Karras 2012), one query per box with a stack: for boxes of which few overlap, on a GPU.
-    Tree,
-}
