@@ -11,7 +11,7 @@ use ccd_core::math::aabb::Boxes;
 use ccd_core::model::error::check_boxes;
 use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::precision::{Precision, Slices};
-use ccd_core::{Aabb, Error, Real};
+use ccd_core::{Aabb, Coordinate, Error, Real};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// Finds overlapping boxes; keeps its buffers between calls.
@@ -59,13 +59,13 @@ impl BroadPhase {
     }
 
     /// Pairs within one set, each once, lesser index first.
-    pub fn self_pairs<T: Real>(&mut self, boxes: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
+    pub fn self_pairs<T: Coordinate>(&mut self, boxes: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
         self.within(T::slices::<Boxes, 1>([boxes]))?;
         Ok(Pairs { runs: &self.runs, workers: &self.workers })
     }
 
     /// Pairs of a box of `a` with a box of `b`.
-    pub fn pairs<T: Real>(&mut self, a: &[Aabb<T>], b: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
+    pub fn pairs<T: Coordinate>(&mut self, a: &[Aabb<T>], b: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
         self.between(T::slices::<Boxes, 2>([a, b]))?;
         Ok(Pairs { runs: &self.runs, workers: &self.workers })
     }
@@ -328,7 +328,7 @@ mod tests {
         [f32::NEG_INFINITY, f32::MIN, -3.2e38, -2.95e38, -2.9e38, -1.0, 0.0, 1.0, 2.9e38, 2.95e38, 3.2e38, f32::MAX, f32::INFINITY];
 
     /// Pairs by both methods are those of brute force, in the precision of the boxes.
-    fn check_pairs<T: Real>(a: &[Aabb<T>], b: &[Aabb<T>]) {
+    fn check_pairs<T: Coordinate>(a: &[Aabb<T>], b: &[Aabb<T>]) {
         let all = |n: usize, m: usize| (0..n).flat_map(move |i| (0..m).map(move |j| (i, j)));
         let pair = |(i, j): (usize, usize)| Pair { a: i as u32, b: j as u32 };
         let n = a.len();

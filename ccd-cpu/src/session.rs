@@ -12,7 +12,7 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::precision::Points;
 use ccd_core::model::report::Report;
-use ccd_core::{Error, Real};
+use ccd_core::{Coordinate, Error};
 use std::marker::PhantomData;
 use std::time::{Duration, Instant};
 
@@ -77,7 +77,7 @@ impl Session {
     /// Every contact while vertices move on straight lines from `x0` to `x1`, one position per vertex of the mesh.
     ///
     /// After the first steps, nothing is allocated unless there are more contacts than before.
-    pub fn step<T: Real>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error> {
+    pub fn step<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error> {
         self.run(T::slices::<Points, 2>([x0, x1]), false)?;
         Ok(&self.report)
     }
@@ -85,7 +85,7 @@ impl Session {
     /// The earliest time of impact of the step, without the list of contacts: cheaper than [`Session::step`].
     ///
     /// It is not later than the earliest contact. `None`: the whole step is free.
-    pub fn earliest_toi<T: Real>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Option<f64>, Error> {
+    pub fn earliest_toi<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Option<f64>, Error> {
         self.run(T::slices::<Points, 2>([x0, x1]), true)?;
         Ok(self.report.toi)
     }
@@ -93,7 +93,7 @@ impl Session {
     /// Lists all candidates of the step: pairs of features whose swept boxes overlap, without those that share a vertex or that the bodies rule out.
     ///
     /// A step does not need this: it never lists them.
-    pub fn candidates<T: Real>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Candidates<'_>, Error> {
+    pub fn candidates<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Candidates<'_>, Error> {
         self.list(T::slices::<Points, 2>([x0, x1]))?;
         let [vf, ee] = [0, 1].map(|k| Pairs::new(&self.runs[k], &self.listers[k]));
         Ok(Candidates { vf, ee })
@@ -164,14 +164,14 @@ pub struct Candidates<'a> {
 }
 
 /// Every contact of one step, with no session to keep: see [`Session::step`].
-pub fn step<T: Real>(mesh: &Mesh, x0: &[[T; 3]], x1: &[[T; 3]], options: &Options) -> Result<Report, Error> {
+pub fn step<T: Coordinate>(mesh: &Mesh, x0: &[[T; 3]], x1: &[[T; 3]], options: &Options) -> Result<Report, Error> {
     let mut session = Session::new(mesh.clone(), options.clone())?;
     session.step(x0, x1)?;
     Ok(session.into_report())
 }
 
 /// The earliest time of impact of one step: see [`Session::earliest_toi`].
-pub fn earliest_toi<T: Real>(mesh: &Mesh, x0: &[[T; 3]], x1: &[[T; 3]], options: &Options) -> Result<Option<f64>, Error> {
+pub fn earliest_toi<T: Coordinate>(mesh: &Mesh, x0: &[[T; 3]], x1: &[[T; 3]], options: &Options) -> Result<Option<f64>, Error> {
     Session::new(mesh.clone(), options.clone())?.earliest_toi(x0, x1)
 }
 
