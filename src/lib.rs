@@ -1,5 +1,7 @@
-//! Continuous collision detection for triangle meshes: which vertices and faces, and which edges, touch while every vertex moves on a straight line from
-//! its position at the start of a step to that at its end, and when. No contact is missed, and no time of impact is late, rounding included.
+//! Continuous collision detection for triangle meshes: which vertices and faces, and which edges,
+//! touch while every vertex moves on a straight line from its position at the start of a step to
+//! that at its end, and when. No contact is missed, and no time of impact is late, rounding
+//! included.
 //!
 //! ```
 //! use ccd::{Kind, Mesh, Options, Session, State};
@@ -35,17 +37,34 @@
 //! | contact at a distance | [`Options::min_distance`] |
 //! | one pair of features | [`vertex_face`], [`edge_edge`] |
 //! | the candidate pairs of a step | [`Session::candidates`] |
-//! | boxes in, overlapping pairs out | [`BroadPhase`] |
-//! | the same on a GPU | `gpu` (feature `gpu`): `gpu::Device`, `gpu::Session`, `gpu::BroadPhase` |
+//! | boxes in, overlapping pairs out | [`BroadPhase`], by a [`BroadPhaseMethod`] |
+//! | on a GPU where there is one, else on the CPU | [`any`]: `any::Session`, `any::BroadPhase` |
+//! | on a GPU | `gpu` (feature `gpu`): `gpu::Device`, `gpu::Session`, `gpu::BroadPhase` |
+//! | respond to a contact | [`geometry`] |
 //! | read meshes and query files | `io` (feature `io`) |
+//! | scenes that are the same everywhere | `scenes` (feature `scenes`) |
 //!
-//! Coordinates are `f32` or `f64`, in any unit, finite and at most 1e100. What a caller may rely on is listed in the README; how it is done, in ARCHITECTURE.md.
+//! Coordinates are `f32` or `f64`, in any unit, finite and at most 1e100. What a caller may rely
+//! on is listed in the README; how it is done, in ARCHITECTURE.md.
 //!
 //! # Features
-//! `cli` (default) builds the command; a library wants `default-features = false`. `gpu` adds the GPU backend, `io` the readers.
+//! `cli` (default) builds the command; a library wants `default-features = false`. `gpu` adds the
+//! GPU backend, `io` the readers, `scenes` generated scenes.
+#![deny(unsafe_code)]
 
+pub mod any;
 #[cfg(feature = "io")]
 pub mod io;
+#[cfg(feature = "scenes")]
+pub mod scenes;
+
+/// What a response to contacts computes with: vectors, a query as a patch and a vector that move,
+/// and where they are nearest.
+pub mod geometry {
+    pub use ccd_core::math::vec3;
+    pub use ccd_core::narrow_phase::closest_point::closest;
+    pub use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
+}
 
 /// The GPU backend: [`gpu::Device`], [`gpu::Session`].
 #[cfg(feature = "gpu")]
@@ -56,9 +75,12 @@ pub use ccd_gpu as gpu;
 #[doc = include_str!("../README.md")]
 struct Readme;
 
-pub use ccd_core::digest::Digest;
 pub use ccd_core::layout::Pair;
-pub use ccd_core::report::{Contact, Kind, Method, Options, PerKind, Report, State, Times};
-pub use ccd_core::topology::{Bodies, Mesh};
+pub use ccd_core::model::bodies::Bodies;
+pub use ccd_core::model::contact::{Contact, Kind, PerKind, State};
+pub use ccd_core::model::mesh::Mesh;
+pub use ccd_core::model::method::{BroadPhaseMethod, METHODS, MethodRow};
+pub use ccd_core::model::options::Options;
+pub use ccd_core::model::report::{Report, Times};
 pub use ccd_core::{Aabb, EdgeEdge, Error, Real, TOI_TOLERANCE, Verdict, VertexFace, edge_edge, vertex_face};
 pub use ccd_cpu::{BroadPhase, Candidates, MAX_LOOSENESS, Pairs, Session, earliest_toi, step};

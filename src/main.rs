@@ -1,4 +1,5 @@
 //! The `ccd` command: see `ccd --help`.
+#![deny(unsafe_code)]
 
 mod cli;
 

@@ -72,6 +72,25 @@ fn check_finds_the_contact() {
     assert!((near["toi"].as_f64().unwrap() - 0.4).abs() < 1e-5, "{near}");
 }
 
+/// The same files with line ends of old Macs hold the same contact; a line that is not understood ends the command.
+#[test]
+fn check_reads_every_line_end_of_obj() {
+    let dir = tempfile::tempdir().unwrap();
+    let frames = [obj(dir.path(), "a.obj", 0.0), obj(dir.path(), "b.obj", 1.0)];
+    let texts = frames.each_ref().map(|path| std::fs::read_to_string(path).unwrap());
+    let [a, b] = frames.each_ref().map(|path| path.to_str().unwrap());
+    for end in ["\n", "\r\n", "\r"] {
+        for (path, text) in frames.iter().zip(&texts) {
+            std::fs::write(path, text.replace('\n', end)).unwrap();
+        }
+        let output = ccd(&["check", a, b, "--json", "--fail-on-contact"]);
+        assert_eq!(output.status.code(), Some(1), "{end:?}: {}", text(&output.stderr));
+        assert_eq!(json(&output)["contacts"], serde_json::json!({"vf": 1, "ee": 0}), "{end:?}");
+    }
+    std::fs::write(&frames[1], texts[1].replacen("v 1 0 0", "v 1 0 0 x", 1)).unwrap();
+    check_refused(&["check", a, b], "b.obj: line 2: `x` is not a number");
+}
+
 #[test]
 fn sequence_steps_through_frames() {
     let dir = tempfile::tempdir().unwrap();
@@ -160,8 +179,14 @@ fn bad_use_and_bad_input_end_with_status_2() {
     check_refused(&["check", a, &write("short.obj", &full.replace("f 5 6 7\n", ""))], "has 2 faces");
     check_refused(&["check", a, &write("other.obj", &full.replace("f 5 6 7", "f 5 7 6"))], "face 2");
     check_refused(&["check", a, &write("more.obj", &format!("{full}v 0 0 0\n"))], "8 vertices");
-    check_refused(&["check", a, &write("nan.obj", &full.replace("v 1 0 1", "v 1 nan 1"))], "vertex 3 at t1 has y = NaN");
-    check_refused(&["check", a, &write("inf.obj", &full.replace("v 1 0 1", "v 1 1e999 1"))], "vertex 3 at t1 has y = inf");
+    check_refused(&["check", a, &write("nan.obj", &full.replace("v 1 0 1", "v 1 nan 1"))], "nan.obj: line 4: `nan`");
+    check_refused(&["check", a, &write("far.obj", &full.replace("v 1 0 1", "v 1 1e200 1"))], "far.obj: vertex 3 at t1 has y = 10");
+    let ply = |y: &str| {
+        format!("ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\nproperty double y\nproperty double z\nend_header\n0 {y} 0\n")
+    };
+    let point = write("point.ply", &ply("0"));
+    check_refused(&["check", &point, &write("nan.ply", &ply("nan"))], "nan.ply: vertex 0 at t1 has y = NaN");
+    check_refused(&["check", &point, &write("inf.ply", &ply("inf"))], "inf.ply: vertex 0 at t1 has y = inf");
     check_refused(&["check", &write("index.obj", &full.replace("f 5 6 7", "f 5 6 70")), a], "face 2 refers to vertex 69");
     check_refused(&["check", a, &write("dir.txt", "x")], ".ply or .obj");
     check_refused(&["sequence", a], "2 values");
@@ -267,10 +292,12 @@ fn the_gpu_finds_what_the_cpu_finds() {
         }
     }
     // A refusal of the input is the same refusal, with the file's name.
-    let broken = std::fs::read_to_string(&b).unwrap().replacen("v ", "v nan ", 1);
-    let nan = dir.path().join("nan.obj");
-    std::fs::write(&nan, broken).unwrap();
-    check_refused(&["check", &a, nan.to_str().unwrap(), "--backend", "gpu"], "nan.obj: vertex 0 at t1 has x = NaN");
+    let text = std::fs::read_to_string(&b).unwrap();
+    let (first, rest) = text.split_once('\n').unwrap();
+    let words: Vec<&str> = first.split(' ').collect();
+    let far = dir.path().join("far.obj");
+    std::fs::write(&far, format!("v 1e200 {} {}\n{rest}", words[2], words[3])).unwrap();
+    check_refused(&["check", &a, far.to_str().unwrap(), "--backend", "gpu"], "far.obj: vertex 0 at t1 has x = 10");
     let [a, b] = [1.0f32, 2.5].map(|x| {
         let path = dir.path().join(format!("{x}.bin"));
         let boxes: Vec<u8> =

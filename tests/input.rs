@@ -1,7 +1,7 @@
 //! Bad input is refused with what, where and the value; odd but valid input is handled.
 
 use ccd::io::{ReadErrorKind, read_frame, read_queries};
-use ccd::{Aabb, BroadPhase, Error, Mesh, Method, Options, Session, Verdict, VertexFace};
+use ccd::{Aabb, BroadPhase, BroadPhaseMethod, Error, Mesh, Options, Session, Verdict, VertexFace};
 use std::path::{Path, PathBuf};
 
 const TRIANGLE: [[f64; 3]; 3] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
@@ -39,7 +39,7 @@ fn sizes_indices_and_distances_are_checked() {
         assert!(matches!(error, Error::MinDistance { .. }), "{error}");
     }
     assert!(matches!(Mesh::new(1 << 31, &[]), Err(Error::TooMany { element: "vertices", count: 2_147_483_648, .. })));
-    let mut broad = BroadPhase::new(1, Method::Blocks).unwrap();
+    let mut broad = BroadPhase::new(1, BroadPhaseMethod::Blocks).unwrap();
     let bad = [Aabb { min: [0.0f32; 3], max: [1.0; 3] }, Aabb { min: [0.0, 2.0, 0.0], max: [1.0; 3] }];
     assert!(matches!(broad.self_pairs(&bad), Err(Error::Box { at: 1, axis: 1, .. })));
 }
@@ -111,6 +111,81 @@ fn meshes_are_read_in_every_encoding() {
     assert_eq!(read_frame(&write(dir.path(), "a.obj", obj.as_bytes())).unwrap(), want);
 }
 
+/// A square of two triangles and a line, with every way to say it, one statement a line.
+const STATEMENTS: [&str; 9] = [
+    "# a comment, and an empty line",
+    "",
+    "v 0 0 0",
+    "v 1 0 0 1.0 # a weight",
+    "v 1 1 0 0.5 0.25 1",
+    "vn 0 0 1",
+    "\tv  0 1 0.5 1 1 1 0.5 ",
+    "f 1/1/1 2//1 3/2 -1",
+    "l 1 2/7 3",
+];
+
+#[test]
+fn obj_lines_end_in_three_ways() {
+    let dir = tempfile::tempdir().unwrap();
+    for (name, end) in [("lf", "\n"), ("crlf", "\r\n"), ("cr", "\r")] {
+        for last in ["", end] {
+            let text = STATEMENTS.join(end) + last;
+            let frame = read_frame(&write(dir.path(), "a.obj", text.as_bytes())).unwrap();
+            let want = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.5]];
+            assert_eq!(frame.positions, want, "{name}");
+            assert_eq!((&frame.faces[..], &frame.edges[..]), (&[[0, 1, 2], [0, 2, 3]][..], &[[0, 1], [1, 2]][..]), "{name}");
+        }
+    }
+    // Any mixture, and the number of a line counts all ends before it.
+    let mixed = "v 0 0 0\rv 1 0 0\r\n\nv 0 1 0\r\r\nf 1 2 x\r";
+    let error = read_frame(&write(dir.path(), "mixed.obj", mixed.as_bytes())).unwrap_err();
+    assert!(error.to_string().contains("line 6: `x`"), "{error}");
+}
+
+#[test]
+fn obj_lines_that_cannot_be_understood_are_refused() {
+    let dir = tempfile::tempdir().unwrap();
+    let before = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    let check = |line: &str, says: &str| {
+        let text = format!("{before}{line}\nf 1 2 3\n");
+        let found = read_frame(&write(dir.path(), "a.obj", text.as_bytes()));
+        let text = found.expect_err(line).to_string();
+        assert!(text.contains("line 4: ") && text.contains(says), "{line:?}: {text:?} does not say {says:?}");
+    };
+    check("v", "three coordinates");
+    check("v 1 2", "three coordinates");
+    check("v 1 2 # 3", "three coordinates");
+    check("v 1 2 3 x", "`x` is not a number");
+    check("v 1 2 3 v 4 5 6", "`v` is not a number");
+    check("v 1 2 3 4 5 6 7 8", "not 8");
+    check("v 1 2 3 4 5", "not 5");
+    check("v 1 2 3 0.5", "weight of a vertex is 0.5");
+    check("v 1 2 3 0 0 blue", "`blue`");
+    check("v 1 2 3 0 0 0 inf", "`inf` is not a finite number");
+    check("v 1 nan 3", "`nan` is not a finite number");
+    check("v 1 1e999 3", "`1e999` is not a finite number");
+    check("v 1,2,3", "three coordinates");
+    check("v 1 2 3\u{b}v 4 5 6", "not text");
+    check("v 1 2 \\", "goes on");
+    check("vertex 1 2 3", "`vertex`");
+    check("1 2 3", "`1`");
+    check("f 1 2", "fewer than 3");
+    check("f 1 2 3 v 0 0 0", "`v`");
+    check("f 1 2 3.0", "`3.0`");
+    check("f 1 2 3/x", "`3/x`");
+    check("f 1 2 3/0", "`3/0`");
+    check("f 1 2 3/1/1/1", "`3/1/1/1`");
+    check("f 1 2 /3", "`/3`");
+    check("f 1 2 -4", "index -4");
+    check("f 1 2 -9223372036854775808", "index -9223372036854775808");
+    check("f 1 2 99999999999999999999", "`99999999999999999999`");
+    check("l 1", "fewer than 2");
+    check("l 1 two", "`two`");
+    // The line before is the control: with a line that is fine the same file is read.
+    let text = format!("{before}v 0 0 1\nf 1 2 3\n");
+    assert_eq!(read_frame(&write(dir.path(), "a.obj", text.as_bytes())).unwrap().positions.len(), 4);
+}
+
 #[test]
 fn bad_files_are_named_with_the_place() {
     let dir = tempfile::tempdir().unwrap();
@@ -128,7 +203,7 @@ fn bad_files_are_named_with_the_place() {
     check("negative.ply", ASCII.replace("4 0 1 2 3", "4 0 1 2 -3").as_bytes(), "-3");
     check("two.ply", ASCII.replace("4 0 1 2 3", "2 0 1").as_bytes(), "fewer than 3");
     check("many.ply", ASCII.replace("element vertex 4", "element vertex 4294967299").as_bytes(), "4294967299");
-    check("word.obj", b"v 0 0 zero\n", "`zero`");
+    check("word.obj", b"v 0 0 zero\n", "line 1: `zero`");
     check("index.obj", b"v 0 0 0\nf 1 2 3\n", "vertex 1");
     check("zero.obj", b"v 0 0 0\nf 0 1 1\n", "line 2");
     check("x.stl", b"solid", ".ply or .obj");

@@ -1,6 +1,6 @@
 //! Records that cross between host and device: `u32` and `[f32; N]` fields only, sizes asserted here.
 
-use crate::aabb::Aabb;
+use crate::math::aabb::Aabb;
 use bytemuck::{Pod, Zeroable};
 
 /// A candidate pair of primitives: two vertices' or edges' ids, or a vertex id and a face id.

@@ -3,46 +3,28 @@
 //! The same functions run on a CPU and, compiled by rust-gpu, on a GPU. Elemental queries ([`vertex_face`], [`edge_edge`])
 //! answer with a [`Verdict`] that is never a missed contact; everything else here serves to ask few of them.
 //!
-//! | module | idea |
+//! | room | idea |
 //! |---|---|
-//! | [`query`] | vertex-face and edge-edge over a step, with verdicts |
-//! | [`bernstein`] | the non-penetration filter and its rounding bound |
-//! | [`separate`] | cheap certificates of passing beside |
-//! | [`cubic`], [`inside`], [`advance`] | roots, containment, advancement: how a query is decided |
-//! | [`aabb`], [`morton`] | boxes rounded outward, space-filling codes |
+//! | [`math`] | numbers, vectors, boxes rounded outward, space-filling codes |
+//! | [`narrow_phase`] | filters and verdicts of single queries, each with its error bound |
+//! | [`broad_phase`] | swept boxes, trees, traversals, candidates |
+//! | [`model`] | meshes, bodies, positions in `f32`, contacts, reports, errors |
+//! | [`kernel`] | what runs on a device: the table of kernels, memory, sorting |
 //! | [`layout`] | records that cross between CPU and GPU |
-//! | [`kernel`] | one per-thread function per stage of the pipeline |
-//! | `topology` | edges and adjacency of a triangle mesh (feature `alloc`) |
 #![no_std]
 #[cfg(any(feature = "alloc", test))]
 extern crate alloc;
 #[cfg(test)]
 extern crate std;
 
-pub mod aabb;
-pub mod advance;
-pub mod bernstein;
-pub mod closest;
-pub mod cubic;
-pub mod digest;
-pub mod error;
-pub mod input;
-pub mod inside;
+pub mod broad_phase;
 pub mod kernel;
 pub mod layout;
-pub mod morton;
-pub mod motion;
-pub mod query;
-pub mod real;
-#[cfg(feature = "alloc")]
-pub mod report;
-pub mod separate;
-pub mod slice;
-#[cfg(feature = "alloc")]
-pub mod topology;
-pub mod vec3;
+pub mod math;
+pub mod model;
+pub mod narrow_phase;
 
-pub use aabb::Aabb;
-pub use error::Error;
-pub use query::{EdgeEdge, TOI_TOLERANCE, Verdict, VertexFace, edge_edge, vertex_face};
-pub use real::{Num, Real};
+pub use math::aabb::Aabb;
+pub use math::real::{Num, Real};
+pub use model::error::Error;
+pub use narrow_phase::query::{EdgeEdge, TOI_TOLERANCE, Verdict, VertexFace, edge_edge, vertex_face};

@@ -2,23 +2,27 @@
 
 use crate::pyramid::Pyramid;
 use crate::rows::keep;
-use crate::simd::Simd;
+use crate::simd::RowSimd;
 use crate::threads::Threads;
 use crate::traverse::{Rows, Traversal};
 use crate::tree::Tree;
-use ccd_core::error::check_boxes;
 use ccd_core::layout::Pair;
-use ccd_core::report::Method;
-use ccd_core::{Aabb, Error, Num, Real};
+use ccd_core::math::aabb::Boxes;
+use ccd_core::model::error::check_boxes;
+use ccd_core::model::method::BroadPhaseMethod;
+use ccd_core::model::precision::{Precision, Slices};
+use ccd_core::{Aabb, Error, Real};
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// Finds overlapping boxes; keeps its buffers between calls.
 ///
-/// Overlap is closed: boxes that touch are a pair. Infinite bounds count as the greatest finite `f32`. `f64` boxes are compared as they are, not as
-/// their `f32` roundings. The order of pairs depends on the boxes and the method, not on the number of threads.
+/// Overlap is closed: boxes that touch are a pair. Boxes are compared as they are, not as their
+/// roundings in `f32`; infinite bounds too: infinity touches infinity and nothing else.
+/// The order of pairs depends on the boxes and the method, not on the number of threads.
 #[derive(Debug)]
 pub struct BroadPhase {
     threads: Threads,
-    method: Method,
+    method: BroadPhaseMethod,
     a: Side,
     b: Side,
     traversal: Traversal,
@@ -36,7 +40,7 @@ struct Side {
 
 impl BroadPhase {
     /// With `threads` threads: 0 for those of rayon's current pool, 1 for the calling one alone.
-    pub fn new(threads: usize, method: Method) -> Result<Self, Error> {
+    pub fn new(threads: usize, method: BroadPhaseMethod) -> Result<Self, Error> {
         Ok(Self {
             threads: Threads::new(threads)?,
             method,
@@ -55,62 +59,92 @@ impl BroadPhase {
     }
 
     /// Pairs within one set, each once, lesser index first.
-    pub fn self_pairs<T: Real + Send + Sync>(&mut self, boxes: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
-        check_boxes(boxes, f64::INFINITY)?;
-        let Self { threads, method, a, traversal, tree, workers, runs, .. } = self;
-        threads.enter(|| {
-            let exact = a.take(threads, boxes);
-            match method {
-                Method::Blocks => {
-                    a.pyramid.build(threads, &a.boxes, None);
-                    let slack = (!exact).then(|| slack(&a.boxes, &a.boxes));
-                    let confirm = |i: u32, j: u32| boxes[i as usize].overlaps(&boxes[j as usize]);
-                    let rows = Listing::<true> { a: &a.pyramid, b: &a.pyramid, slack, confirm: &confirm };
-                    list(threads, traversal, &rows, workers);
-                }
-                Method::Tree => {
-                    let out = only_list(workers);
-                    tree.self_pairs(threads, &a.boxes, out);
-                    if !exact {
-                        out.retain(|p| boxes[p.a as usize].overlaps(&boxes[p.b as usize]));
-                    }
-                }
-            }
-            order_runs(workers, runs);
-        });
+    pub fn self_pairs<T: Real>(&mut self, boxes: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
+        self.within(T::slices::<Boxes, 1>([boxes]))?;
         Ok(Pairs { runs: &self.runs, workers: &self.workers })
     }
 
     /// Pairs of a box of `a` with a box of `b`.
-    pub fn pairs<T: Real + Send + Sync>(&mut self, a: &[Aabb<T>], b: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
-        check_boxes(a, f64::INFINITY)?;
-        check_boxes(b, f64::INFINITY)?;
-        let Self { threads, method, a: side_a, b: side_b, traversal, tree, workers, runs } = self;
+    pub fn pairs<T: Real>(&mut self, a: &[Aabb<T>], b: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
+        self.between(T::slices::<Boxes, 2>([a, b]))?;
+        Ok(Pairs { runs: &self.runs, workers: &self.workers })
+    }
+
+    #[inline(never)]
+    fn within(&mut self, boxes: Slices<Boxes, 1>) -> Result<(), Error> {
+        let exact = match boxes {
+            Precision::F32([boxes]) => self.a.take(&self.threads, boxes),
+            Precision::F64([boxes]) => self.a.take(&self.threads, boxes),
+        }?;
+        let overlap = |i: u32, j: u32| match boxes {
+            Precision::F32([boxes]) => boxes[i as usize].overlaps(&boxes[j as usize]),
+            Precision::F64([boxes]) => boxes[i as usize].overlaps(&boxes[j as usize]),
+        };
+        let confirm: Option<Confirm> = if exact { None } else { Some(&overlap) };
+        let Self { threads, method, a, traversal, tree, workers, runs, .. } = self;
         threads.enter(|| {
-            let exact = side_a.take(threads, a) & side_b.take(threads, b);
             match method {
-                Method::Blocks => {
-                    side_a.pyramid.build(threads, &side_a.boxes, None);
-                    side_b.pyramid.build(threads, &side_b.boxes, None);
-                    let height = side_a.pyramid.height().max(side_b.pyramid.height());
-                    side_a.pyramid.raise(height);
-                    side_b.pyramid.raise(height);
-                    let slack = (!exact).then(|| slack(&side_a.boxes, &side_b.boxes));
-                    let confirm = |i: u32, j: u32| a[i as usize].overlaps(&b[j as usize]);
-                    let rows = Listing::<false> { a: &side_a.pyramid, b: &side_b.pyramid, slack, confirm: &confirm };
+                BroadPhaseMethod::Blocks => {
+                    a.pyramid.build(threads, &a.boxes, None);
+                    let slack = slack(&a.boxes, &a.boxes);
+                    let rows = Listing::<true> { a: &a.pyramid, b: &a.pyramid, slack, confirm };
                     list(threads, traversal, &rows, workers);
                 }
-                Method::Tree => {
+                // The other method that there is.
+                _ => {
                     let out = only_list(workers);
-                    tree.pairs(threads, &side_a.boxes, &side_b.boxes, out);
-                    if !exact {
-                        out.retain(|p| a[p.a as usize].overlaps(&b[p.b as usize]));
-                    }
+                    tree.self_pairs(threads, &a.boxes, out);
+                    keep_confirmed(out, confirm);
                 }
             }
             order_runs(workers, runs);
         });
-        Ok(Pairs { runs: &self.runs, workers: &self.workers })
+        Ok(())
+    }
+
+    #[inline(never)]
+    fn between(&mut self, boxes: Slices<Boxes, 2>) -> Result<(), Error> {
+        let Self { threads, method, a, b, traversal, tree, workers, runs } = self;
+        let exact = match boxes {
+            Precision::F32([x, y]) => a.take(threads, x)? & b.take(threads, y)?,
+            Precision::F64([x, y]) => a.take(threads, x)? & b.take(threads, y)?,
+        };
+        let overlap = |i: u32, j: u32| match boxes {
+            Precision::F32([a, b]) => a[i as usize].overlaps(&b[j as usize]),
+            Precision::F64([a, b]) => a[i as usize].overlaps(&b[j as usize]),
+        };
+        let confirm: Option<Confirm> = if exact { None } else { Some(&overlap) };
+        threads.enter(|| {
+            match method {
+                BroadPhaseMethod::Blocks => {
+                    a.pyramid.build(threads, &a.boxes, None);
+                    b.pyramid.build(threads, &b.boxes, None);
+                    let height = a.pyramid.height().max(b.pyramid.height());
+                    a.pyramid.raise(height);
+                    b.pyramid.raise(height);
+                    let slack = slack(&a.boxes, &b.boxes);
+                    let rows = Listing::<false> { a: &a.pyramid, b: &b.pyramid, slack, confirm };
+                    list(threads, traversal, &rows, workers);
+                }
+                // The other method that there is.
+                _ => {
+                    let out = only_list(workers);
+                    tree.pairs(threads, &a.boxes, &b.boxes, out);
+                    keep_confirmed(out, confirm);
+                }
+            }
+            order_runs(workers, runs);
+        });
+        Ok(())
+    }
+}
+
+/// Whether two boxes overlap as they were given; asked where rounding may have made it so.
+type Confirm<'a> = &'a (dyn Fn(u32, u32) -> bool + Sync);
+
+fn keep_confirmed(pairs: &mut Vec<Pair>, confirm: Option<Confirm>) {
+    if let Some(confirm) = confirm {
+        pairs.retain(|p| confirm(p.a, p.b));
     }
 }
 
@@ -145,20 +179,21 @@ impl Lister {
 struct Listing<'a, const WITHIN: bool> {
     a: &'a Pyramid,
     b: &'a Pyramid,
-    slack: Option<f32>,
-    confirm: &'a (dyn Fn(u32, u32) -> bool + Sync),
+    slack: f32,
+    confirm: Option<Confirm<'a>>,
 }
 
 impl<const WITHIN: bool> Rows for Listing<'_, WITHIN> {
     type Worker = Lister;
 
     #[inline(always)]
-    fn row<S: Simd>(&self, lister: &mut Lister, simd: S, a: usize, lane: usize, b: usize, mut mask: u32) {
+    fn row<S: RowSimd>(&self, lister: &mut Lister, simd: S, a: usize, lane: usize, b: usize, mut mask: u32) {
         let id = self.a.order()[a * 8 + lane];
         let ids = lane_ids(self.b.order(), b);
-        if let Some(slack) = self.slack {
-            let sure = simd.overlaps_shrunk(&self.a.level(0)[a], lane, &self.b.level(0)[b], slack);
-            mask = mask & sure | keep(mask & !sure, |j| (self.confirm)(id, ids[j]));
+        if let Some(confirm) = self.confirm {
+            let (block_a, block_b) = (&self.a.level(0)[a], &self.b.level(0)[b]);
+            let sure = simd.overlaps(block_a, lane, block_b, self.slack);
+            mask = mask & sure | keep(mask & !sure, |j| confirm(id, ids[j]));
         }
         simd.append::<WITHIN>(&mut lister.pairs, id, &ids, mask);
     }
@@ -254,19 +289,98 @@ pub(crate) fn order_runs(workers: &[Lister], runs: &mut Vec<Run>) {
 }
 
 impl Side {
-    /// Takes boxes, rounded outward; whether nothing was rounded.
-    fn take<T: Real + Send + Sync>(&mut self, threads: &Threads, boxes: &[Aabb<T>]) -> bool {
+    /// Takes boxes, rounded outward; whether that changed none of them. Bounds beyond the greatest
+    /// of a rounded box change in `f32` too.
+    fn take<T: Real>(&mut self, threads: &Threads, boxes: &[Aabb<T>]) -> Result<bool, Error> {
+        check_boxes(boxes, f64::INFINITY)?;
         self.boxes.resize(boxes.len(), Aabb::EMPTY);
-        threads.fill(&mut self.boxes, |i| boxes[i].round_out());
-        let same =
-            |r: &Aabb<f32>, b: &Aabb<T>| (0..3).all(|k| r.min[k] as f64 == b.min[k].to_f64() && r.max[k] as f64 == b.max[k].to_f64());
-        T::UNIT.to_f64() == f32::UNIT as f64 || self.boxes.iter().zip(boxes).all(|(r, b)| same(r, b))
+        let exact = AtomicBool::new(true);
+        let rounded = |i: usize| {
+            let (b, r) = (&boxes[i], boxes[i].round_out());
+            let same = |r: f32, b: T| r as f64 == b.to_f64();
+            if !(0..3).all(|k| same(r.min[k], b.min[k]) && same(r.max[k], b.max[k])) {
+                exact.store(false, Relaxed);
+            }
+            r
+        };
+        threads.enter(|| threads.fill(&mut self.boxes, rounded));
+        Ok(exact.into_inner())
     }
 }
 
-/// Twice the spacing of `f32` at the greatest coordinate: outward rounding moves two bounds by less than that together.
+/// Twice the spacing of `f32` at the greatest coordinate: outward rounding moves two bounds by less
+/// than that together. Bounds that were cut to the greatest of a rounded box are equal, so that pairs
+/// which overlap only there overlap by nothing; a bound that was not cut compares with them as with
+/// what they were.
 fn slack(a: &[Aabb<f32>], b: &[Aabb<f32>]) -> f32 {
-    let greatest =
-        |boxes: &[Aabb<f32>]| boxes.iter().fold(0f32, |m, b| m.max(ccd_core::vec3::max_abs(b.min)).max(ccd_core::vec3::max_abs(b.max)));
-    ccd_core::input::slack_at(greatest(a).max(greatest(b)))
+    let greatest = |boxes: &[Aabb<f32>]| {
+        boxes.iter().fold(0f32, |m, b| m.max(ccd_core::math::vec3::max_abs(b.min)).max(ccd_core::math::vec3::max_abs(b.max)))
+    };
+    ccd_core::model::quantization::slack_at(greatest(a).max(greatest(b)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Bounds at and beyond the greatest that a rounded box has, and ordinary ones.
+    const BOUNDS: [f32; 13] =
+        [f32::NEG_INFINITY, f32::MIN, -3.2e38, -2.95e38, -2.9e38, -1.0, 0.0, 1.0, 2.9e38, 2.95e38, 3.2e38, f32::MAX, f32::INFINITY];
+
+    /// Pairs by both methods are those of brute force, in the precision of the boxes.
+    fn check_pairs<T: Real>(a: &[Aabb<T>], b: &[Aabb<T>]) {
+        let all = |n: usize, m: usize| (0..n).flat_map(move |i| (0..m).map(move |j| (i, j)));
+        let pair = |(i, j): (usize, usize)| Pair { a: i as u32, b: j as u32 };
+        let n = a.len();
+        let within: Vec<Pair> = all(n, n).filter(|&(i, j)| i < j && a[i].overlaps(&a[j])).map(pair).collect();
+        let between: Vec<Pair> = all(n, b.len()).filter(|&(i, j)| a[i].overlaps(&b[j])).map(pair).collect();
+        assert!(!within.is_empty() && within.len() < n * (n - 1) / 2, "all or none overlap");
+        let sorted = |pairs: Pairs| {
+            let mut pairs = pairs.to_vec();
+            pairs.sort_unstable_by_key(|p| (p.a, p.b));
+            pairs
+        };
+        for method in [BroadPhaseMethod::Blocks, _] {
+            let mut broad = BroadPhase::new(1, method).unwrap();
+            let got = sorted(broad.self_pairs(a).unwrap());
+            assert_eq!(got, within, "{method:?}, within {a:?}");
+            let got = sorted(broad.pairs(a, b).unwrap());
+            assert_eq!(got, between, "{method:?}, {a:?} against {b:?}");
+        }
+    }
+
+    #[test]
+    fn huge_and_infinite_bounds_are_compared_as_they_are() {
+        let apart =
+            [(2.95e38f32, 3.0e38), (3.2e38, 3.3e38), (0.0, 3.1e38)].map(|(min, max)| Aabb { min: [min, 0.0, 0.0], max: [max, 1.0, 1.0] });
+        check_pairs(&apart, &apart);
+        let mut x = 11u32;
+        let mut bound = || {
+            x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+            (x >> 16) as usize % BOUNDS.len()
+        };
+        for n in [3usize, 8, 40] {
+            for _ in 0..20 {
+                let mut side = || (bound(), bound());
+                let mut one = || {
+                    let sides: [_; 3] = std::array::from_fn(|_| side());
+                    Aabb { min: sides.map(|(p, q)| BOUNDS[p.min(q)]), max: sides.map(|(p, q)| BOUNDS[p.max(q)]) }
+                };
+                // The first two are apart, the third and the fourth overlap.
+                let mut boxes = vec![apart[0], apart[1], apart[2], apart[2]];
+                boxes.extend((0..n).map(|_| one()));
+                let others: Vec<_> = (0..n).map(|_| one()).collect();
+                check_pairs(&boxes, &others);
+                let wide = |b: &Aabb<f32>| Aabb { min: b.min.map(f64::from), max: b.max.map(f64::from) };
+                let far = |b: &Aabb<f32>| {
+                    let wide = wide(b);
+                    Aabb { min: wide.min.map(|x| x * 1e60), max: wide.max.map(|x| x * 1e60) }
+                };
+                for to_f64 in [&wide as &dyn Fn(&Aabb<f32>) -> Aabb<f64>, &far] {
+                    let all = |boxes: &[Aabb<f32>]| boxes.iter().map(to_f64).collect::<Vec<_>>();
+                    check_pairs(&all(&boxes), &all(&others));
+                }
+            }
+        }
+    }
 }

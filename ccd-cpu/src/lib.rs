@@ -1,6 +1,5 @@
 //! Continuous collision detection on the CPU, over rayon.
 mod broad;
-mod lanes;
 mod narrow;
 mod order;
 mod prepare;
@@ -14,4 +13,5 @@ mod traverse;
 mod tree;
 
 pub use broad::{BroadPhase, Pairs};
-pub use session::{Candidates, MAX_LOOSENESS, Session, earliest_toi, step};
+pub use prepare::MAX_LOOSENESS;
+pub use session::{Candidates, Session, earliest_toi, step};

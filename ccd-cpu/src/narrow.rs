@@ -1,20 +1,22 @@
-//! From candidates to contacts: pairs are queued, full queues pass the `f32` filters eight at a time, and what is left is decided in `f64`.
+//! From candidates to contacts: pairs are queued, full queues pass the `f32` filters many at a time,
+//! and what is left is decided in `f64`.
 //!
 //! Pairs enter the arithmetic with the lesser edge first, so no result depends on the order of leaves.
 
-use crate::lanes::{Lanes, WIDTH};
 use crate::rows::{Scene, Take};
-use crate::simd::{Simd, Work};
-use ccd_core::Real;
-use ccd_core::bernstein::Coplanarity;
-use ccd_core::kernel::narrow;
+use crate::simd::{MAX_WIDTH, Mask, RowSimd, Simd, WIDTH, Work};
 use ccd_core::layout::Pair;
-use ccd_core::motion::{Motion, Patch};
-use ccd_core::report::{Contact, Kind};
-use ccd_core::separate::beside;
+use ccd_core::model::contact::{Contact, Kind};
+use ccd_core::model::precision::Precision;
+use ccd_core::narrow_phase::coplanarity::Coplanarity;
+use ccd_core::narrow_phase::decide;
+use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
+use ccd_core::narrow_phase::separating_direction::beside;
+use ccd_core::{Num, Real, Verdict};
 use std::time::{Duration, Instant};
 
-/// Pairs that a queue holds before it is worked off: fits the first-level cache with the positions it touches.
+/// Pairs that a queue holds before it is worked off: fits the first-level cache with the positions it
+/// touches.
 const QUEUE: usize = 512;
 
 /// What one worker gathers.
@@ -47,9 +49,11 @@ impl Worker {
     }
 
     /// Filters and decides what is queued.
-    fn flush<S: Simd, T: Real>(&mut self, simd: S, scene: &Scene<T>, kind: Kind) {
+    #[inline(never)]
+    fn flush(&mut self, scene: &Scene, kind: Kind) {
         let start = Instant::now();
-        simd.run(Filter { pairs: &mut self.queue, scene, kind });
+        let pairs = &mut self.queue;
+        crate::simd::run!(Filter { pairs, scene, kind });
         self.n_filtered += self.queue.len() as u64;
         for i in 0..self.queue.len() {
             self.decide(scene, kind, self.queue[i]);
@@ -58,17 +62,25 @@ impl Worker {
         self.narrow += start.elapsed();
     }
 
-    fn decide<T: Real>(&mut self, scene: &Scene<T>, kind: Kind, pair: Pair) {
-        let ids = vertices(scene, kind, pair);
-        let verdict = match kind {
-            Kind::VertexFace => narrow::vertex_face(ids, scene.x0, scene.x1, scene.min_distance, 0.0),
-            Kind::EdgeEdge => narrow::edge_edge(ids, scene.x0, scene.x1, scene.min_distance, 0.0),
+    fn decide(&mut self, scene: &Scene, kind: Kind, pair: Pair) {
+        let verdict = match scene.given {
+            Precision::F32(x) => decide(scene, kind, pair, x),
+            Precision::F64(x) => decide(scene, kind, pair, x),
         };
         let Some(contact) = Contact::of(kind, pair, verdict) else { return };
         self.toi = Some(self.toi.map_or(contact.toi, |t| t.min(contact.toi)));
         if scene.keep_contacts {
             self.contacts.push(contact);
         }
+    }
+}
+
+/// The verdict on a pair, from positions as given, in `f64`.
+fn decide<T: Real>(scene: &Scene, kind: Kind, pair: Pair, x: [&[[T; 3]]; 2]) -> Verdict<f64> {
+    let ids = vertices(scene, kind, pair);
+    match kind {
+        Kind::VertexFace => decide::vertex_face_pair(ids, x[0], x[1], scene.min_distance, 0.0),
+        Kind::EdgeEdge => decide::edge_edge_pair(ids, x[0], x[1], scene.min_distance, 0.0),
     }
 }
 
@@ -81,47 +93,48 @@ impl Take for Worker {
     }
 
     #[inline(always)]
-    fn take<S: Simd, T: Real>(&mut self, simd: S, scene: &Scene<T>, kind: Kind, id: u32, ids: &[u32; WIDTH], mask: u32) {
+    fn take<S: RowSimd>(&mut self, simd: S, scene: &Scene, kind: Kind, id: u32, ids: &[u32; WIDTH], mask: u32) {
         match kind {
             Kind::VertexFace => simd.append::<false>(&mut self.queue, id, ids, mask),
             Kind::EdgeEdge => simd.append::<true>(&mut self.queue, id, ids, mask),
         }
         if self.queue.len() >= QUEUE {
-            self.flush(simd, scene, kind);
+            self.flush(scene, kind);
         }
     }
 
     #[inline(always)]
     fn begin(&mut self, _task: usize) {}
 
-    fn finish<T: Real>(&mut self, scene: &Scene<T>, kind: Kind) {
+    fn finish(&mut self, scene: &Scene, kind: Kind) {
         if !self.queue.is_empty() {
-            crate::simd::dispatch!(simd => self.flush(simd, scene, kind));
+            self.flush(scene, kind);
         }
     }
 }
 
 /// `v f0 f1 f2` or `ea0 ea1 eb0 eb1`.
 #[inline(always)]
-fn vertices<T>(scene: &Scene<T>, kind: Kind, pair: Pair) -> [u32; 4] {
+fn vertices(scene: &Scene, kind: Kind, pair: Pair) -> [u32; 4] {
     match kind {
-        Kind::VertexFace => narrow::vertex_face_ids(pair, scene.mesh.faces()),
-        Kind::EdgeEdge => narrow::edge_edge_ids(pair, scene.mesh.edges()),
+        Kind::VertexFace => decide::vertex_face_ids(pair, scene.mesh.faces()),
+        Kind::EdgeEdge => decide::edge_edge_ids(pair, scene.mesh.edges()),
     }
 }
 
-/// Keeps of `pairs` what the `f32` filters cannot reject, in place: first over the whole step, then what is left over each half of it.
-struct Filter<'a, T> {
+/// Keeps of `pairs` what the `f32` filters cannot reject, in place: first over the whole step, then
+/// what is left over each half of it.
+struct Filter<'a> {
     pairs: &'a mut Vec<Pair>,
-    scene: &'a Scene<'a, T>,
+    scene: &'a Scene<'a>,
     kind: Kind,
 }
 
-impl<T: Real> Work for Filter<'_, T> {
+impl<S: Simd> Work<S> for Filter<'_> {
     type Out = ();
 
     #[inline(always)]
-    fn call<S: Simd>(mut self, simd: S) {
+    fn call(mut self, simd: S) {
         match self.kind {
             Kind::VertexFace => {
                 self.keep::<S, true, false>(simd);
@@ -135,24 +148,25 @@ impl<T: Real> Work for Filter<'_, T> {
     }
 }
 
-impl<T: Real> Filter<'_, T> {
-    /// Keeps what cannot be rejected over the whole step or over one of its halves, in order. (No closures here: they would not be compiled with the
-    /// instruction set.)
+impl Filter<'_> {
+    /// Keeps what cannot be rejected over the whole step or over one of its halves, in order. (No
+    /// closures here: they would not be compiled with the instruction set.)
     #[inline(always)]
     fn keep<S: Simd, const VERTEX_FACE: bool, const HALVES: bool>(&mut self, simd: S) {
         let patch = if VERTEX_FACE { Patch::Triangle } else { Patch::Parallelogram };
-        let distance = Lanes([Real::round_up(self.scene.min_distance); WIDTH]);
+        let distance = S::Lanes::splat(self.scene.table_distance);
         let mut n = 0;
-        for start in (0..self.pairs.len()).step_by(WIDTH) {
-            let end = (start + WIDTH).min(self.pairs.len());
-            let motion = load::<S, T, VERTEX_FACE>(simd, self.scene, self.kind, &self.pairs[start..end]);
+        for start in (0..self.pairs.len()).step_by(S::LANES) {
+            let end = (start + S::LANES).min(self.pairs.len());
+            let pairs = &self.pairs[start..end];
+            let motion = load::<S, VERTEX_FACE>(simd, self.scene, self.kind, pairs);
             let rejected = if HALVES {
                 let (first, second) = motion.halves();
-                apart(simd, &first, patch, distance) & apart(simd, &second, patch, distance)
+                apart::<S>(&first, patch, distance) & apart::<S>(&second, patch, distance)
             } else {
-                apart(simd, &motion, patch, distance)
+                apart::<S>(&motion, patch, distance)
             };
-            let mut left = !rejected & (0xff >> (WIDTH - (end - start)));
+            let mut left = !rejected & all(end - start);
             while left != 0 {
                 self.pairs[n] = self.pairs[start + left.trailing_zeros() as usize];
                 n += 1;
@@ -163,17 +177,23 @@ impl<T: Real> Filter<'_, T> {
     }
 }
 
-/// The motion of up to eight pairs; lanes past the last repeat it.
+/// As many bits as there are lanes.
 #[inline(always)]
-fn load<S: Simd, T, const VERTEX_FACE: bool>(simd: S, scene: &Scene<T>, kind: Kind, eight: &[Pair]) -> Motion<Lanes> {
-    let mut v = [[0u32; WIDTH]; 4];
-    for j in 0..WIDTH {
-        let four = vertices(scene, kind, eight[j.min(eight.len() - 1)]);
+fn all(n_lanes: usize) -> u32 {
+    (1 << n_lanes) - 1
+}
+
+/// The motion of as many pairs as there are lanes, or fewer; lanes past the last repeat it.
+#[inline(always)]
+fn load<S: Simd, const VERTEX_FACE: bool>(simd: S, scene: &Scene, kind: Kind, pairs: &[Pair]) -> Motion<S::Lanes> {
+    let mut v = [[0u32; MAX_WIDTH]; 4];
+    for j in 0..S::LANES {
+        let four = vertices(scene, kind, pairs[j.min(pairs.len() - 1)]);
         for k in 0..4 {
             v[k][j] = four[k];
         }
     }
-    let error = Lanes([scene.table_error; WIDTH]);
+    let error = S::Lanes::splat(scene.table_error);
     let mut x0 = [[error; 3]; 4];
     let mut x1 = [[error; 3]; 4];
     for k in 0..4 {
@@ -186,7 +206,8 @@ fn load<S: Simd, T, const VERTEX_FACE: bool>(simd: S, scene: &Scene<T>, kind: Ki
 
 /// Lanes in which the features certainly stay further than `distance` apart.
 #[inline(always)]
-fn apart<S: Simd>(simd: S, motion: &Motion<Lanes>, patch: Patch, distance: Lanes) -> u32 {
-    let by_plane = simd.greater(Coplanarity::new(motion).clearance(distance), 0.0);
-    if by_plane == 0xff { by_plane } else { by_plane | simd.greater(beside(motion, patch, distance), 0.0) }
+fn apart<S: Simd>(motion: &Motion<S::Lanes>, patch: Patch, distance: S::Lanes) -> u32 {
+    let zero = S::Lanes::splat(0.0);
+    let by_plane = Coplanarity::new(motion).clearance(distance).gt(zero).bits();
+    if by_plane == all(S::LANES) { by_plane } else { by_plane | beside(motion, patch, distance).gt(zero).bits() }
 }

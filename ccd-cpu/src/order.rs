@@ -3,8 +3,8 @@
 use crate::radix::Radix;
 use crate::threads::Threads;
 use ccd_core::Aabb;
-use ccd_core::kernel::bounds;
-use ccd_core::morton::MortonGrid;
+use ccd_core::broad_phase::morton_key;
+use ccd_core::math::morton::MortonGrid;
 
 /// Bits per axis of the codes.
 const BITS: u32 = 21;
@@ -29,13 +29,13 @@ impl MortonOrder {
     ) -> MortonGrid {
         self.chunks.resize(boxes.len().div_ceil(CHUNK), Aabb::EMPTY);
         threads.fill(&mut self.chunks, |i| {
-            (0..CHUNK / bounds::CHUNK)
-                .fold(Aabb::EMPTY, |all, k| all.union(&bounds::scene_bounds(i * CHUNK + k * bounds::CHUNK, 1, boxes, boxes.len())))
+            (0..CHUNK / morton_key::CHUNK)
+                .fold(Aabb::EMPTY, |all, k| all.union(&morton_key::scene_bounds(i * CHUNK + k * morton_key::CHUNK, 1, boxes, boxes.len())))
         });
         let scene = self.chunks.iter().fold(Aabb::EMPTY, |all, b| all.union(b));
         let grid = MortonGrid::new(&scene, BITS);
         let key = |i: usize| {
-            let [low, high] = bounds::morton(i, boxes, &grid);
+            let [low, high] = morton_key::morton(i, boxes, &grid);
             let code = (high as u64) << 32 | low as u64;
             match last {
                 Some(last) => (last(i) as u64) << 62 | code >> 1,

@@ -3,9 +3,8 @@
 //! Every node is one [`Block`], eight boxes side by side; node `i` of a level has the nodes `8 i .. 8 i + 8` of the level below as children, so
 //! there are no pointers, and refitting is one pass over the levels.
 
-use crate::lanes::WIDTH;
 use crate::order::MortonOrder;
-use crate::simd::Block;
+use crate::simd::{Block, EMPTY, WIDTH};
 use crate::threads::Threads;
 use ccd_core::Aabb;
 
@@ -17,7 +16,7 @@ pub struct Pyramid {
     /// `levels[0]` holds the boxes, `levels[height - 1]` is one block; those above are kept for their memory.
     levels: Vec<Vec<Block>>,
     height: usize,
-    /// Per level and block: the lanes that hold fixed boxes only; used if any is fixed.
+    /// Per level and block: the lanes that hold fixed boxes only; empty where none was marked.
     fixed: Vec<Vec<u8>>,
     any_fixed: bool,
     morton: MortonOrder,
@@ -68,13 +67,14 @@ impl Pyramid {
 
     fn mark_fixed(&mut self, fixed: Option<&(dyn Fn(usize) -> bool + Sync)>) {
         self.any_fixed = fixed.is_some();
+        // Levels beyond those of this build, too: `raise` may need them, and they are not marked.
+        self.fixed.iter_mut().for_each(Vec::clear);
         let Some(fixed) = fixed else { return };
         for level in 0..self.height {
             if self.fixed.len() == level {
                 self.fixed.push(Vec::new());
             }
             let (below, here) = self.fixed.split_at_mut(level);
-            here[0].clear();
             match below.last() {
                 None => here[0].extend(self.order.chunks(WIDTH).map(|ids| all_of(ids, |&id| fixed(id as usize)))),
                 Some(below) => here[0].extend(below.chunks(WIDTH).map(|masks| all_of(masks, |&mask| mask == 0xff))),
@@ -110,10 +110,10 @@ impl Pyramid {
                 self.levels.push(Vec::new());
             }
             let (below, here) = self.levels.split_at_mut(height);
-            here[0].resize(n_blocks, Block::EMPTY);
+            here[0].resize(n_blocks, EMPTY);
             match below.last() {
                 None => threads.fill(&mut here[0], |i| {
-                    let mut block = Block::EMPTY;
+                    let mut block = EMPTY;
                     let leaves = &order[(i * WIDTH).min(order.len())..((i + 1) * WIDTH).min(order.len())];
                     for (j, &id) in leaves.iter().enumerate() {
                         set_lane(&mut block, j, &boxes[id as usize]);
@@ -121,7 +121,7 @@ impl Pyramid {
                     block
                 }),
                 Some(children) => threads.fill(&mut here[0], |i| {
-                    let mut block = Block::EMPTY;
+                    let mut block = EMPTY;
                     let children = &children[i * WIDTH..((i + 1) * WIDTH).min(children.len())];
                     for (j, child) in children.iter().enumerate() {
                         set_lane(&mut block, j, &union_of_lanes(child));
@@ -141,7 +141,7 @@ impl Pyramid {
     /// Adds levels of one used lane until the tree is `height` high, so that two trees can be descended in step.
     pub fn raise(&mut self, height: usize) {
         while self.height < height {
-            let mut block = Block::EMPTY;
+            let mut block = EMPTY;
             set_lane(&mut block, 0, &union_of_lanes(&self.levels[self.height - 1][0]));
             if self.levels.len() == self.height {
                 self.levels.push(Vec::new());
@@ -158,8 +158,9 @@ fn extents(threads: &Threads, level: &[Block], sums: &mut Vec<f64>) -> f64 {
     sums.resize(level.len(), 0.0);
     threads.fill(sums, |i| {
         let block = &level[i];
-        let side =
-            |k: usize, j: usize| if block.min[k][j] <= block.max[k][j] { block.max[k][j] as f64 - block.min[k][j] as f64 } else { 0.0 };
+        let side = |k: usize, j: usize| {
+            if block.min[k].0[j] <= block.max[k].0[j] { block.max[k].0[j] as f64 - block.min[k].0[j] as f64 } else { 0.0 }
+        };
         (0..WIDTH).map(|j| side(0, j) + side(1, j) + side(2, j)).sum()
     });
     sums.iter().sum()
@@ -172,8 +173,8 @@ fn all_of<T>(items: &[T], f: impl Fn(&T) -> bool) -> u8 {
 
 fn set_lane(block: &mut Block, j: usize, aabb: &Aabb<f32>) {
     for k in 0..3 {
-        block.min[k][j] = aabb.min[k];
-        block.max[k][j] = aabb.max[k];
+        block.min[k].0[j] = aabb.min[k];
+        block.max[k].0[j] = aabb.max[k];
     }
 }
 
@@ -181,8 +182,8 @@ fn union_of_lanes(block: &Block) -> Aabb<f32> {
     let mut out = Aabb::EMPTY;
     for k in 0..3 {
         for j in 0..WIDTH {
-            out.min[k] = out.min[k].min(block.min[k][j]);
-            out.max[k] = out.max[k].max(block.max[k][j]);
+            out.min[k] = out.min[k].min(block.min[k].0[j]);
+            out.max[k] = out.max[k].max(block.max[k].0[j]);
         }
     }
     out
@@ -202,7 +203,7 @@ mod tests {
                 let (block, j) = (&level[at / WIDTH], at % WIDTH);
                 for k in 0..3 {
                     let b = &boxes[id as usize];
-                    assert!(block.min[k][j] <= b.min[k] && block.max[k][j] >= b.max[k], "leaf {leaf}, axis {k}");
+                    assert!(block.min[k].0[j] <= b.min[k] && block.max[k].0[j] >= b.max[k], "leaf {leaf}, axis {k}");
                 }
                 at /= WIDTH;
             }
@@ -229,5 +230,24 @@ mod tests {
             pyramid.refit(&threads, &boxes);
             check_well_formed(&pyramid, &boxes);
         }
+    }
+
+    #[test]
+    fn fixed_lanes_are_those_of_the_last_build() {
+        let threads = Threads::new(1).unwrap();
+        let boxes: Vec<_> = (0..4096).map(|i| Aabb::of_point([i as f32, 0.0, 0.0])).collect();
+        let (all, none) = (|_: usize| true, |_: usize| false);
+        let mut pyramid = Pyramid::default();
+        pyramid.build(&threads, &boxes, Some(&all));
+        let height = pyramid.height();
+        let any = |pyramid: &Pyramid| (0..height).any(|level| pyramid.fixed(level, 0) != 0);
+        assert!(any(&pyramid), "all boxes are fixed");
+        // Fewer boxes and fewer levels, then as many levels as before.
+        pyramid.build(&threads, &boxes[..WIDTH], Some(&none));
+        pyramid.raise(height);
+        assert!(!any(&pyramid), "lanes of an earlier build");
+        pyramid.build(&threads, &boxes, Some(&all));
+        pyramid.build(&threads, &boxes, None);
+        assert!(!any(&pyramid), "lanes of an earlier build that had fixed boxes");
     }
 }

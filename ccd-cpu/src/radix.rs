@@ -48,7 +48,7 @@ impl Radix {
         let range = |k: usize| (k * part).min(n)..((k + 1) * part).min(n);
         let (keys, values) = (&self.keys, &self.values);
 
-        threads.each(workers, |k, worker| {
+        threads.each(workers, &|k, worker| {
             for i in range(k) {
                 keys[0][i].store(key(i), Relaxed);
                 values[0][i].store(i as u32, Relaxed);
@@ -65,7 +65,7 @@ impl Radix {
             }
             if moved && n_workers > 1 {
                 // Keys moved between workers: count this digit again where they are now.
-                threads.each(workers, |k, worker| count(&keys[from][range(k)], &mut worker.counts, pass..pass + 1));
+                threads.each(workers, &|k, worker| count(&keys[from][range(k)], &mut worker.counts, pass..pass + 1));
             }
             moved = true;
             let mut next = 0;
@@ -77,7 +77,7 @@ impl Radix {
                 }
             }
             let to = 1 - from;
-            threads.each(workers, |k, worker| {
+            threads.each(workers, &|k, worker| {
                 let offsets = &mut worker.counts[pass];
                 for i in range(k) {
                     let key = keys[from][i].load(Relaxed);
@@ -89,7 +89,7 @@ impl Radix {
             });
             from = to;
         }
-        threads.each(workers, |k, worker| sort_ties(&keys[from], &values[from], range(k), &mut worker.ties));
+        threads.each(workers, &|k, worker| sort_ties(&keys[from], &values[from], range(k), &mut worker.ties));
         order.resize(n, 0);
         threads.fill(order, |i| values[from][i].load(Relaxed));
     }

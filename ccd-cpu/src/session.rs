@@ -1,22 +1,20 @@
 //! A mesh stepped frame by frame: buffers and the order of trees are kept, trees are refitted or rebuilt by a stated rule.
 
 use crate::broad::{Lister, Pairs, Run, order_runs};
-use crate::lanes::WIDTH;
 use crate::narrow::Worker;
 use crate::prepare::{Positions, Prepared};
-use crate::rows::{EdgeRows, FaceRows, Scene, Take};
-use crate::simd::Simd;
+use crate::rows::{EdgeRows, FaceRows, Given, Scene, Take};
+use crate::simd::{RowSimd, WIDTH};
 use crate::threads::Threads;
 use crate::traverse::Traversal;
-use ccd_core::report::{Contact, Kind, Options, Report, State};
-use ccd_core::topology::Mesh;
+use ccd_core::model::contact::{Contact, Kind, State};
+use ccd_core::model::mesh::Mesh;
+use ccd_core::model::options::Options;
+use ccd_core::model::precision::Points;
+use ccd_core::model::report::Report;
 use ccd_core::{Error, Real};
 use std::marker::PhantomData;
 use std::time::{Duration, Instant};
-
-/// Blocks may become this much looser than after the last build before trees are built anew: building costs about a tenth of a step, and
-/// traversal grows with looseness.
-pub const MAX_LOOSENESS: f64 = 1.15;
 
 /// Continuous collision detection of one mesh over many steps.
 #[derive(Debug)]
@@ -70,31 +68,44 @@ impl Session {
         &self.report
     }
 
+    /// Takes what the last step found out of the session.
+    #[inline(never)]
+    fn into_report(self) -> Report {
+        self.report
+    }
+
     /// Every contact while vertices move on straight lines from `x0` to `x1`, one position per vertex of the mesh.
     ///
     /// After the first steps, nothing is allocated unless there are more contacts than before.
-    pub fn step<T: Real + Send + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error> {
-        self.run(x0, x1, false)?;
+    pub fn step<T: Real>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error> {
+        self.run(T::slices::<Points, 2>([x0, x1]), false)?;
         Ok(&self.report)
     }
 
     /// The earliest time of impact of the step, without the list of contacts: cheaper than [`Session::step`].
     ///
     /// It is not later than the earliest contact. `None`: the whole step is free.
-    pub fn earliest_toi<T: Real + Send + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Option<f64>, Error> {
-        self.run(x0, x1, true)?;
+    pub fn earliest_toi<T: Real>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Option<f64>, Error> {
+        self.run(T::slices::<Points, 2>([x0, x1]), true)?;
         Ok(self.report.toi)
     }
 
     /// Lists all candidates of the step: pairs of features whose swept boxes overlap, without those that share a vertex or that the bodies rule out.
     ///
     /// A step does not need this: it never lists them.
-    pub fn candidates<T: Real + Send + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Candidates<'_>, Error> {
-        self.mesh.check_positions(x0, x1)?;
+    pub fn candidates<T: Real>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Candidates<'_>, Error> {
+        self.list(T::slices::<Points, 2>([x0, x1]))?;
+        let [vf, ee] = [0, 1].map(|k| Pairs::new(&self.runs[k], &self.listers[k]));
+        Ok(Candidates { vf, ee })
+    }
+
+    /// Lists candidates.
+    #[inline(never)]
+    fn list(&mut self, given: Given) -> Result<(), Error> {
+        let x = Positions::new(&self.mesh, given)?;
         let Self { mesh, options, threads, prepared, traversal, listers, runs, .. } = self;
         let (threads, mesh, options) = (&*threads, &*mesh, &*options);
         threads.enter(|| {
-            let x = Positions { x0, x1, until: 1.0 };
             prepared.boxes(threads, mesh, options, &x)?;
             prepared.trees(threads, mesh, options.bodies.as_ref(), true);
             let scene = prepared.scene(mesh, options, &x, false);
@@ -107,13 +118,13 @@ impl Session {
                 order_runs(lists, runs);
             }
             Ok(())
-        })?;
-        let [vf, ee] = [0, 1].map(|k| Pairs::new(&self.runs[k], &self.listers[k]));
-        Ok(Candidates { vf, ee })
+        })
     }
 
-    fn run<T: Real + Send + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]], earliest: bool) -> Result<(), Error> {
-        self.mesh.check_positions(x0, x1)?;
+    /// Finds contacts, or only the earliest time of impact.
+    #[inline(never)]
+    fn run(&mut self, given: Given, earliest: bool) -> Result<(), Error> {
+        let mut x = Positions::new(&self.mesh, given)?;
         let Self { mesh, options, threads, prepared, traversal, workers, report, .. } = self;
         let (threads, mesh, options) = (&*threads, &*mesh, &*options);
         threads.enter(|| {
@@ -122,7 +133,6 @@ impl Session {
             workers.iter_mut().for_each(Worker::reset);
             report.contacts.clear();
             report.times = Default::default();
-            let mut x = Positions { x0, x1, until: 1.0 };
             prepare(threads, prepared, mesh, options, &x, report)?;
             if earliest {
                 // A part of the tasks first; what it finds bounds the time that matters. Smaller boxes for that time are worth it if
@@ -154,14 +164,14 @@ pub struct Candidates<'a> {
 }
 
 /// Every contact of one step, with no session to keep: see [`Session::step`].
-pub fn step<T: Real + Send + Sync>(mesh: &Mesh, x0: &[[T; 3]], x1: &[[T; 3]], options: &Options) -> Result<Report, Error> {
+pub fn step<T: Real>(mesh: &Mesh, x0: &[[T; 3]], x1: &[[T; 3]], options: &Options) -> Result<Report, Error> {
     let mut session = Session::new(mesh.clone(), options.clone())?;
     session.step(x0, x1)?;
-    Ok(session.report)
+    Ok(session.into_report())
 }
 
 /// The earliest time of impact of one step: see [`Session::earliest_toi`].
-pub fn earliest_toi<T: Real + Send + Sync>(mesh: &Mesh, x0: &[[T; 3]], x1: &[[T; 3]], options: &Options) -> Result<Option<f64>, Error> {
+pub fn earliest_toi<T: Real>(mesh: &Mesh, x0: &[[T; 3]], x1: &[[T; 3]], options: &Options) -> Result<Option<f64>, Error> {
     Session::new(mesh.clone(), options.clone())?.earliest_toi(x0, x1)
 }
 
@@ -171,12 +181,12 @@ const SAMPLE: usize = 64;
 const CANDIDATES_PER_FEATURE: u64 = 2;
 
 /// Boxes and trees of a step up to the time that matters.
-fn prepare<T: Real + Send + Sync>(
+fn prepare(
     threads: &Threads,
     prepared: &mut Prepared,
     mesh: &Mesh,
     options: &Options,
-    x: &Positions<T>,
+    x: &Positions,
     report: &mut Report,
 ) -> Result<(), Error> {
     let start = Instant::now();
@@ -195,11 +205,11 @@ fn least_toi(workers: &[Worker]) -> Option<f64> {
 }
 
 /// Finds and decides all candidates, or those of every `part`-th task.
-fn detect<T: Real + Send + Sync>(
+fn detect(
     threads: &Threads,
     traversal: &mut Traversal,
     prepared: &Prepared,
-    scene: &Scene<T>,
+    scene: &Scene,
     part: usize,
     workers: &mut [Worker],
     report: &mut Report,
@@ -220,12 +230,12 @@ fn detect<T: Real + Send + Sync>(
 }
 
 /// Hands the candidates of one kind to the workers.
-fn traverse<T: Real + Send + Sync, W: Take>(
+fn traverse<W: Take>(
     kind: Kind,
     threads: &Threads,
     traversal: &mut Traversal,
     prepared: &Prepared,
-    scene: &Scene<T>,
+    scene: &Scene,
     part: usize,
     workers: &mut [W],
 ) {
@@ -251,7 +261,7 @@ impl Take for Lister {
     fn count(&mut self, _n: u64) {}
 
     #[inline(always)]
-    fn take<S: Simd, T: Real>(&mut self, simd: S, _scene: &Scene<T>, kind: Kind, id: u32, ids: &[u32; WIDTH], mask: u32) {
+    fn take<S: RowSimd>(&mut self, simd: S, _scene: &Scene, kind: Kind, id: u32, ids: &[u32; WIDTH], mask: u32) {
         match kind {
             Kind::VertexFace => simd.append::<false>(&mut self.pairs, id, ids, mask),
             Kind::EdgeEdge => simd.append::<true>(&mut self.pairs, id, ids, mask),
@@ -262,7 +272,7 @@ impl Take for Lister {
         Lister::begin(self, task);
     }
 
-    fn finish<T: Real>(&mut self, _scene: &Scene<T>, _kind: Kind) {}
+    fn finish(&mut self, _scene: &Scene, _kind: Kind) {}
 }
 
 /// Joins the workers' contacts in canonical order.

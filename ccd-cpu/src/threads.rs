@@ -42,7 +42,9 @@ impl Threads {
     }
 
     /// Runs `f(k, worker)` once per worker, in parallel; workers pull their work from what `f` shares.
-    pub fn each<W: Send>(&self, workers: &mut [W], f: impl Fn(usize, &mut W) + Sync) {
+    ///
+    /// Here and below `f` is called once for much work, so that it need not be compiled into rayon.
+    pub fn each<W: Send>(&self, workers: &mut [W], f: &(dyn Fn(usize, &mut W) + Sync)) {
         if self.count == 1 {
             workers.iter_mut().enumerate().for_each(|(k, w)| f(k, w));
         } else {
@@ -51,7 +53,7 @@ impl Threads {
     }
 
     /// As [`Threads::each`], with a second thing of its own for every worker.
-    pub fn each_with<W: Send, S: Send>(&self, workers: &mut [W], scratch: &mut [S], f: impl Fn(&mut W, &mut S) + Sync) {
+    pub fn each_with<W: Send, S: Send>(&self, workers: &mut [W], scratch: &mut [S], f: &(dyn Fn(&mut W, &mut S) + Sync)) {
         assert_eq!(workers.len(), scratch.len());
         if self.count == 1 {
             workers.iter_mut().zip(scratch).for_each(|(w, s)| f(w, s));
@@ -62,17 +64,21 @@ impl Threads {
 
     /// Fills `out[i] = f(i)`.
     pub fn fill<T: Send>(&self, out: &mut [T], f: impl Fn(usize) -> T + Sync) {
+        self.chunks(out, &|first, part| {
+            for (i, slot) in part.iter_mut().enumerate() {
+                *slot = f(first + i);
+            }
+        });
+    }
+
+    /// Runs `f` for parts of `out` that begin at the given index.
+    fn chunks<T: Send>(&self, out: &mut [T], f: &(dyn Fn(usize, &mut [T]) + Sync)) {
         /// Elements a task: small enough to balance, large enough to amortise.
         const CHUNK: usize = 2048;
-        let chunk = |(k, part): (usize, &mut [T])| {
-            for (i, slot) in part.iter_mut().enumerate() {
-                *slot = f(k * CHUNK + i);
-            }
-        };
         if self.count == 1 {
-            out.chunks_mut(CHUNK).enumerate().for_each(chunk);
+            out.chunks_mut(CHUNK).enumerate().for_each(|(k, part)| f(k * CHUNK, part));
         } else {
-            out.par_chunks_mut(CHUNK).enumerate().for_each(chunk);
+            out.par_chunks_mut(CHUNK).enumerate().for_each(|(k, part)| f(k * CHUNK, part));
         }
     }
 

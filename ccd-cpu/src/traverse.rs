@@ -3,9 +3,8 @@
 //! The work is cut into tasks by descending breadth first from the top until there are enough; threads take tasks from a shared counter. Which tasks there
 //! are, and what order pairs have within a task, depends on the boxes alone.
 
-use crate::lanes::WIDTH;
 use crate::pyramid::Pyramid;
-use crate::simd::{Block, Simd, Work};
+use crate::simd::{Block, RowSimd, WIDTH, Work};
 use crate::threads::{Own, Threads};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -25,7 +24,7 @@ pub trait Rows: Sync {
     /// What each thread has of its own.
     type Worker: Send;
     /// Box `lane` of block `a` overlaps the boxes in `mask` of block `b`; `a`, `b` index level 0. Must be `#[inline(always)]`.
-    fn row<S: Simd>(&self, worker: &mut Self::Worker, simd: S, a: usize, lane: usize, b: usize, mask: u32);
+    fn row<S: RowSimd>(&self, worker: &mut Self::Worker, simd: S, a: usize, lane: usize, b: usize, mask: u32);
     /// A task begins.
     fn begin(&self, _worker: &mut Self::Worker, _task: usize) {}
     /// No further task comes.
@@ -53,58 +52,73 @@ impl Traversal {
         rows: &R,
         workers: &mut [R::Worker],
     ) {
-        if !a.is_empty() && !b.is_some_and(Pyramid::is_empty) {
-            crate::simd::dispatch!(simd => self.run_with(simd, threads, (a, b), part, rows, workers));
+        if a.is_empty() || b.is_some_and(Pyramid::is_empty) {
+            return;
         }
-    }
-
-    fn run_with<S: Simd, R: Rows>(
-        &mut self,
-        simd: S,
-        threads: &Threads,
-        (a, b): (&Pyramid, Option<&Pyramid>),
-        part: usize,
-        rows: &R,
-        workers: &mut [R::Worker],
-    ) {
-        self.split(simd, a, b);
-        let within = b.is_none();
-        let b = b.unwrap_or(a);
+        let sides = Sides { a, b: b.unwrap_or(a), within: b.is_none() };
+        self.split(sides);
         self.stacks.resize_with(workers.len(), || Own(Vec::with_capacity(1024)));
         let tasks = &self.tasks;
         let counter = AtomicUsize::new(0);
-        let work = |worker: &mut R::Worker, Own(stack): &mut Own<Vec<Task>>| loop {
-            let k = counter.fetch_add(part, Ordering::Relaxed);
-            if k >= tasks.len() {
-                rows.end(worker);
-                break;
+        threads.each_with(workers, &mut self.stacks, &|worker, Own(stack)| {
+            loop {
+                let k = counter.fetch_add(part, Ordering::Relaxed);
+                if k >= tasks.len() {
+                    rows.end(worker);
+                    break;
+                }
+                rows.begin(worker, k);
+                let task = tasks[k];
+                crate::simd::run_rows!(Descent { sides, task, stack, rows, worker });
             }
-            rows.begin(worker, k);
-            simd.run(Descent { a, b, within, task: tasks[k], stack, rows, worker });
-        };
-        threads.each_with(workers, &mut self.stacks, work);
+        });
     }
 
     /// Cuts the traversal into tasks.
-    fn split<S: Simd>(&mut self, simd: S, a: &Pyramid, b: Option<&Pyramid>) {
-        let within = b.is_none();
-        let b = b.unwrap_or(a);
-        assert_eq!(a.height(), b.height(), "trees of different height");
+    fn split(&mut self, sides: Sides) {
+        let height = sides.a.height();
+        assert_eq!(height, sides.b.height(), "trees of different height");
         self.tasks.clear();
-        self.tasks.push(Task { level: a.height() as u32 - 1, a: 0, b: 0 });
+        self.tasks.push(Task { level: height as u32 - 1, a: 0, b: 0 });
         while self.tasks.len() < MIN_TASKS && self.tasks.first().is_some_and(|t| t.level > 0) {
             self.next.clear();
-            for &task in &self.tasks {
-                children(simd, a, b, within, task, &mut self.next);
-            }
+            let (tasks, out) = (&self.tasks, &mut self.next);
+            crate::simd::run_rows!(Split { sides, tasks, out });
             std::mem::swap(&mut self.tasks, &mut self.next);
+        }
+    }
+}
+
+/// The trees that are descended, equal if pairs are sought `within` one.
+#[derive(Clone, Copy)]
+struct Sides<'a> {
+    a: &'a Pyramid,
+    b: &'a Pyramid,
+    within: bool,
+}
+
+/// The children of all `tasks`, appended to `out`.
+struct Split<'a> {
+    sides: Sides<'a>,
+    tasks: &'a [Task],
+    out: &'a mut Vec<Task>,
+}
+
+impl<S: RowSimd> Work<S> for Split<'_> {
+    type Out = ();
+
+    #[inline(always)]
+    fn call(self, simd: S) {
+        for &task in self.tasks {
+            children(simd, self.sides, task, self.out);
         }
     }
 }
 
 /// Appends the overlapping pairs of children of a task above level 0.
 #[inline(always)]
-fn children<S: Simd>(simd: S, a: &Pyramid, b: &Pyramid, within: bool, task: Task, out: &mut Vec<Task>) {
+fn children<S: RowSimd>(simd: S, sides: Sides, task: Task, out: &mut Vec<Task>) {
+    let Sides { a, b, within } = sides;
     let level = task.level as usize;
     let (block_a, block_b) = (&a.level(level)[task.a as usize], &b.level(level)[task.b as usize]);
     let mut masks = overlaps(simd, block_a, block_b) & !both_fixed(a, b, task);
@@ -114,16 +128,17 @@ fn children<S: Simd>(simd: S, a: &Pyramid, b: &Pyramid, within: bool, task: Task
     while masks != 0 {
         let bit = masks.trailing_zeros();
         masks &= masks - 1;
-        out.push(Task { level: task.level - 1, a: task.a * WIDTH as u32 + bit / 8, b: task.b * WIDTH as u32 + bit % 8 });
+        let (a, b) = (task.a * WIDTH as u32 + bit / 8, task.b * WIDTH as u32 + bit % 8);
+        out.push(Task { level: task.level - 1, a, b });
     }
 }
 
 /// Byte `i`, bit `j`: whether box `i` of `a` overlaps box `j` of `b`. All rows first, without a branch between them.
 #[inline(always)]
-fn overlaps<S: Simd>(simd: S, a: &Block, b: &Block) -> u64 {
+fn overlaps<S: RowSimd>(simd: S, a: &Block, b: &Block) -> u64 {
     let mut masks = 0;
     for i in 0..WIDTH {
-        masks |= (simd.overlaps(a, i, b) as u64) << (8 * i);
+        masks |= (simd.overlaps(a, i, b, 0.0) as u64) << (8 * i);
     }
     masks
 }
@@ -146,27 +161,26 @@ const UPPER: u64 = 0x0080_c0e0_f0f8_fcfe;
 
 /// One task, from its pair of blocks down to the boxes.
 struct Descent<'a, R: Rows> {
-    a: &'a Pyramid,
-    b: &'a Pyramid,
-    within: bool,
+    sides: Sides<'a>,
     task: Task,
     stack: &'a mut Vec<Task>,
     rows: &'a R,
     worker: &'a mut R::Worker,
 }
 
-impl<R: Rows> Work for Descent<'_, R> {
+impl<S: RowSimd, R: Rows> Work<S> for Descent<'_, R> {
     type Out = ();
 
     #[inline(always)]
-    fn call<S: Simd>(self, simd: S) {
-        let Descent { a, b, within, task, stack, rows, worker } = self;
+    fn call(self, simd: S) {
+        let Descent { sides, task, stack, rows, worker } = self;
+        let Sides { a, b, within } = sides;
         stack.clear();
         stack.push(task);
         let (leaves_a, leaves_b): (&[Block], &[Block]) = (a.level(0), b.level(0));
         while let Some(task) = stack.pop() {
             if task.level > 0 {
-                children(simd, a, b, within, task, stack);
+                children(simd, sides, task, stack);
                 continue;
             }
             let (block_a, block_b) = (&leaves_a[task.a as usize], &leaves_b[task.b as usize]);

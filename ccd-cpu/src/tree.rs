@@ -3,8 +3,9 @@
 use crate::order::MortonOrder;
 use crate::threads::Threads;
 use ccd_core::Aabb;
-use ccd_core::kernel::traverse::{NONE, Walk};
-use ccd_core::kernel::{Words, bounds, build, refit};
+use ccd_core::broad_phase::stack_traversal::{NONE, Walk};
+use ccd_core::broad_phase::{morton_key, radix_tree, refit};
+use ccd_core::kernel::Words;
 use ccd_core::layout::{Branch, Node, Pair};
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -47,16 +48,16 @@ impl Tree {
         let n_internal = n.saturating_sub(1);
         let grid = self.morton.sort(threads, boxes, None, &mut self.order);
         self.codes.resize(n, [0; 2]);
-        threads.fill(&mut self.codes, |i| bounds::morton(self.order[i] as usize, boxes, &grid));
+        threads.fill(&mut self.codes, |i| morton_key::morton(self.order[i] as usize, boxes, &grid));
         self.branches.resize(n_internal, Branch { left: 0, right: 0, first: 0, last: 0 });
-        threads.fill(&mut self.branches, |i| build::branch(i as u32, n as u32, &self.codes));
+        threads.fill(&mut self.branches, |i| radix_tree::branch(i as u32, n as u32, &self.codes));
         for (words, len) in [(&mut self.parents, 2 * n), (&mut self.visits, n_internal), (&mut self.boxes, 2 * n * refit::STRIDE)] {
             words.clear();
             words.resize_with(len, AtomicU32::default);
         }
         let (parents, visits, words) = (Shared(&self.parents), Shared(&self.visits), Shared(&self.boxes));
         let mut done = vec![(); n];
-        threads.fill(&mut done[..n_internal], |i| build::link(i, &self.branches[i], &parents));
+        threads.fill(&mut done[..n_internal], |i| radix_tree::link(i, &self.branches[i], &parents));
         threads.fill(&mut done, |i| refit::refit(i, &boxes[self.order[i] as usize], &self.branches, &parents, &visits, &words));
         self.nodes.resize(n + n_internal, Node { min: [0.0; 3], left: 0, max: [0.0; 3], right: 0 });
         threads.fill(&mut self.nodes, |i| {
@@ -101,7 +102,7 @@ impl Tree {
     /// Runs queries `0 .. n` in chunks and joins their pairs in the order of chunks.
     fn collect(&self, threads: &Threads, n: usize, out: &mut Vec<Pair>, query: impl Fn(usize, &mut Vec<Pair>) + Sync) {
         let mut chunks: Vec<Vec<Pair>> = vec![Vec::new(); n.div_ceil(CHUNK)];
-        threads.each(&mut chunks, |k, pairs| {
+        threads.each(&mut chunks, &|k, pairs| {
             for i in k * CHUNK..((k + 1) * CHUNK).min(n) {
                 query(i, pairs);
             }
@@ -114,7 +115,7 @@ impl Tree {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ccd_core::kernel::build::MAX_DEPTH;
+    use ccd_core::broad_phase::radix_tree::MAX_DEPTH;
 
     /// Children split the range of their parent, boxes are exactly those of the leaves below, every box is one leaf, no path is too long.
     fn check_well_formed(tree: &Tree, boxes: &[Aabb<f32>]) {

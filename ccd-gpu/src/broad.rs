@@ -8,11 +8,11 @@ use crate::readback::Readback;
 use crate::recorder::{Bench, Recorder, Timing, submit};
 use crate::tree::Tree;
 use ccd_core::Aabb;
-use ccd_core::aabb::GREATEST;
-use ccd_core::error::check_boxes;
 use ccd_core::kernel::Id;
 use ccd_core::layout::{Pair, Params};
-use ccd_core::report::Method;
+use ccd_core::math::aabb::GREATEST;
+use ccd_core::model::error::check_boxes;
+use ccd_core::model::method::BroadPhaseMethod;
 use wgpu::BufferUsages as U;
 
 /// Finds overlapping pairs of boxes; buffers are kept from call to call.
@@ -20,7 +20,7 @@ use wgpu::BufferUsages as U;
 /// Boxes are `f32`, closed, and each bound is at most 2.9e38 in size. Pairs come in no order.
 pub struct BroadPhase {
     device: Device,
-    method: Method,
+    method: BroadPhaseMethod,
     bench: Bench,
     readback: Readback,
     buffers: Option<Buffers>,
@@ -44,8 +44,8 @@ struct Binary {
 }
 
 impl BroadPhase {
-    /// A broad phase on `device`. A [`Method::Tree`] needs two boxes; fewer are done by blocks.
-    pub fn new(device: &Device, method: Method) -> Result<Self, Error> {
+    /// A broad phase on `device`. A [`BroadPhaseMethod::Tree`] needs two boxes; fewer are done by blocks.
+    pub fn new(device: &Device, method: BroadPhaseMethod) -> Result<Self, Error> {
         Ok(Self {
             method,
             bench: Bench::new(device)?,
@@ -160,11 +160,11 @@ impl BroadPhase {
 }
 
 impl Buffers {
-    fn new(device: &Device, method: Method, count: [u32; 3]) -> Result<Self, Error> {
+    fn new(device: &Device, method: BroadPhaseMethod, count: [u32; 3]) -> Result<Self, Error> {
         let [a, within, b] = count;
         // The tree is over the one set there is, or over the second of two.
         let n = within.max(b);
-        if method == Method::Blocks || n < 2 {
+        if method == BroadPhaseMethod::Blocks || n < 2 {
             return Ok(Self { count, blocks: Tree::new(device, count)?, tree: None });
         }
         let usage = U::STORAGE | U::COPY_DST;

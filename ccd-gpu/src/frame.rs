@@ -10,8 +10,9 @@ use crate::upload::{Boxes, Positions};
 use ccd_core::Num;
 use ccd_core::kernel::Id;
 use ccd_core::layout::{Params, Path, Touch};
-use ccd_core::report::Options;
-use ccd_core::topology::{Bodies, Mesh};
+use ccd_core::model::bodies::Bodies;
+use ccd_core::model::mesh::Mesh;
+use ccd_core::model::options::Options;
 use wgpu::BufferUsages as U;
 
 /// Of how many pairs of blocks one is sampled to bound the earliest time of impact.

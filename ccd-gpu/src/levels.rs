@@ -1,6 +1,6 @@
 //! Where the nodes of block trees are: every level of every set in one buffer, padded so that a workgroup never meets two sets.
 
-use ccd_core::kernel::blocks::{PADDING, WIDTH, sets};
+use ccd_core::broad_phase::block_bvh::{PADDING, WIDTH, sets};
 use ccd_core::layout::MAX_LEVELS;
 
 /// All pairs of nodes on the level where a descent starts: at most this many.

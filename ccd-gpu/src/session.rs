@@ -9,10 +9,12 @@ use crate::readback::{Readback, word};
 use crate::recorder::{Bench, Timing, submit};
 use crate::tail;
 use ccd_core::Real;
-use ccd_core::kernel::decide;
 use ccd_core::layout::{Pair, Touch};
-use ccd_core::report::{Kind, Options, PerKind, Report, State};
-use ccd_core::topology::Mesh;
+use ccd_core::model::contact::{Kind, PerKind, State};
+use ccd_core::model::mesh::Mesh;
+use ccd_core::model::options::Options;
+use ccd_core::model::report::Report;
+use ccd_core::narrow_phase::decide;
 use std::time::Instant;
 
 /// Continuous collision detection of one mesh over many steps, on a GPU.

@@ -1,10 +1,10 @@
 //! The end of a step on the CPU: what `f32` left open is decided in `f64`, and contacts get their canonical order.
 
 use ccd_core::Real;
-use ccd_core::kernel::narrow;
 use ccd_core::layout::{Pair, Touch, join};
-use ccd_core::report::{Contact, Kind, State};
-use ccd_core::topology::Mesh;
+use ccd_core::model::contact::{Contact, Kind, State};
+use ccd_core::model::mesh::Mesh;
+use ccd_core::narrow_phase::decide;
 
 /// Pairs that a thread takes at least; starting one costs as much as some tens of pairs.
 const MIN_SHARE: usize = 256;
@@ -21,8 +21,8 @@ pub fn decide<T: Real + Sync>(
 ) {
     let one = |&pair: &Pair| {
         let verdict = match kind {
-            Kind::VertexFace => narrow::vertex_face(narrow::vertex_face_ids(pair, mesh.faces()), x0, x1, min_distance, 0.0),
-            Kind::EdgeEdge => narrow::edge_edge(narrow::edge_edge_ids(pair, mesh.edges()), x0, x1, min_distance, 0.0),
+            Kind::VertexFace => decide::vertex_face_pair(decide::vertex_face_ids(pair, mesh.faces()), x0, x1, min_distance, 0.0),
+            Kind::EdgeEdge => decide::edge_edge_pair(decide::edge_edge_ids(pair, mesh.edges()), x0, x1, min_distance, 0.0),
         };
         Contact::of(kind, pair, verdict)
     };

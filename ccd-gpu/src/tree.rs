@@ -7,7 +7,8 @@ use crate::list::List;
 use crate::recorder::Recorder;
 use crate::sort::Sort;
 use ccd_core::Aabb;
-use ccd_core::kernel::{Id, bounds};
+use ccd_core::broad_phase::morton_key;
+use ccd_core::kernel::Id;
 use ccd_core::layout::{Leaf, Params};
 use wgpu::BufferUsages as U;
 
@@ -102,7 +103,7 @@ impl Tree {
     pub fn sort(&self, recorder: &mut Recorder, params: &Params, n_bounding: u32) {
         let n = params.start[3];
         let p = Params { n: n_bounding, ..*params };
-        recorder.dispatch(Id::SceneBounds, &p, &[&self.boxes, &self.bounds], n_bounding.div_ceil(256 * bounds::CHUNK as u32));
+        recorder.dispatch(Id::SceneBounds, &p, &[&self.boxes, &self.bounds], n_bounding.div_ceil(256 * morton_key::CHUNK as u32));
         let [keys, order] = self.sorted();
         recorder.each(Id::Morton, params, &[&self.boxes, &self.bounds, keys, order], n);
         recorder.stage("sort");

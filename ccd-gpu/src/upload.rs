@@ -2,11 +2,12 @@
 
 use crate::device::Device;
 use crate::error::Error;
-use ccd_core::input::{Scan, margin};
-use ccd_core::kernel::{place, sweep};
+use ccd_core::Aabb;
+use ccd_core::broad_phase::{placement, swept_box};
 use ccd_core::layout::{Params, Path, split};
-use ccd_core::real::Real;
-use ccd_core::{Aabb, error};
+use ccd_core::math::real::Real;
+use ccd_core::model::error;
+use ccd_core::model::quantization::{Scan, margin};
 use wgpu::BufferUsages as U;
 
 /// Positions on the device.
@@ -117,8 +118,8 @@ impl Positions {
         self.host_keys.clear();
         self.host_boxes.clear();
         for (p, q) in x0.iter().zip(x1) {
-            let exact = sweep::swept(*p, *q).inflated(margin);
-            self.host_keys.push(place::keys(&Aabb { min: exact.min.map(T::to_f64), max: exact.max.map(T::to_f64) }));
+            let exact = swept_box::swept(*p, *q).inflated(margin);
+            self.host_keys.push(placement::keys(&Aabb { min: exact.min.map(T::to_f64), max: exact.max.map(T::to_f64) }));
             self.host_boxes.push(exact.round_out());
         }
         let keys: &[u8] = bytemuck::cast_slice(&self.host_keys);

@@ -2,10 +2,11 @@
 
 use crate::share::{barrier, get, group, raise, set};
 use ccd_core::Aabb;
-use ccd_core::kernel::{bounds, decide, place, sweep};
+use ccd_core::broad_phase::{morton_key, placement, swept_box};
+use ccd_core::narrow_phase::decide;
 use ccd_core::layout::{Params, Path};
-use ccd_core::morton::MortonGrid;
-use ccd_core::slice::{at, put};
+use ccd_core::math::morton::MortonGrid;
+use ccd_core::kernel::memory::{at, put};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 
@@ -25,11 +26,11 @@ pub fn place_vertices(
 ) {
     let i = group(id, n) * THREADS + lane;
     if i < params.count[0] {
-        let (p, q) = place::given(i, params, positions);
-        let exact = place::exact_box(p, q, params);
-        put(paths, i as usize, place::path(p, q, params));
-        put(keys, i as usize, place::keys(&exact));
-        put(boxes, i as usize, place::rounded(&exact));
+        let (p, q) = placement::given(i, params, positions);
+        let exact = placement::exact_box(p, q, params);
+        put(paths, i as usize, placement::path(p, q, params));
+        put(keys, i as usize, placement::keys(&exact));
+        put(boxes, i as usize, placement::rounded(&exact));
     }
 }
 
@@ -45,7 +46,7 @@ pub fn sweep_vertices(
 ) {
     let i = group(id, n) * THREADS + lane;
     if i < params.count[0] {
-        put(boxes, i as usize, sweep::path(&at(paths, i as usize), params.margin));
+        put(boxes, i as usize, swept_box::path(&at(paths, i as usize), params.margin));
     }
 }
 
@@ -61,7 +62,7 @@ pub fn sweep_edges(
 ) {
     let i = group(id, n) * THREADS + lane;
     if i < params.count[1] {
-        let swept = sweep::edge(i as usize, edges, boxes);
+        let swept = swept_box::edge(i as usize, edges, boxes);
         put(boxes, (params.start[1] + i) as usize, swept);
     }
 }
@@ -78,7 +79,7 @@ pub fn sweep_faces(
 ) {
     let i = group(id, n) * THREADS + lane;
     if i < params.count[2] {
-        let swept = sweep::face(i as usize, faces, boxes);
+        let swept = swept_box::face(i as usize, faces, boxes);
         put(boxes, (params.start[2] + i) as usize, swept);
     }
 }
@@ -97,7 +98,7 @@ pub fn shorten(
 ) {
     let i = group(id, n) * THREADS + lane;
     if i < params.count[0] {
-        put(out, i as usize, sweep::shorten(&at(paths, i as usize), decide::until(at(of_vf, 0).min(at(of_ee, 0)))));
+        put(out, i as usize, swept_box::shorten(&at(paths, i as usize), decide::until(at(of_vf, 0).min(at(of_ee, 0)))));
     }
 }
 
@@ -112,8 +113,8 @@ pub fn scene_bounds(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] boxes: &[Aabb],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] words: &mut [u32],
 ) {
-    let first = (group(id, n) * THREADS * bounds::CHUNK as u32 + lane) as usize;
-    let mut merged = bounds::scene_bounds(first, THREADS as usize, boxes, params.n as usize);
+    let first = (group(id, n) * THREADS * morton_key::CHUNK as u32 + lane) as usize;
+    let mut merged = morton_key::scene_bounds(first, THREADS as usize, boxes, params.n as usize);
     set(shared, lane, merged);
     let mut half = THREADS / 2;
     for _ in 0..8 {
@@ -126,7 +127,7 @@ pub fn scene_bounds(
     }
     if lane == 0 {
         for k in 0..6 {
-            raise(words, k, bounds::shared_word(&merged, k));
+            raise(words, k, morton_key::shared_word(&merged, k));
         }
     }
 }
@@ -145,9 +146,9 @@ pub fn morton(
 ) {
     let i = group(id, n) * THREADS + lane;
     if i < params.start[3] {
-        let set = ccd_core::kernel::blocks::set_of(&params.start, i);
-        let grid = MortonGrid::new(&bounds::merged(words), 10);
-        put(keys, i as usize, bounds::sort_key(i as usize, set, boxes, &grid));
+        let set = ccd_core::broad_phase::block_bvh::set_of(&params.start, i);
+        let grid = MortonGrid::new(&morton_key::merged(words), 10);
+        put(keys, i as usize, morton_key::sort_key(i as usize, set, boxes, &grid));
         put(order, i as usize, i);
     }
 }

@@ -1,9 +1,9 @@
 //! Verdicts of what the filters left: in `f64`, or in `f32` with what that cannot decide passed on.
 
 use crate::share::{add, add_shared, barrier, get, group, length, lower, set};
-use ccd_core::kernel::decide::{self, Verdicts};
+use ccd_core::narrow_phase::decide::{self, Verdicts};
 use ccd_core::layout::{LIST_HEADER, Pair, Params, Path, TOUCH_WORDS, Touch};
-use ccd_core::slice::{at, put};
+use ccd_core::kernel::memory::{at, put};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 

@@ -2,9 +2,9 @@
 
 use crate::share::{barrier, get, group, set};
 use ccd_core::Aabb;
-use ccd_core::kernel::blocks::{set_of, slot};
+use ccd_core::broad_phase::block_bvh::{set_of, slot};
 use ccd_core::layout::{Leaf, Params};
-use ccd_core::slice::{at, put};
+use ccd_core::kernel::memory::{at, put};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 

@@ -1,9 +1,9 @@
 //! Contacts into their canonical order; the sorts between are those of `sort.rs`.
 
 use crate::share::{group, length};
-use ccd_core::kernel::order;
+use ccd_core::kernel::contact_order;
 use ccd_core::layout::{LIST_HEADER, Params, TOUCH_WORDS};
-use ccd_core::slice::{at, put};
+use ccd_core::kernel::memory::{at, put};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 
@@ -28,7 +28,7 @@ pub fn contact_keys(
         } else {
             contact = at(order, i as usize);
         }
-        put(keys, i as usize, order::key(contact, contacts, params));
+        put(keys, i as usize, contact_order::key(contact, contacts, params));
     }
 }
 

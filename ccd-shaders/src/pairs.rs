@@ -5,10 +5,10 @@
 
 use crate::share::{add_shared, barrier, count, get, group, length, set};
 use ccd_core::Aabb;
-use ccd_core::kernel::blocks::{NOT_KEPT, POOL, TEAMS, THREADS, WIDTH, keep, kept, pack, sets, slot, unpack, wanted};
-use ccd_core::kernel::filter;
+use ccd_core::broad_phase::block_bvh::{NOT_KEPT, POOL, TEAMS, THREADS, WIDTH, keep, kept, pack, sets, slot, unpack, wanted};
+use ccd_core::narrow_phase::cascade;
 use ccd_core::layout::{LIST_HEADER, Leaf, Pair, Params, Path};
-use ccd_core::slice::{at, put};
+use ccd_core::kernel::memory::{at, put};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 
@@ -358,12 +358,12 @@ fn all(_a: &Leaf, _b: &Leaf, _params: &Params) -> bool {
 
 #[inline(always)]
 fn may_touch_vertex_face(a: &Leaf, b: &Leaf, params: &Params, paths: &[Path]) -> bool {
-    filter::vertex_face(a, b, paths, params.path_error, params.min_distance)
+    cascade::vertex_face(a, b, paths, params.path_error, params.min_distance)
 }
 
 /// Pairs enter the arithmetic with the lesser edge first, so no result depends on the order of leaves.
 #[inline(always)]
 fn may_touch_edge_edge(a: &Leaf, b: &Leaf, params: &Params, paths: &[Path]) -> bool {
     let (first, second) = if a.id < b.id { (*a, *b) } else { (*b, *a) };
-    filter::edge_edge(&first, &second, paths, params.path_error, params.min_distance)
+    cascade::edge_edge(&first, &second, paths, params.path_error, params.min_distance)
 }

@@ -3,7 +3,7 @@
 use crate::share::group;
 use ccd_core::kernel::probe;
 use ccd_core::layout::{Leaf, Pair, Params, Path, Touch};
-use ccd_core::slice::{at, put};
+use ccd_core::kernel::memory::{at, put};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 

@@ -3,7 +3,7 @@
 use crate::share::{add_shared, barrier, get, group, or_shared, set};
 use ccd_core::kernel::sort::{DIGITS, KEYS, THREADS, TILE, before, digit, place};
 use ccd_core::layout::Params;
-use ccd_core::slice::{at, put};
+use ccd_core::kernel::memory::{at, put};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 

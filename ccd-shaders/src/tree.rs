@@ -2,10 +2,10 @@
 
 use crate::share::{count, group};
 use ccd_core::Aabb;
-use ccd_core::kernel::traverse::{NONE, Walk};
-use ccd_core::kernel::{blocks, build};
+use ccd_core::broad_phase::stack_traversal::{NONE, Walk};
+use ccd_core::broad_phase::{block_bvh, radix_tree};
 use ccd_core::layout::{Branch, LIST_HEADER, Leaf, Node, Pair, Params};
-use ccd_core::slice::{at, put};
+use ccd_core::kernel::memory::{at, put};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 
@@ -26,7 +26,7 @@ pub fn branches(
 ) {
     let i = group(id, n) * THREADS + lane;
     if i + 1 < params.count[SET] {
-        put(out, i as usize, build::branch(i, params.count[SET], keys));
+        put(out, i as usize, radix_tree::branch(i, params.count[SET], keys));
     }
 }
 
@@ -46,11 +46,11 @@ pub fn branch_boxes(
     let n_leaves = params.count[SET];
     if i + 1 < n_leaves {
         let branch = at(branches, i as usize);
-        let b = blocks::range_box(params, SET, branch.first, branch.last, block_nodes);
+        let b = block_bvh::range_box(params, SET, branch.first, branch.last, block_nodes);
         put(out, i as usize, Node { min: b.min, left: branch.left, max: b.max, right: branch.right });
     }
     if i < n_leaves {
-        let slot = blocks::slot(params, 0, SET, i);
+        let slot = block_bvh::slot(params, 0, SET, i);
         let b = at(block_nodes, slot);
         put(out, (n_leaves - 1 + i) as usize, Node { min: b.min, left: at(leaves, slot).id, max: b.max, right: Node::LEAF });
     }

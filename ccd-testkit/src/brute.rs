@@ -1,6 +1,6 @@
 //! Every pair against every pair: what faster ways must equal.
 
-use ccd::{Aabb, Mesh, Pair, Real};
+use ccd::{Aabb, Contact, EdgeEdge, Kind, Mesh, Pair, Real, VertexFace};
 
 /// Pairs of boxes of one set that overlap, sorted.
 pub fn self_pairs<T: Real>(boxes: &[Aabb<T>]) -> Vec<Pair> {
@@ -50,4 +50,24 @@ pub fn candidates_among<T: Real>(mesh: &Mesh, [v, e, f]: &[Vec<Aabb<T>>; 3]) -> 
     let mut ee = self_pairs(e);
     ee.retain(|p| edges[p.a as usize].iter().all(|i| !edges[p.b as usize].contains(i)));
     [vf, ee]
+}
+
+/// Every contact of a step without shared vertices, each pair of features asked by itself; in the
+/// order of a report.
+pub fn contacts(mesh: &Mesh, x0: &[[f64; 3]], x1: &[[f64; 3]]) -> Vec<Contact> {
+    let [vf, ee] = candidates(mesh, x0, x1);
+    let take = |ids: [u32; 4], x: &[[f64; 3]]| ids.map(|i| x[i as usize]);
+    let vertex_face = vf.into_iter().filter_map(|pair| {
+        let [a, b, c] = mesh.faces()[pair.b as usize];
+        let ids = [pair.a, a, b, c];
+        let verdict = ccd::vertex_face(&VertexFace { t0: take(ids, x0), t1: take(ids, x1) }, 0.0);
+        Contact::of(Kind::VertexFace, pair, verdict)
+    });
+    let edge_edge = ee.into_iter().filter_map(|pair| {
+        let ([a, b], [c, d]) = (mesh.edges()[pair.a as usize], mesh.edges()[pair.b as usize]);
+        let ids = [a, b, c, d];
+        let verdict = ccd::edge_edge(&EdgeEdge { t0: take(ids, x0), t1: take(ids, x1) }, 0.0);
+        Contact::of(Kind::EdgeEdge, pair, verdict)
+    });
+    vertex_face.chain(edge_edge).collect()
 }

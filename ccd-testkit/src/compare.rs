@@ -3,6 +3,7 @@
 use crate::data::{Time, Truth};
 use ccd::{Contact, Digest, Kind, Pair, Real, Report, State, TOI_TOLERANCE, Verdict};
 use std::collections::HashMap;
+use std::path::Path;
 
 /// Asserts everything but the number of false alarms, which it returns.
 pub fn contacts(report: &Report, vf: &[Truth], ee: &[Truth]) -> usize {
@@ -55,6 +56,43 @@ pub fn contact_digest(contacts: &[Contact]) -> Digest {
 pub fn step_text(report: &Report) -> String {
     let c = &report.candidates;
     format!("candidates vf {} ee {}\ncontacts {}\n", c.vf, c.ee, contact_digest(&report.contacts))
+}
+
+/// The same text as it is recorded for a real scene, in the folder of snapshots; `truth.rs` compares
+/// what is recorded with published answers.
+pub fn recorded_step(scene: &str) -> String {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/snapshots");
+    let path = folder.join(format!("truth__step_{scene}.snap"));
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    let content = text.splitn(3, "---\n").nth(2);
+    content.unwrap_or_else(|| panic!("{}: no snapshot", path.display())).to_owned()
+}
+
+/// Whether two lists of contacts of one step can both be right: what is certain in one is in the
+/// other, both are in their order, and two certain times differ by no more than their tolerances.
+pub fn agree(want: &[Contact], found: &[Contact]) -> Result<(), String> {
+    let key = |c: &Contact| (c.kind, c.a, c.b);
+    for (name, list) in [("right", want), ("found", found)] {
+        if let Some(w) = list.windows(2).find(|w| key(&w[0]) >= key(&w[1])) {
+            return Err(format!("not in order or twice in what is {name}: {w:?}"));
+        }
+    }
+    for (name, these, those) in [("missing", want, found), ("too much", found, want)] {
+        for c in these {
+            match those.binary_search_by_key(&key(c), key) {
+                Err(_) if c.state == State::Hit => return Err(format!("{name}: {c:?}")),
+                Err(_) => {}
+                Ok(i) => {
+                    let other = &those[i];
+                    let certain = c.state == State::Hit && other.state == State::Hit;
+                    if certain && (c.toi - other.toi).abs() > 2.0 * TOI_TOLERANCE {
+                        return Err(format!("times differ: {c:?}, {other:?}"));
+                    }
+                }
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Whether `check` panics; what it would print is kept back. For negative controls.

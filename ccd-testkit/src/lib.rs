@@ -1,7 +1,10 @@
-//! What tests, benches and the report share: real scenes with their ground truth, generated scenes, brute force, an exact oracle.
+//! What tests, benches and the report share: real scenes with their ground truth, generated scenes,
+//! brute force, an exact oracle.
+#![deny(unsafe_code)]
 
 pub mod brute;
 pub mod compare;
 pub mod data;
-pub mod generate;
 pub mod oracle;
+
+pub use ccd::scenes as generate;

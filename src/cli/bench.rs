@@ -1,9 +1,11 @@
 //! `ccd bench`: times of two built-in scenes on any machine. A time counts only with the right answer, so every run's answer is checked.
 
-use super::backend::{AnyBroadPhase, AnySession, BackendOptions, Choice, OnDevice};
+use super::backend::BackendOptions;
 use super::{Failure, Outcome, output};
+use ccd::any::{BroadPhase, Choice, Error, Session};
 use ccd::gpu::Timing;
-use ccd::{Aabb, BroadPhase, Mesh, Method, Options, PerKind, TOI_TOLERANCE};
+use ccd::scenes::{crumpled_sheet, uniform_boxes};
+use ccd::{BroadPhaseMethod, METHODS, Options, PerKind, TOI_TOLERANCE};
 use clap::Args;
 use serde::Serialize;
 use std::time::Instant;
@@ -48,6 +50,9 @@ const SHEET: Sheet = Sheet {
 const SMALL_SHEET: Sheet =
     Sheet { n: 40, candidates: PerKind { vf: 6_571, ee: 22_876 }, contacts: PerKind { vf: 108, ee: 499 }, toi: 1.587_933_107_694_209_8e-3 };
 
+/// Seed of both sheets.
+const SEED: u32 = 0;
+
 struct Sheet {
     n: usize,
     candidates: PerKind,
@@ -59,10 +64,10 @@ struct Sheet {
 const PAIRS: [(usize, usize); 4] = [(10_000, 2), (100_000, 320), (1_000_000, 25_417), (10_000_000, 255_457)];
 
 #[derive(Serialize)]
-struct Json {
+struct Json<'a> {
     machine: String,
     backend: &'static str,
-    adapter: Option<String>,
+    adapter: Option<&'a str>,
     threads: Option<usize>,
     runs: u32,
     rows: Vec<Row>,
@@ -82,8 +87,8 @@ struct Row {
 impl Bench {
     pub fn run(&self) -> Outcome {
         // The choice stands: numbers of two backends must not mix.
-        let choice = self.backend.choose(usize::MAX)?.final_choice();
-        let place = AnyBroadPhase::new(&choice, self.threads, Method::Blocks)?.place();
+        let choice = self.backend.choose(usize::MAX)?.fixed();
+        let place = BroadPhase::new(&choice, self.threads, BroadPhaseMethod::Blocks)?.place();
         let (backend, machine) = (place.backend(), machine());
         if !self.json {
             output::line("machine", &machine);
@@ -105,7 +110,7 @@ impl Bench {
             self.boxes(&choice, n, &mut rows)?;
         }
         if self.json {
-            output::json(&Json { machine, backend, adapter: place.adapter, threads: place.threads, runs: self.runs, rows })?;
+            output::json(&Json { machine, backend, adapter: place.adapter(), threads: place.threads(), runs: self.runs, rows })?;
         }
         output::flush();
         Ok(false)
@@ -123,20 +128,25 @@ impl Bench {
 
     fn sheet(&self, choice: &Choice, rows: &mut Vec<Row>) -> Result<(), Failure> {
         let want = if self.small { SMALL_SHEET } else { SHEET };
-        let (mesh, x0, x1) = crumpled_sheet(want.n)?;
+        let step = crumpled_sheet(want.n, SEED);
+        let ([x0, x1], mesh) = (step.rounded(), step.mesh);
         let scene = format!("crumpled sheet, {} vertices", output::thousands(mesh.n_vertices()));
-        let mut session = AnySession::new(choice, mesh, Options { threads: self.threads, ..Options::default() })?;
+        let mut session = Session::new(choice, mesh, Options { threads: self.threads, ..Options::default() })?;
         let pairs = |n: PerKind| format!("{} vf, {} ee", output::thousands(n.vf as usize), output::thousands(n.ee as usize));
 
         let same = |what, found: PerKind, want: PerKind| match found == want {
             true => Ok(pairs(found)),
             false => Err(Failure(format!("{scene}: {} {what}, right are {}", pairs(found), pairs(want)))),
         };
-        let timed = self.time(&mut session, None, |s| same("candidates", s.candidates(&x0, &x1)?, want.candidates))?;
+        let timed = self.time(&mut session, None, |s| {
+            let found = s.candidates(&x0, &x1)?;
+            let found = PerKind { vf: found.vf.len() as u64, ee: found.ee.len() as u64 };
+            same("candidates", found, want.candidates)
+        })?;
         self.put(rows, &scene, "candidates", timed);
         let timed = self.time(&mut session, None, |s| same("contacts", s.step(&x0, &x1)?.n_contacts(), want.contacts))?;
         self.put(rows, &scene, "all contacts", timed);
-        let timed = self.time(&mut session, None, |s| match s.earliest(&x0, &x1)? {
+        let timed = self.time(&mut session, None, |s| match s.earliest_toi(&x0, &x1)? {
             Some(toi) if toi <= want.toi && toi >= want.toi - TOI_TOLERANCE => Ok(format!("t = {toi:.6e}")),
             toi => Err(Failure(format!("{scene}: earliest {toi:?}, right is {:?}", want.toi))),
         })?;
@@ -149,14 +159,15 @@ impl Bench {
         let want = match PAIRS.iter().find(|known| known.0 == n) {
             Some(known) => known.1,
             // Not known beforehand: another method says.
-            None => BroadPhase::new(self.threads, Method::Tree)?.self_pairs(&boxes)?.len(),
+            None => ccd::BroadPhase::new(self.threads, BroadPhaseMethod::Tree)?.self_pairs(&boxes)?.len(),
         };
         let scene = format!("uniform boxes, {}", output::thousands(n));
-        for (what, method) in [("by blocks", Method::Blocks), ("by a tree", Method::Tree)] {
-            let mut broad = AnyBroadPhase::new(choice, self.threads, method)?;
-            let timed = self.time(&mut broad, Some(want), |broad| match broad.count(&boxes, None)? {
+        for row in METHODS {
+            let what = row.name;
+            let mut broad = BroadPhase::new(choice, self.threads, row.method)?;
+            let timed = self.time(&mut broad, Some(want), |broad| match broad.self_pairs(&boxes)?.len() {
                 found if found == want => Ok(format!("{} pairs", output::thousands(found))),
-                found => Err(Failure(format!("{scene}: {found} pairs {what}, right are {want}"))),
+                found => Err(Failure(format!("{scene}: {found} pairs by {what}, right are {want}"))),
             })?;
             self.put(rows, &scene, what, timed);
         }
@@ -226,68 +237,56 @@ fn machine() -> String {
     name.unwrap_or_else(|| format!("{}, {}", std::env::consts::ARCH, std::env::consts::OS))
 }
 
-/// The 32-bit PCG output hash (RXS-M-XS, O'Neill 2014).
-fn pcg(v: u32) -> u32 {
-    let state = v.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-    let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
-    (word >> 22) ^ word
+/// What can be timed on a device, and asked again.
+trait OnDevice {
+    /// Sets what is timed, if there is a device.
+    fn set_timing(&mut self, timing: Timing) -> Result<(), Error>;
+    /// What was timed of the last call.
+    fn stages(&mut self) -> &[(&'static str, f64)];
+    /// Finds pairs of boxes once more without sending anything, and says how many; `None` if that
+    /// cannot be.
+    fn again(&mut self) -> Result<Option<usize>, Error>;
 }
 
-/// A multiple of 2^-24 in `[0, 1)`.
-fn unit(i: u32) -> f32 {
-    (pcg(i) >> 8) as f32 / 16_777_216.0
+impl OnDevice for Session {
+    fn set_timing(&mut self, timing: Timing) -> Result<(), Error> {
+        self.gpu().map_or(Ok(()), |on| on.set_timing(timing))
+    }
+
+    fn stages(&mut self) -> &[(&'static str, f64)] {
+        self.gpu().map_or(&[], |on| on.stages())
+    }
+
+    fn again(&mut self) -> Result<Option<usize>, Error> {
+        Ok(None)
+    }
 }
 
-/// Uniform boxes of the same size in the unit cube: half width 0.001 for 100,000 boxes and fewer, and `0.002 (100,000 / n)^(1/3)` above.
-fn uniform_boxes(n: usize) -> Vec<Aabb<f32>> {
-    let half = if n <= 100_000 { 0.001 } else { 0.002 * (100_000.0 / n as f64).cbrt() as f32 };
-    let make = |i: u32| {
-        let centre: [f32; 3] = std::array::from_fn(|k| unit(8 * i + k as u32));
-        Aabb { min: centre.map(|c| c - half), max: centre.map(|c| c + half) }
-    };
-    (0..n as u32).map(make).collect()
-}
+impl OnDevice for BroadPhase {
+    fn set_timing(&mut self, timing: Timing) -> Result<(), Error> {
+        self.gpu().map_or(Ok(()), |on| on.set_timing(timing))
+    }
 
-/// A mesh and its positions at both ends of a step.
-type Scene = (Mesh, Vec<[f32; 3]>, Vec<[f32; 3]>);
+    fn stages(&mut self) -> &[(&'static str, f64)] {
+        self.gpu().map_or(&[], |on| on.stages())
+    }
 
-/// A wavy sheet of `n x n` vertices, side 1, each moved at random by up to three quarters of a cell, and by as much again in the step. Only operations that IEEE
-/// 754 rounds in one way: the same on every machine.
-fn crumpled_sheet(n: usize) -> Result<Scene, Failure> {
-    let wave = |x: f64| {
-        let part = x - x.floor();
-        part * (1.0 - part)
-    };
-    let size = 1.5 / n as f64;
-    let at = |i: usize, end: u32| -> [f32; 3] {
-        let (u, v) = ((i % n) as f64 / n as f64, (i / n) as f64 / n as f64);
-        let rest = [u, 1.6 * wave(1.5 * u) * wave(1.2 * v), v];
-        std::array::from_fn(|k| (rest[k] + (unit(8 * i as u32 + 4 * end + k as u32) as f64 - 0.5) * size) as f32)
-    };
-    let (x0, x1) = ((0..n * n).map(|i| at(i, 0)).collect(), (0..n * n).map(|i| at(i, 1)).collect());
-    let mut faces = Vec::new();
-    super::cloth::grid(&mut faces, n, 0);
-    Ok((Mesh::new(n * n, &faces)?, x0, x1))
+    fn again(&mut self) -> Result<Option<usize>, Error> {
+        let again = self.gpu().map(|on| on.again()).transpose()?;
+        Ok(again.map(|n| n as usize))
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ccd_testkit::generate;
-
-    #[test]
-    fn boxes_are_those_of_the_tests() {
-        for n in [0, 1000, 100_000, 150_000] {
-            assert!(uniform_boxes(n) == generate::uniform_boxes(n), "{n}");
-        }
-        assert!(uniform_boxes(1000) != generate::uniform_boxes(1001)[1..]);
-    }
 
     #[test]
     fn the_small_scenes_answers_are_those_of_brute_force() {
         let pairs = ccd_testkit::brute::self_pairs(&uniform_boxes(PAIRS[0].0));
         assert_eq!(pairs.len(), PAIRS[0].1);
-        let (mesh, x0, x1) = crumpled_sheet(SMALL_SHEET.n).expect("a valid sheet");
+        let step = crumpled_sheet(SMALL_SHEET.n, SEED);
+        let ([x0, x1], mesh) = (step.rounded(), step.mesh);
         let [vf, ee] = ccd_testkit::brute::candidates(&mesh, &x0, &x1);
         assert_eq!(PerKind { vf: vf.len() as u64, ee: ee.len() as u64 }, SMALL_SHEET.candidates);
     }

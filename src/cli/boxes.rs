@@ -1,9 +1,11 @@
 //! `ccd boxes`: the broad phase alone.
 
-use super::backend::{AnyBroadPhase, BackendOptions};
+use super::backend::BackendOptions;
 use super::{Failure, Outcome, in_file, output};
-use ccd::{Aabb, Method, gpu};
-use clap::{Args, ValueEnum};
+use ccd::any::{BroadPhase, Error, Pairs};
+use ccd::{Aabb, BroadPhaseMethod, METHODS};
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -19,8 +21,8 @@ pub struct Boxes {
     #[command(flatten)]
     backend: BackendOptions,
     /// How pairs are found; all ways find the same
-    #[arg(long, value_enum, default_value_t = Way::Blocks)]
-    method: Way,
+    #[arg(long, value_name = "METHOD", default_value = METHODS[0].name, value_parser = methods())]
+    method: BroadPhaseMethod,
     /// Number of threads on the CPU; 0 means one per processor
     #[arg(long, value_name = "N", default_value_t = 0)]
     threads: usize,
@@ -32,20 +34,18 @@ pub struct Boxes {
     json: bool,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
-enum Way {
-    /// Blocks of neighbouring boxes, of 8 on the CPU and 32 on a GPU
-    Blocks,
-    /// A binary radix tree; on a GPU faster where few boxes overlap
-    Tree,
+/// The names of the library's table, each with its line.
+fn methods() -> impl TypedValueParser<Value = BroadPhaseMethod> {
+    let value = |row: &ccd::MethodRow| PossibleValue::new(row.name).help(row.about);
+    PossibleValuesParser::new(METHODS.iter().map(value)).try_map(|name| BroadPhaseMethod::named(&name).ok_or("not in the table of methods"))
 }
 
 #[derive(Serialize)]
-struct Json {
+struct Json<'a> {
     boxes: [usize; 2],
     pairs: usize,
     backend: &'static str,
-    adapter: Option<String>,
+    adapter: Option<&'a str>,
     threads: Option<usize>,
     runs: u32,
     times_ms: Times,
@@ -65,18 +65,14 @@ impl Boxes {
         let a = read(&self.a)?;
         let b = self.b.as_deref().map(read).transpose()?;
         let load = start.elapsed().as_secs_f64() * 1e3;
-        let method = match self.method {
-            Way::Blocks => Method::Blocks,
-            Way::Tree => Method::Tree,
-        };
         let choice = self.backend.choose(a.len() + b.as_ref().map_or(0, Vec::len))?;
-        let mut broad = AnyBroadPhase::new(&choice, self.threads, method)?;
+        let mut broad = BroadPhase::new(&choice, self.threads, self.method)?;
         let mut times = Vec::new();
         let mut n_pairs = 0;
         for _ in 0..self.runs {
             let start = Instant::now();
-            n_pairs = broad.count(&a, b.as_deref()).map_err(|e| match (e, &b) {
-                (e @ gpu::Error::Input(_), None) => in_file(&self.a, e),
+            n_pairs = count(&mut broad, &a, b.as_deref()).map_err(|e| match (e, &b) {
+                (e @ Error::Input(_), None) => in_file(&self.a, e),
                 (e, _) => e.into(),
             })?;
             times.push(start.elapsed().as_secs_f64() * 1e3);
@@ -87,7 +83,7 @@ impl Boxes {
         let boxes = [a.len(), b.as_ref().map_or(0, Vec::len)];
         let place = broad.place();
         if self.json {
-            let (backend, adapter, threads) = (place.backend(), place.adapter, place.threads);
+            let (backend, adapter, threads) = (place.backend(), place.adapter(), place.threads());
             output::json(&Json { boxes, pairs: n_pairs, backend, adapter, threads, runs: self.runs, times_ms: times })?;
         } else {
             match boxes {
@@ -109,6 +105,15 @@ impl Boxes {
         output::flush();
         Ok(n_pairs > 0)
     }
+}
+
+/// How many pairs there are within `a`, or of a box of `a` with one of `b`; all are listed.
+fn count(broad: &mut BroadPhase, a: &[Aabb], b: Option<&[Aabb]>) -> Result<usize, Error> {
+    match b {
+        None => broad.self_pairs(a),
+        Some(b) => broad.pairs(a, b),
+    }
+    .map(|pairs: Pairs| pairs.len())
 }
 
 fn read(path: &Path) -> Result<Vec<Aabb<f32>>, Failure> {

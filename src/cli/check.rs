@@ -1,10 +1,10 @@
 //! `ccd check`: contacts between two frames.
 
-use super::backend::AnySession;
 use super::output::{self, ContactFile, Counts, MeshSize, TimesMs};
 use super::{Failure, Outcome, Precision, StepOptions, in_file, picture};
+use ccd::Mesh;
+use ccd::any::{Error, Place, Session};
 use ccd::io::{Frame, read_frame};
-use ccd::{Mesh, gpu};
 use clap::Args;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -23,14 +23,14 @@ pub struct Check {
 }
 
 #[derive(Serialize)]
-struct Json {
+struct Json<'a> {
     mesh: MeshSize,
     candidates: Counts,
     contacts: Counts,
     undecided: u64,
     toi: Option<f64>,
     backend: &'static str,
-    adapter: Option<String>,
+    adapter: Option<&'a str>,
     precision: &'static str,
     threads: Option<usize>,
     times_ms: TimesMs,
@@ -63,9 +63,9 @@ impl Check {
                 undecided: report.undecided,
                 toi: report.toi,
                 backend: place.backend(),
-                adapter: place.adapter,
+                adapter: place.adapter(),
                 precision: self.options.precision.name(),
-                threads: place.threads,
+                threads: place.threads(),
                 times_ms: TimesMs::new(load, report),
             })?;
         } else {
@@ -76,7 +76,7 @@ impl Check {
     }
 }
 
-fn print(session: &AnySession, load: f64) {
+fn print(session: &Session, load: f64) {
     let (mesh, report) = (session.mesh(), session.report());
     let contacts = report.n_contacts();
     output::line("mesh", MeshSize::from(mesh));
@@ -90,22 +90,22 @@ fn print(session: &AnySession, load: f64) {
         None => output::line("earliest", "none: the whole step is free"),
     }
     let (t, ms, place) = (report.times, output::milliseconds, session.place());
-    let parts = match place.adapter {
-        Some(_) => format!("upload {}", ms(t.boxes)),
-        None => format!("boxes {}, build {}, traverse {}, narrow {}", ms(t.boxes), ms(t.build), ms(t.traverse), ms(t.narrow)),
+    let parts = match place {
+        Place::Gpu { .. } => format!("upload {}", ms(t.boxes)),
+        Place::Cpu { .. } => format!("boxes {}, build {}, traverse {}, narrow {}", ms(t.boxes), ms(t.build), ms(t.traverse), ms(t.narrow)),
     };
     output::line("time", format_args!("{} on {place} ({parts}); loading {}", ms(t.total), ms(load)));
 }
 
 /// One step between two frames; an error in coordinates names the file.
-pub fn step(session: &mut AnySession, precision: Precision, t0: (&Path, &Frame), t1: (&Path, &Frame)) -> Result<(), Failure> {
+pub fn step(session: &mut Session, precision: Precision, t0: (&Path, &Frame), t1: (&Path, &Frame)) -> Result<(), Failure> {
     let result = match precision {
         Precision::F64 => session.step(&t0.1.positions, &t1.1.positions).map(|_| ()),
         Precision::F32 => session.step(&t0.1.positions_f32(), &t1.1.positions_f32()).map(|_| ()),
     };
     result.map_err(|e| match e {
-        gpu::Error::Input(ccd::Error::Coordinate { time: 0, .. }) => in_file(t0.0, e),
-        gpu::Error::Input(ccd::Error::Coordinate { .. }) => in_file(t1.0, e),
+        Error::Input(ccd::Error::Coordinate { time: 0, .. }) => in_file(t0.0, e),
+        Error::Input(ccd::Error::Coordinate { .. }) => in_file(t1.0, e),
         _ => e.into(),
     })
 }

@@ -1,20 +1,24 @@
-//! The simulation of the demo: a mass-spring cloth with a limit on strain (Provot 1995), and contacts resolved so that nothing passes through.
+//! The simulation of the demo: a mass-spring cloth with a limit on strain [Provot 1995], and contacts
+//! resolved so that nothing passes through.
 //!
-//! A step is first taken freely. Contacts at a small distance then push features apart along the direction in which they are nearest. What would still touch is held
-//! back: vertices of such contacts move only to a part of their time of impact, and this is repeated until the step is certified free. A step in which
-//! every vertex stands still is free because the one before was, so this ends.
+//! A step is first taken freely. Contacts at a small distance then push features apart along the
+//! direction in which they are nearest. What would still touch is held back: vertices of such
+//! contacts move only to a part of their time of impact, and this is repeated until the step is
+//! certified free. A step in which every vertex stands still is free because the one before was,
+//! so this ends.
 
 use super::Failure;
-use super::backend::{AnySession, BackendOptions, Place};
+use super::backend::BackendOptions;
+use ccd::any::{Place, Session};
+use ccd::geometry::vec3::{add, dot, lerp, scale, sub};
+use ccd::geometry::{Motion, Patch, closest};
+use ccd::scenes::{grid, sphere};
 use ccd::{Bodies, Contact, Kind, Mesh, Options};
-use ccd_core::closest::closest;
-use ccd_core::motion::{Motion, Patch};
-use ccd_core::vec3::{add, dot, lerp, scale, sub};
 
 /// Side of the cloth, number of vertices along it: 4,096 vertices and 7,938 triangles.
 const SIDE: f64 = 2.0;
 const N: usize = 64;
-/// Sphere: 16,384 vertices and 32,258 triangles, as in Tian and Wan's largest scene.
+/// Sphere: 16,384 vertices and 32,258 triangles, as in the largest scene of [Tian and Wan].
 const N_SPHERE: usize = 128;
 const RADIUS: f64 = 0.42;
 const CENTRE: [f64; 3] = [0.0, -0.75, 0.25];
@@ -22,7 +26,7 @@ const CENTRE: [f64; 3] = [0.0, -0.75, 0.25];
 const DT: f64 = 1.0 / 480.0;
 const GRAVITY: f64 = 9.81;
 const DAMPING: f64 = 0.998;
-/// Springs may be longer than at rest by this part (Provot 1995: 10 %).
+/// Springs may be longer than at rest by this part (10 % in [Provot 1995]).
 const MAX_STRAIN: f64 = 0.05;
 const STRAIN_ROUNDS: usize = 16;
 /// Features are pushed apart below this distance, in metres.
@@ -41,8 +45,8 @@ pub struct Cloth {
     pub x: Vec<[f64; 3]>,
     v: Vec<[f64; 3]>,
     springs: Vec<(usize, usize, f64)>,
-    push: AnySession,
-    hold: AnySession,
+    push: Session,
+    hold: Session,
     /// Contacts of the last step's free motion.
     pub contacts: Vec<Contact>,
     /// Milliseconds in the library and number of its calls, since the last reset.
@@ -64,20 +68,16 @@ impl Cloth {
         }
         grid(&mut faces, N, 0);
         let n_faces_cloth = faces.len();
-        for i in 0..N_SPHERE * N_SPHERE {
-            let (u, v) = (i % N_SPHERE, i / N_SPHERE);
-            let last = (N_SPHERE - 1) as f64;
-            let (longitude, latitude) = (std::f64::consts::TAU * u as f64 / last, std::f64::consts::PI * v as f64 / last);
-            let n = [latitude.sin() * longitude.cos(), latitude.cos(), latitude.sin() * longitude.sin()];
-            x.push(add(CENTRE, scale(n, RADIUS)));
-        }
+        x.extend(sphere(N_SPHERE).into_iter().map(|n| add(CENTRE, scale(n, RADIUS))));
         grid(&mut faces, N_SPHERE, N_CLOTH as u32);
         let mesh = Mesh::new(x.len(), &faces)?;
         let body: Vec<u32> = (0..x.len()).map(|v| (v >= N_CLOTH) as u32).collect();
         let bodies = Bodies::new(&body, &[false, true], true);
         let choice = backend.choose(mesh.edges().len())?;
-        let session =
-            |min_distance| AnySession::new(&choice, mesh.clone(), Options { min_distance, threads: 0, bodies: Some(bodies.clone()) });
+        let session = |min_distance| {
+            let bodies = Some(bodies.clone());
+            Session::new(&choice, mesh.clone(), Options { min_distance, threads: 0, bodies })
+        };
         let (push, hold) = (session(PUSH_DISTANCE)?, session(0.0)?);
         let springs = springs(&faces[..n_faces_cloth], &x);
         let v = vec![[0.0; 3]; N_CLOTH];
@@ -126,7 +126,7 @@ impl Cloth {
         Ok(())
     }
 
-    /// Shortens springs that are too long, both ends equally (Provot 1995, section 5).
+    /// Shortens springs that are too long, both ends equally (section 5 of [Provot 1995]).
     fn limit_strain(&self, x: &mut [[f64; 3]]) {
         for _ in 0..STRAIN_ROUNDS {
             for &(a, b, rest) in &self.springs {
@@ -164,15 +164,6 @@ impl Cloth {
             }
         }
         Err(Failure(format!("the demo could not resolve its contacts in {MAX_ROUNDS} rounds")))
-    }
-}
-
-/// Two triangles per cell of an `n x n` grid whose vertices begin at `first`.
-pub fn grid(faces: &mut Vec<[u32; 3]>, n: usize, first: u32) {
-    let n = n as u32;
-    for i in 0..(n - 1) * (n - 1) {
-        let a = first + i / (n - 1) * n + i % (n - 1);
-        faces.extend([[a, a + n, a + 1], [a + 1, a + n, a + n + 1]]);
     }
 }
 

@@ -1,4 +1,4 @@
-//! `ccd demo`: the experiment of Tian and Wan, run, checked and drawn.
+//! `ccd demo`: the experiment of [Tian and Wan], run, checked and drawn.
 
 use super::backend::BackendOptions;
 use super::cloth::{Cloth, N_CLOTH};
@@ -78,7 +78,7 @@ impl Demo {
 }
 
 /// Edges of the cloth through faces of anything, and edges of anything through faces of the cloth, in the state `x`: every edge against every face, by exact
-/// orientation tests (Shewchuk 1997). Shares nothing with the detection that it checks.
+/// orientation tests [Shewchuk 1997]. Shares nothing with the detection that it checks.
 fn penetrations(mesh: &Mesh, x: &[[f64; 3]]) -> usize {
     let of_cloth = |v: u32| (v as usize) < N_CLOTH;
     let bounds = |ids: &[u32]| {

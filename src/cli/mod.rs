@@ -105,9 +105,9 @@ struct StepOptions {
 
 impl StepOptions {
     /// A session for a mesh where the options want it.
-    fn session(&self, mesh: ccd::Mesh) -> Result<backend::AnySession, Failure> {
+    fn session(&self, mesh: ccd::Mesh) -> Result<ccd::any::Session, Failure> {
         let options = ccd::Options { min_distance: self.min_distance, threads: self.threads, bodies: None };
-        backend::AnySession::new(&self.backend.choose(mesh.edges().len())?, mesh, options)
+        Ok(ccd::any::Session::new(&self.backend.choose(mesh.edges().len())?, mesh, options)?)
     }
 }
 

@@ -1,8 +1,8 @@
 //! A picture of a mesh with its contacts: a small rasteriser, orthographic, shaded by the angle to the viewer.
 
 use super::{Failure, in_file};
+use ccd::geometry::vec3::{cross, dot, lerp, scale, sub};
 use ccd::{Contact, Kind, Mesh, State};
-use ccd_core::vec3::{cross, dot, lerp, scale, sub};
 use std::path::Path;
 
 /// Size of the picture in pixels.

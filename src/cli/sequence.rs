@@ -1,9 +1,9 @@
 //! `ccd sequence`: a session over many frames.
 
-use super::backend::AnySession;
 use super::check::{mesh_of, same_topology, step};
 use super::output::{self, ContactFile, Counts, MeshSize, TimesMs};
 use super::{Failure, Outcome, StepOptions, plot};
+use ccd::any::Session;
 use ccd::io::{Frame, read_frame};
 use clap::Args;
 use serde::Serialize;
@@ -31,10 +31,10 @@ struct Step {
 }
 
 #[derive(Serialize)]
-struct Json {
+struct Json<'a> {
     mesh: MeshSize,
     backend: &'static str,
-    adapter: Option<String>,
+    adapter: Option<&'a str>,
     precision: &'static str,
     threads: Option<usize>,
     steps: Vec<Step>,
@@ -99,7 +99,7 @@ impl Sequence {
         self.finish(&session, steps)
     }
 
-    fn finish(&self, session: &AnySession, steps: Vec<Step>) -> Outcome {
+    fn finish(&self, session: &Session, steps: Vec<Step>) -> Outcome {
         let summary = summarise(&steps);
         if let Some(path) = &self.options.picture {
             let times: Vec<f64> = steps.iter().map(step_ms).collect();
@@ -110,7 +110,7 @@ impl Sequence {
         let place = session.place();
         if self.options.json {
             let (backend, precision) = (place.backend(), self.options.precision.name());
-            let (mesh, adapter, threads) = (session.mesh().into(), place.adapter, place.threads);
+            let (mesh, adapter, threads) = (session.mesh().into(), place.adapter(), place.threads());
             output::json(&Json { mesh, backend, adapter, precision, threads, steps, summary })?;
         } else {
             let text = format!(

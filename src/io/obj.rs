@@ -1,74 +1,153 @@
-//! OBJ: the lines `v`, `f` and `l`; everything else is passed over.
+//! OBJ: the statements `v`, `f` and `l`; other statements of the format are passed over, all else
+//! is refused.
 //!
-//! Read here and not by a crate: contact lists name vertices by the file's own numbers, in `f64`, and the maintained readers either
-//! renumber vertices per group or round to `f32`.
+//! Read here and not by a crate: contact lists name vertices by the file's own numbers, in `f64`,
+//! and the maintained readers either renumber vertices per group or round to `f32`.
+//!
+//! Lines end with LF, CRLF or CR, also in turn. A word that begins with `#` starts a comment.
+//! - `v x y z`, with a weight (`v x y z 1`), a colour (`v x y z r g b`) or a colour with alpha
+//!   (seven numbers), all finite. A weight other than 1 is refused: it scales the point in some
+//!   programs and means nothing outside of rational surfaces in others.
+//! - `f` and `l`: words `v`, `v/vt`, `v//vn` or `v/vt/vn`; the last two numbers are not used.
 
 use super::{Frame, ReadErrorKind, push_polygon};
 use std::io::BufRead;
 use std::path::Path;
 
+/// Statements that hold neither vertices nor what joins them: normals, texture coordinates,
+/// groups, materials, points, curves and surfaces.
+const PASSED_OVER: [&str; 34] = [
+    "vn",
+    "vt",
+    "vp",
+    "o",
+    "g",
+    "s",
+    "mtllib",
+    "usemtl",
+    "p",
+    "cstype",
+    "deg",
+    "curv",
+    "curv2",
+    "surf",
+    "parm",
+    "trim",
+    "hole",
+    "scrv",
+    "sp",
+    "end",
+    "con",
+    "mg",
+    "bevel",
+    "c_interp",
+    "d_interp",
+    "lod",
+    "shadow_obj",
+    "trace_obj",
+    "ctech",
+    "stech",
+    "bmat",
+    "step",
+    "usemap",
+    "maplib",
+];
+
 pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
     let mut reader = std::io::BufReader::new(std::fs::File::open(path)?);
     let mut frame = Frame::default();
-    let mut corners = Vec::new();
-    let mut text = Vec::new();
-    let mut n_known = 0;
-    for line in 1.. {
-        text.clear();
-        if reader.read_until(b'\n', &mut text)? == 0 {
+    let mut chunk = Vec::new();
+    let (mut line, mut any) = (0, false);
+    loop {
+        chunk.clear();
+        if reader.read_until(b'\n', &mut chunk)? == 0 {
             break;
         }
-        let bad = |what: String| ReadErrorKind::Line { line, what };
-        let text = std::str::from_utf8(&text).map_err(|_| bad("is not text".into()))?;
-        let mut words = text.split_whitespace();
-        let keyword = words.next().unwrap_or("#");
-        match keyword {
-            "v" => {
-                let mut p = [0.0; 3];
-                for x in &mut p {
-                    let word = words.next().ok_or_else(|| bad("a vertex needs three coordinates".into()))?;
-                    *x = word.parse().map_err(|_| bad(format!("`{word}` is not a number")))?;
-                }
-                frame.positions.push(p);
-                n_known += 1;
-            }
-            "f" | "l" => {
-                corners.clear();
-                for word in words {
-                    corners.push(vertex_index(word, frame.positions.len()).map_err(bad)?);
-                }
-                let least = if keyword == "f" { 3 } else { 2 };
-                if corners.len() < least {
-                    return Err(bad(format!("has {} vertices, fewer than {least}", corners.len())));
-                }
-                if keyword == "f" {
-                    push_polygon(&mut frame.faces, &corners);
-                } else {
-                    frame.edges.extend(corners.windows(2).map(|w| [w[0], w[1]]));
-                }
-                n_known += 1;
-            }
-            // Comments, normals, texture coordinates, groups, materials, curves and surfaces.
-            _ if keyword.starts_with('#') => {}
-            "vn" | "vt" | "vp" | "o" | "g" | "s" | "mtllib" | "usemtl" | "p" | "cstype" | "deg" | "curv" | "curv2" | "surf" | "parm"
-            | "trim" | "hole" | "scrv" | "sp" | "end" | "con" | "mg" | "bevel" | "c_interp" | "d_interp" | "lod" | "shadow_obj"
-            | "trace_obj" | "ctech" | "stech" | "bmat" | "step" | "usemap" | "maplib" => n_known += 1,
-            _ => return Err(bad(format!("`{}` is no statement of OBJ", keyword.chars().take(20).collect::<String>()))),
+        let text = chunk.strip_suffix(b"\n").unwrap_or(&chunk);
+        let text = text.strip_suffix(b"\r").unwrap_or(text);
+        for text in text.split(|&byte| byte == b'\r') {
+            line += 1;
+            any |= statement(text, &mut frame).map_err(|what| ReadErrorKind::Line { line, what })?;
         }
     }
-    if n_known == 0 {
+    if !any {
         return Err(ReadErrorKind::Header("the file holds no statement of OBJ".into()));
     }
     Ok(frame)
 }
 
-/// The vertex of `word` (`7`, `7/1`, `7//2`, `-1`), counted from 0.
+/// Takes one line; whether it is more than a comment. `Err` says what is wrong with it.
+fn statement(text: &[u8], frame: &mut Frame) -> Result<bool, String> {
+    let text = std::str::from_utf8(text).map_err(|_| "is not text")?;
+    if text.contains(|c: char| c.is_control() && c != '\t') {
+        return Err("is not text".into());
+    }
+    let words: Vec<&str> = text.split_whitespace().take_while(|w| !w.starts_with('#')).collect();
+    let Some((&keyword, words)) = words.split_first() else { return Ok(false) };
+    if words.last().is_some_and(|w| w.ends_with('\\')) {
+        return Err("goes on in the next line (`\\`), which is not read".into());
+    }
+    match keyword {
+        "v" => frame.positions.push(vertex(words)?),
+        "f" => push_polygon(&mut frame.faces, &corners(words, 3, frame.positions.len())?),
+        "l" => {
+            let corners = corners(words, 2, frame.positions.len())?;
+            frame.edges.extend(corners.windows(2).map(|w| [w[0], w[1]]));
+        }
+        _ if PASSED_OVER.contains(&keyword) => {}
+        _ => return Err(format!("`{}` is no statement of OBJ", start(keyword))),
+    }
+    Ok(true)
+}
+
+/// The position of a vertex.
+fn vertex(words: &[&str]) -> Result<[f64; 3], String> {
+    let mut x = [0.0f64; 7];
+    match words.len() {
+        0..3 => return Err("a vertex needs three coordinates".into()),
+        3 | 4 | 6 | 7 => {}
+        n => return Err(format!("a vertex has 3, 4, 6 or 7 numbers, not {n}")),
+    }
+    for (x, word) in x.iter_mut().zip(words) {
+        *x = word.parse().map_err(|_| format!("`{}` is not a number", start(word)))?;
+        if !x.is_finite() {
+            return Err(format!("`{}` is not a finite number", start(word)));
+        }
+    }
+    if words.len() == 4 && x[3] != 1.0 {
+        return Err(format!("the weight of a vertex is {}; only 1 is read", x[3]));
+    }
+    Ok([x[0], x[1], x[2]])
+}
+
+/// The vertices of a face or of a line, `least` or more.
+fn corners(words: &[&str], least: usize, n_vertices: usize) -> Result<Vec<u32>, String> {
+    if words.len() < least {
+        return Err(format!("has {} vertices, fewer than {least}", words.len()));
+    }
+    words.iter().map(|word| vertex_index(word, n_vertices)).collect()
+}
+
+/// The vertex of `word` (`7`, `7/1`, `7//2`, `7/1/2`, `-1`), counted from 0.
 fn vertex_index(word: &str, n_vertices: usize) -> Result<u32, String> {
-    let digits = word.split('/').next().unwrap_or(word);
-    let i: i64 = digits.parse().map_err(|_| format!("`{word}` is not a vertex index"))?;
-    let at = if i < 0 { n_vertices as i64 + i } else { i - 1 };
-    match u32::try_from(at) {
-        Ok(at) if i != 0 => Ok(at),
+    let bad = || format!("`{}` is not a vertex index", start(word));
+    let mut parts = word.split('/');
+    let i: i64 = parts.next().and_then(|v| v.parse().ok()).ok_or_else(bad)?;
+    for (k, unused) in parts.enumerate() {
+        // A number may be left out, but not be 0 or something else.
+        let fine = unused.is_empty() || unused.parse::<i64>().is_ok_and(|i| i != 0);
+        if !fine || k >= 2 {
+            return Err(bad());
+        }
+    }
+    let at = if i < 0 { i.checked_add(n_vertices as i64) } else { i.checked_sub(1) };
+    match at.map(u32::try_from) {
+        Some(Ok(at)) if i != 0 => Ok(at),
         _ => Err(format!("vertex index {i} names no vertex (there are {n_vertices} so far)")),
     }
+}
+
+/// As much of a word as fits into a message.
+fn start(word: &str) -> String {
+    word.chars().take(20).collect()
 }

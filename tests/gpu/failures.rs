@@ -1,7 +1,7 @@
 //! What a caller sees when something is too short, too large, missing, or lost; and that a session goes on afterwards.
 
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Error, Session};
-use ccd::{Method, Options, Pair};
+use ccd::{BroadPhaseMethod, Options, Pair};
 use ccd_testkit::generate::{crumpled_sheet, uniform_boxes};
 
 pub const TESTS: crate::Tests = &[
@@ -52,7 +52,7 @@ fn check_too_large(device: &Device) {
         println!("not run: {n} boxes fit");
         return;
     }
-    let mut broad = BroadPhase::new(device, Method::Blocks).unwrap();
+    let mut broad = BroadPhase::new(device, BroadPhaseMethod::Blocks).unwrap();
     let boxes = vec![ccd::Aabb { min: [0.0f32; 3], max: [0.0; 3] }; n as usize];
     match broad.self_pairs(&boxes) {
         Err(Error::TooLarge { bytes, limit: named, .. }) => assert!(bytes > named && named <= limit, "{bytes} {named}"),
@@ -63,7 +63,7 @@ fn check_too_large(device: &Device) {
 }
 
 fn ccd_pairs(n: usize) -> usize {
-    let mut cpu = ccd::BroadPhase::new(1, Method::Blocks).unwrap();
+    let mut cpu = ccd::BroadPhase::new(1, BroadPhaseMethod::Blocks).unwrap();
     let pairs: Vec<Pair> = cpu.self_pairs(&uniform_boxes(100_000)[..n]).unwrap().to_vec();
     pairs.len()
 }

@@ -4,8 +4,10 @@ use crate::support::{bytes, check_boxes, paths, read, room, same, swept, twin};
 use crate::twin::union;
 use ccd::Aabb;
 use ccd::gpu::{Device, Sorter, harness};
-use ccd_core::kernel::{Id, blocks, bounds, decide, sort};
+use ccd_core::broad_phase::{block_bvh, morton_key};
+use ccd_core::kernel::{Id, sort};
 use ccd_core::layout::{Leaf, Params, Path, Touch, split};
+use ccd_core::narrow_phase::decide;
 use ccd_testkit::compare;
 use ccd_testkit::generate::{Random, triangle_soup};
 
@@ -50,7 +52,11 @@ fn check_place(device: &Device) {
             for k in 0..3 {
                 let (low, high) = if x0[i][k] < x1[i][k] { (x0[i][k], x1[i][k]) } else { (x1[i][k], x0[i][k]) };
                 let (low, high) = if margin > 0.0 { ((low - margin).next_down(), (high + margin).next_up()) } else { (low, high) };
-                assert_eq!((keys[i][k], keys[i][3 + k]), (blocks::bound_key(low), blocks::bound_key(high)), "keys of {low:e} to {high:e}");
+                assert_eq!(
+                    (keys[i][k], keys[i][3 + k]),
+                    (block_bvh::bound_key(low), block_bvh::bound_key(high)),
+                    "keys of {low:e} to {high:e}"
+                );
                 let clamp = |x: f64| x.clamp(-2.9e38, 2.9e38);
                 let (min, max) = (boxes[i].min[k] as f64, boxes[i].max[k] as f64);
                 let tight = |x: f64| clamp(x).abs() * f32::EPSILON as f64 + 2.0 * f32::MIN_POSITIVE as f64;
@@ -129,7 +135,7 @@ fn check_bounds(device: &Device) {
     harness::run(device, Id::SceneBounds, &params, &mut buffers, n.div_ceil(2048), 65_535).unwrap();
     let words: Vec<u32> = read(&buffers[1]);
     let scene = union(twin.boxes.iter());
-    check_boxes("scene", &[scene], &[bounds::merged(&words)]);
+    check_boxes("scene", &[scene], &[morton_key::merged(&words)]);
     let mut buffers = [bytes(&twin.boxes), buffers[1].clone(), vec![0; n as usize * 4], vec![0; n as usize * 4]];
     harness::run(device, Id::Morton, &params, &mut buffers, n.div_ceil(256), 65_535).unwrap();
     let keys: Vec<u32> = read(&buffers[2]);

@@ -4,8 +4,9 @@ use crate::scenes::check_pairs;
 use crate::support::{bytes, check_boxes, entries, list, paths, read, room, twin};
 use crate::twin::{Twin, union};
 use ccd::gpu::{BroadPhase, Device, harness};
-use ccd::{Aabb, Method, Pair, Verdict};
-use ccd_core::kernel::{Id, blocks};
+use ccd::{Aabb, BroadPhaseMethod, Pair, Verdict};
+use ccd_core::broad_phase::block_bvh;
+use ccd_core::kernel::Id;
 use ccd_core::layout::{Branch, LIST_HEADER, Node, Params, Path};
 use ccd_testkit::brute;
 use ccd_testkit::generate::{Step, uniform_boxes};
@@ -16,8 +17,8 @@ pub const TESTS: crate::Tests = &[
     ("candidates", check_candidates),
     ("filters", check_filters),
     ("radix_tree", check_radix_tree),
-    ("uniform_boxes_by_blocks", |device| check_uniform(device, Method::Blocks)),
-    ("uniform_boxes_by_tree", |device| check_uniform(device, Method::Tree)),
+    ("uniform_boxes_by_blocks", |device| check_uniform(device, BroadPhaseMethod::Blocks)),
+    ("uniform_boxes_by_tree", |device| check_uniform(device, BroadPhaseMethod::Tree)),
 ];
 
 fn check_node_pairs(device: &Device) {
@@ -88,7 +89,7 @@ fn check_candidates(device: &Device) {
     let p = Params { kind: 1, level: 1, room_in: blocks.len() as u32, room_out: 20_000, ..twin.params };
     let mut buffers = [bytes(&twin.nodes), bytes(&twin.leaves), vec![0; 16], vec![0; 48], list(&blocks), room(20_000)];
     harness::run(device, Id::ListCandidates, &p, &mut buffers, 2, 65_535).unwrap();
-    const { assert!(4 * 1024 > blocks::POOL) };
+    const { assert!(4 * 1024 > block_bvh::POOL) };
     check_pairs("boxes on one another", brute::self_pairs(&boxes), entries(&buffers[5]));
 }
 
@@ -118,7 +119,7 @@ fn check_filters(device: &Device) {
 }
 
 fn verdict(step: &Step, kind: u32, pair: Pair, paths: &[Path]) -> Verdict<f64> {
-    use ccd_core::kernel::narrow;
+    use ccd_core::narrow_phase::decide;
     let x = |end: fn(&Path) -> [f32; 4]| {
         paths
             .iter()
@@ -130,8 +131,8 @@ fn verdict(step: &Step, kind: u32, pair: Pair, paths: &[Path]) -> Verdict<f64> {
     };
     let (x0, x1) = (x(|p| p.t0), x(|p| p.t1));
     match kind {
-        0 => narrow::vertex_face(narrow::vertex_face_ids(pair, step.mesh.faces()), &x0, &x1, 0.0, 0.0),
-        _ => narrow::edge_edge(narrow::edge_edge_ids(pair, step.mesh.edges()), &x0, &x1, 0.0, 0.0),
+        0 => decide::vertex_face_pair(decide::vertex_face_ids(pair, step.mesh.faces()), &x0, &x1, 0.0, 0.0),
+        _ => decide::edge_edge_pair(decide::edge_edge_ids(pair, step.mesh.edges()), &x0, &x1, 0.0, 0.0),
     }
 }
 
@@ -212,12 +213,12 @@ fn check_radix_tree(device: &Device) {
     }
 }
 
-fn check_uniform(device: &Device, method: Method) {
+fn check_uniform(device: &Device, method: BroadPhaseMethod) {
     let boxes = uniform_boxes(100_000);
     let mut broad = BroadPhase::new(device, method).unwrap();
     let pairs = broad.self_pairs(&boxes).unwrap();
     assert_eq!(pairs.len(), 320);
-    let mut cpu = ccd::BroadPhase::new(2, Method::Blocks).unwrap();
+    let mut cpu = ccd::BroadPhase::new(2, BroadPhaseMethod::Blocks).unwrap();
     check_pairs("uniform boxes", cpu.self_pairs(&boxes).unwrap().to_vec(), pairs);
     let (a, b) = (&boxes[..3000], &boxes[3000..9000]);
     let grown = |boxes: &[Aabb]| boxes.iter().map(|b| b.inflated(0.02)).collect::<Vec<_>>();

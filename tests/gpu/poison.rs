@@ -6,8 +6,9 @@ use crate::support::{bytes, entries, list, read, room};
 use crate::twin::Twin;
 use ccd::gpu::{Device, harness};
 use ccd::{EdgeEdge, Mesh, TOI_TOLERANCE, Verdict, VertexFace};
-use ccd_core::kernel::{Id, narrow};
+use ccd_core::kernel::Id;
 use ccd_core::layout::{Params, Path};
+use ccd_core::narrow_phase::decide;
 use ccd_testkit::generate::Random;
 use ccd_testkit::oracle::{self, Answer};
 use ccd_testkit::{brute, compare};
@@ -92,7 +93,7 @@ fn check_filters(device: &Device) {
         assert!(counted >= all.len() && counted <= all.len() + all.len() / 10, "{counted} candidates, {} by brute force", all.len());
         let (mut n_touching, mut n_dropped) = (0, 0);
         for pair in all {
-            let ids = if kind == 0 { narrow::vertex_face_ids(pair, &faces) } else { narrow::edge_edge_ids(pair, mesh.edges()) };
+            let ids = if kind == 0 { decide::vertex_face_ids(pair, &faces) } else { decide::edge_edge_ids(pair, mesh.edges()) };
             let at = |x: &[[f32; 3]]| ids.map(|v| x[v as usize].map(f64::from));
             let query = (at(&x0), at(&x1));
             let cpu = on_cpu(kind == 0, query);

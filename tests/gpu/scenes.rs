@@ -3,9 +3,9 @@
 use ccd::gpu::{Device, Path as ShaderPath, Session, harness};
 use ccd::io::{Queries, Query, read_queries};
 use ccd::{Bodies, Contact, Kind, Options, Pair, Report, State, Verdict};
-use ccd_core::input::Scan;
 use ccd_core::kernel::Id;
 use ccd_core::layout::{LIST_HEADER, Params, Path as Paths, Touch, join, split};
+use ccd_core::model::quantization::Scan;
 use ccd_testkit::data::{self, SCENES, Scene};
 use ccd_testkit::{compare, generate, oracle};
 use std::collections::BTreeSet;
@@ -268,8 +268,8 @@ fn check_degenerate(device: &Device) {
         let (mut n_missing, mut n_open) = (0, 0);
         for c in cpu.contacts.iter().filter(|c| !found.contains(&key(c))) {
             let ids = match c.kind {
-                Kind::VertexFace => ccd_core::kernel::narrow::vertex_face_ids(Pair { a: c.a, b: c.b }, mesh.faces()),
-                Kind::EdgeEdge => ccd_core::kernel::narrow::edge_edge_ids(Pair { a: c.a, b: c.b }, mesh.edges()),
+                Kind::VertexFace => ccd_core::narrow_phase::decide::vertex_face_ids(Pair { a: c.a, b: c.b }, mesh.faces()),
+                Kind::EdgeEdge => ccd_core::narrow_phase::decide::edge_edge_ids(Pair { a: c.a, b: c.b }, mesh.edges()),
             };
             let (p, q) = (ids.map(|v| x0[v as usize]), ids.map(|v| x1[v as usize]));
             let answer = if c.kind == Kind::VertexFace { oracle::vertex_face(&p, &q) } else { oracle::edge_edge(&p, &q) };

@@ -1,7 +1,7 @@
 //! `cargo xtask report --gpu`: what a GPU needs for each stage, for whole steps, for sorting, and how far that is from the bytes that must move.
 
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Path as Shaders, Session, Sorter, Timing};
-use ccd::{Mesh, Method};
+use ccd::{BroadPhaseMethod, Mesh};
 use ccd_testkit::data::{SCENES, Scene, data_dir};
 use ccd_testkit::generate::{pcg, uniform_boxes};
 use std::fmt::Write as _;
@@ -195,7 +195,7 @@ fn measure_boxes(device: &Device, runs: usize, text: &mut String) -> Result<(), 
         [(100_000, 320, "Kitten 0.25"), (1_000_000, 25_417, "Kitten 0.67"), (10_000_000, 255_457, "Kitten 4.14"), (20_000_000, 512_281, "")]
     {
         let boxes = uniform_boxes(n);
-        for (name, method) in [("blocks", Method::Blocks), ("tree", Method::Tree)] {
+        for (name, method) in [("blocks", BroadPhaseMethod::Blocks), ("tree", BroadPhaseMethod::Tree)] {
             let title = format!("{n}, {name}");
             let mut broad = BroadPhase::new(device, method)?;
             let found = match broad.self_pairs_on_device(&boxes) {

@@ -1,6 +1,6 @@
 //! Whole runs side by side with ipctk and parry3d in one run, and the kernels of criterion, written to `benches/RESULTS.md`.
 
-use ccd::{Aabb, BroadPhase, Digest, Method, Options, Session};
+use ccd::{Aabb, BroadPhase, BroadPhaseMethod, Digest, Options, Session};
 use ccd_testkit::brute::swept_boxes;
 use ccd_testkit::data::{Scene, data_dir};
 use parry3d::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
@@ -77,7 +77,7 @@ struct Ours {
 fn measure_ours(input: &Input, threads: usize, runs: usize) -> Result<Ours, String> {
     let Input { mesh, x0, x1 } = input;
     let [v, e, f] = rounded(input);
-    let new = || BroadPhase::new(threads, Method::Blocks).map_err(|e| e.to_string());
+    let new = || BroadPhase::new(threads, BroadPhaseMethod::Blocks).map_err(|e| e.to_string());
     let session = || Session::new(mesh.clone(), Options { threads, ..Options::default() }).map_err(|e| e.to_string());
     let count = |session: &mut Session| session.candidates(x0, x1).map_or([0; 2], |c| [c.vf.len(), c.ee.len()]);
     let (candidates_fresh, _) = median(runs, || session().map(|mut s| count(&mut s)));

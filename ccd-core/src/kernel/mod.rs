@@ -3,19 +3,10 @@
 //! Three shapes: *map* (thread `i` returns what it owns), *meet* (threads share words, through [`Words`]) and *emit* (an unknown number
 //! of results: the body says which there are, its caller appends them to a list that counts also those for which it has no room). [`TABLE`] lists them.
 
-pub mod blocks;
-pub mod bounds;
-pub mod build;
-pub mod decide;
-pub mod filter;
-pub mod narrow;
-pub mod order;
-pub mod place;
+pub mod contact_order;
+pub mod memory;
 pub mod probe;
-pub mod refit;
 pub mod sort;
-pub mod sweep;
-pub mod traverse;
 
 /// Shared 32-bit words, as a kernel sees them: atomics on a CPU, a storage buffer on a GPU.
 pub trait Words {

@@ -1,9 +1,9 @@
 //! For tests alone: what a device reads from records, and what it makes of the scalar operations that kernels use.
 
-use super::bounds::{from_order_key, order_key};
+use crate::broad_phase::morton_key::{from_order_key, order_key};
+use crate::kernel::memory::put;
 use crate::layout::{Leaf, MAX_LEVELS, Pair, Params, Path, Touch, join, split};
-use crate::real::{Num, Real};
-use crate::slice::put;
+use crate::math::real::{Num, Real};
 
 /// Words that [`params`] writes.
 pub const PARAMS_WORDS: usize = 32 + 4 * MAX_LEVELS;

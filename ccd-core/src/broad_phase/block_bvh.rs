@@ -1,0 +1,206 @@
+//! Emit: pairs of blocks and of boxes, from a tree of blocks of 32 boxes that is descended one level a pass.
+//!
+//! Boxes sorted along the Morton curve are taken 32 at a time; so are the blocks, up to the top. A workgroup takes a pair of nodes, keeps of
+//! either side the children that reach into the other's box, and tests those against each other. No stack, no order between workgroups, and reads of
+//! whole blocks; the levels above the boxes hold a thirty-second of the nodes each (see "Blocks" in ARCHITECTURE.md).
+
+use crate::kernel::memory::at;
+use crate::layout::{Leaf, MAX_LEVELS, Params, split};
+use crate::math::aabb::Aabb;
+
+/// Children of a node.
+pub const WIDTH: u32 = 32;
+/// Pairs of nodes that a workgroup takes at once, each with as many threads as a node has children.
+pub const TEAMS: u32 = 4;
+/// Threads of a workgroup.
+pub const THREADS: u32 = TEAMS * WIDTH;
+/// Nodes of a set on a level are padded to a multiple of this, so that a workgroup that fits eight blocks has one set.
+pub const PADDING: u32 = 8 * WIDTH;
+/// Hits that a workgroup gathers before it works on them all together; `TEAMS` pairs of nodes rarely give as many. Those beyond are worked on one by one.
+pub const POOL: u32 = 2048;
+
+/// The sets that a kind of pairs is between.
+#[inline(always)]
+pub fn sets(kind: u32) -> [usize; 2] {
+    if kind == 0 { [0, 2] } else { [1, 1] }
+}
+
+/// Number of node `i` of `set` on `level` among all nodes.
+#[inline(always)]
+pub fn slot(params: &Params, level: u32, set: usize, i: u32) -> usize {
+    (params.slots[level as usize][set] + i) as usize
+}
+
+/// The set of node `i` of a level, from the first nodes of its sets.
+#[inline(always)]
+pub fn set_of(first: &[u32; 4], i: u32) -> usize {
+    if i >= first[2] {
+        2
+    } else if i >= first[1] {
+        1
+    } else {
+        0
+    }
+}
+
+/// The box of leaves `first ..= last` of a set: of those at either end one by one, between them by whole blocks, and so on up to `params.level`.
+///
+/// At most 62 nodes a level, and all of that level's.
+#[inline(always)]
+pub fn range_box(params: &Params, set: usize, first: u32, last: u32, nodes: &[Aabb<f32>]) -> Aabb<f32> {
+    let mut out = Aabb::EMPTY;
+    let (mut from, mut to) = (first, last + 1);
+    for level in 0..MAX_LEVELS as u32 {
+        let (up, down) = (from.next_multiple_of(WIDTH), to / WIDTH * WIDTH);
+        let goes_on = up < down && level < params.level;
+        let (end, begin) = if goes_on { (up, down) } else { (to, to) };
+        for i in from..end {
+            out = out.union(&at(nodes, slot(params, level, set, i)));
+        }
+        for i in begin..to {
+            out = out.union(&at(nodes, slot(params, level, set, i)));
+        }
+        from = if goes_on { up / WIDTH } else { 0 };
+        to = if goes_on { down / WIDTH } else { 0 };
+    }
+    out
+}
+
+/// A hit in one word: which pair of nodes, which child of either side.
+#[inline(always)]
+pub fn pack(team: u32, i: u32, j: u32) -> u32 {
+    team << 10 | i << 5 | j
+}
+
+/// The parts of [`pack`].
+#[inline(always)]
+pub fn unpack(hit: u32) -> [u32; 3] {
+    [hit >> 10 & 3, hit >> 5 & 31, hit & 31]
+}
+
+/// A hit that is kept as the `to`-th of its workgroup.
+#[inline(always)]
+pub fn keep(hit: u32, to: u32) -> u32 {
+    KEPT | to << 12 | hit
+}
+
+/// Which of its workgroup a kept hit is; [`NOT_KEPT`] for one that is not.
+#[inline(always)]
+pub fn kept(hit: u32) -> u32 {
+    if hit & KEPT != 0 { (hit & !KEPT) >> 12 } else { NOT_KEPT }
+}
+
+/// What [`kept`] says of a hit that is not.
+pub const NOT_KEPT: u32 = u32::MAX;
+const KEPT: u32 = 1 << 31;
+
+/// Whether two features whose boxes overlap are a candidate: no common vertex, bodies that are wanted, and boxes that overlap by more than rounding or
+/// also in the precision of the input.
+///
+/// `bodies`: per vertex `2 body + fixed`. `keys`: per vertex the bounds of its exact box, see [`bound_key`].
+#[inline(always)]
+pub fn wanted(params: &Params, a: &Leaf, b: &Leaf, boxes: [&Aabb<f32>; 2], bodies: &[u32], keys: &[[[u32; 2]; 6]]) -> bool {
+    let (p, q) = (&a.vertices, &b.vertices);
+    if params.has(Params::FLAG_TOPOLOGY) {
+        let shared = if params.kind == 0 {
+            p[0] == q[0] || p[0] == q[1] || p[0] == q[2]
+        } else {
+            p[0] == q[0] || p[0] == q[1] || p[1] == q[0] || p[1] == q[1]
+        };
+        if shared {
+            return false;
+        }
+    }
+    if params.has(Params::FLAG_BODIES) {
+        let (m, n) = (at(bodies, p[0] as usize), at(bodies, q[0] as usize));
+        let unwanted = m / 2 == n / 2 && !params.has(Params::FLAG_SELF_CONTACT);
+        if unwanted || m & n & 1 != 0 {
+            return false;
+        }
+    }
+    if params.has(Params::FLAG_CONFIRM) && !overlap_surely(boxes[0], boxes[1], params.slack) {
+        return overlap_exactly(p, q, keys);
+    }
+    true
+}
+
+/// Whether two boxes overlap by more than `slack` on every axis.
+#[inline(always)]
+fn overlap_surely(a: &Aabb<f32>, b: &Aabb<f32>, slack: f32) -> bool {
+    (a.max[0] - b.min[0] > slack)
+        & (b.max[0] - a.min[0] > slack)
+        & (a.max[1] - b.min[1] > slack)
+        & (b.max[1] - a.min[1] > slack)
+        & (a.max[2] - b.min[2] > slack)
+        & (b.max[2] - a.min[2] > slack)
+}
+
+/// Whether the exact boxes of two features overlap.
+#[inline(always)]
+fn overlap_exactly(p: &[u32; 3], q: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> bool {
+    overlap_on::<0, 3>(p, q, keys) & overlap_on::<1, 4>(p, q, keys) & overlap_on::<2, 5>(p, q, keys)
+}
+
+/// Whether they overlap on an axis whose bounds are the keys `MIN` and `MAX` of a vertex.
+#[inline(always)]
+fn overlap_on<const MIN: usize, const MAX: usize>(p: &[u32; 3], q: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> bool {
+    !above(least::<MIN>(p, keys), greatest::<MAX>(q, keys)) & !above(least::<MIN>(q, keys), greatest::<MAX>(p, keys))
+}
+
+/// Whether the number of key `a` is greater than that of key `b`.
+#[inline(always)]
+fn above(a: [u32; 2], b: [u32; 2]) -> bool {
+    a[1] > b[1] || (a[1] == b[1] && a[0] > b[0])
+}
+
+#[inline(always)]
+fn least<const KEY: usize>(vertices: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> [u32; 2] {
+    let lesser = |a: [u32; 2], b: [u32; 2]| if above(a, b) { b } else { a };
+    let key = |i: u32| at(keys, i as usize)[KEY];
+    lesser(lesser(key(vertices[0]), key(vertices[1])), key(vertices[2]))
+}
+
+#[inline(always)]
+fn greatest<const KEY: usize>(vertices: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> [u32; 2] {
+    let greater = |a: [u32; 2], b: [u32; 2]| if above(b, a) { b } else { a };
+    let key = |i: u32| at(keys, i as usize)[KEY];
+    greater(greater(key(vertices[0]), key(vertices[1])), key(vertices[2]))
+}
+
+/// A bound as two words, low first, whose order as integers is that of the numbers: exact comparisons on devices without `f64`.
+#[inline(always)]
+pub fn bound_key(x: f64) -> [u32; 2] {
+    let [low, high] = split(x);
+    if high >> 31 == 0 || (high == 1 << 31 && low == 0) {
+        // Both zeros are equal as bounds.
+        [low, high | 1 << 31]
+    } else {
+        [!low, !high]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_are_in_the_order_of_numbers() {
+        let x = [-1e300, -2.0, -1.0, -1e-300, 0.0, 1e-310, 1.0, 1.0 + f64::EPSILON, 4e9, 1e300];
+        for i in 0..x.len() {
+            for j in 0..x.len() {
+                assert_eq!(above(bound_key(x[i]), bound_key(x[j])), x[i] > x[j], "{:e} {:e}", x[i], x[j]);
+            }
+        }
+        assert_eq!(bound_key(0.0), bound_key(-0.0));
+    }
+
+    #[test]
+    fn hits_pack() {
+        for hit in [[0, 0, 0], [3, 31, 7], [TEAMS - 1, WIDTH - 1, WIDTH - 1]] {
+            let [team, i, j] = hit;
+            let word = pack(team, i, j);
+            assert_eq!((unpack(word), kept(word)), (hit, NOT_KEPT));
+            assert_eq!((unpack(keep(word, POOL - 1)), kept(keep(word, POOL - 1))), (hit, POOL - 1));
+        }
+    }
+}

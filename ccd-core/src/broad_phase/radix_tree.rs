@@ -1,0 +1,99 @@
+//! Map: the binary radix tree over sorted Morton codes, every internal node independently (Karras 2012, section 4).
+//!
+//! Changed here: codes are one or two 32-bit words, and the tie-break of equal codes by their index is part of the same comparison.
+
+use crate::kernel::Words;
+use crate::kernel::memory::at;
+use crate::layout::Branch;
+
+/// Levels that a tree can have: 63 bits of code and 32 of index, each deciding at most once on a path, and a leaf.
+/// Stacks of traversals are this large, so they cannot overflow.
+pub const MAX_DEPTH: usize = 96;
+
+/// What boxes are sorted by, as far as a tree needs it.
+pub trait Code: Copy {
+    /// Bits of a code.
+    const BITS: u32;
+    /// Leading bits that two codes have in common.
+    fn common(self, other: Self) -> u32;
+}
+
+impl Code for u32 {
+    const BITS: u32 = 32;
+    #[inline(always)]
+    fn common(self, other: Self) -> u32 {
+        (self ^ other).leading_zeros()
+    }
+}
+
+/// Low word first.
+impl Code for [u32; 2] {
+    const BITS: u32 = 64;
+    #[inline(always)]
+    fn common(self, other: Self) -> u32 {
+        let high = (self[1] ^ other[1]).leading_zeros();
+        if high < 32 { high } else { 32 + (self[0] ^ other[0]).leading_zeros() }
+    }
+}
+
+/// Bits that key `i` (code, then index) has in common with the one `distance` ahead of it or behind it, plus one; 0 if there is none.
+#[inline(always)]
+fn prefix<C: Code>(codes: &[C], n: u32, i: u32, ahead: bool, distance: u32) -> u32 {
+    let there = if ahead { distance < n - i } else { distance <= i };
+    if !there {
+        return 0;
+    }
+    let j = if ahead { i + distance } else { i - distance };
+    let common = at(codes, i as usize).common(at(codes, j as usize));
+    1 + if common < C::BITS { common } else { C::BITS + (i ^ j).leading_zeros() }
+}
+
+/// Internal node `i` of the tree over the first `n` of `codes`, which are sorted ascending; `i < n - 1`, `n < 2^31`.
+///
+/// Every loop halves or doubles a length of less than `2^31`, so runs at most 32 times.
+#[inline(always)]
+pub fn branch<C: Code>(i: u32, n: u32, codes: &[C]) -> Branch {
+    let n_internal = n - 1;
+    // The direction of the node's range, and the prefix that all of the range exceeds.
+    let (next, last) = (prefix(codes, n, i, true, 1), prefix(codes, n, i, false, 1));
+    let ahead = next > last;
+    let outside = if ahead { last } else { next };
+    let mut reach = 2;
+    while reach < n && prefix(codes, n, i, ahead, reach) > outside {
+        reach *= 2;
+    }
+    // The other end by binary search.
+    let mut length = 0;
+    let mut part = reach / 2;
+    while part > 0 {
+        if prefix(codes, n, i, ahead, length + part) > outside {
+            length += part;
+        }
+        part /= 2;
+    }
+    // The split: the last key that shares more than the node's prefix with the first.
+    let node = prefix(codes, n, i, ahead, length);
+    let mut split = 0;
+    let mut part = length;
+    while part > 1 {
+        part = part.div_ceil(2);
+        if prefix(codes, n, i, ahead, split + part) > node {
+            split += part;
+        }
+    }
+    let (first, last) = if ahead { (i, i + length) } else { (i - length, i) };
+    let gamma = if ahead { i + split } else { i - split - 1 };
+    Branch {
+        left: if first == gamma { n_internal + gamma } else { gamma },
+        right: if last == gamma + 1 { n_internal + gamma + 1 } else { gamma + 1 },
+        first,
+        last,
+    }
+}
+
+/// Writes `i` as the parent of its children. Every node but the root has one parent, so no word is written twice.
+#[inline]
+pub fn link(i: usize, branch: &Branch, parents: &impl Words) {
+    parents.store(branch.left as usize, i as u32);
+    parents.store(branch.right as usize, i as u32);
+}

@@ -1,0 +1,83 @@
+//! A contact between two features: which, how certain, when; and numbers by kind of pair.
+
+use crate::layout::{Pair, Touch, join};
+use crate::narrow_phase::query::Verdict;
+
+/// Which features touch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Kind {
+    /// Vertex `a`, face `b`.
+    VertexFace,
+    /// Edges `a < b`.
+    EdgeEdge,
+}
+
+/// How certain a contact is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum State {
+    /// Certainly a contact; the time of impact is at most [`crate::TOI_TOLERANCE`] early.
+    Hit,
+    /// Not decided: to be treated as a contact, may be none; certainly none before its time of impact.
+    Undecided,
+}
+
+/// A contact between two features.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// Vertex-face or edge-edge.
+    pub kind: Kind,
+    /// Whether it is certain.
+    pub state: State,
+    /// Vertex id, or the lesser edge id.
+    pub a: u32,
+    /// Face id, or the greater edge id.
+    pub b: u32,
+    /// Time of impact in `[0, 1]`; never later than the first contact of the two features.
+    pub toi: f64,
+}
+
+impl Contact {
+    /// The contact that a verdict on a pair means; `None` for a miss.
+    #[inline]
+    pub fn of(kind: Kind, pair: Pair, verdict: Verdict<f64>) -> Option<Self> {
+        let (state, toi) = match verdict {
+            Verdict::Miss => return None,
+            Verdict::Hit { toi } => (State::Hit, toi),
+            Verdict::Undecided { toi } => (State::Undecided, toi),
+        };
+        Some(Self { kind, state, a: pair.a, b: pair.b, toi })
+    }
+}
+
+/// From what a device writes.
+impl From<&Touch> for Contact {
+    fn from(touch: &Touch) -> Self {
+        let kind = if touch.kind == 0 { Kind::VertexFace } else { Kind::EdgeEdge };
+        let state = if touch.state == 0 { State::Hit } else { State::Undecided };
+        Self { kind, state, a: touch.a, b: touch.b, toi: join(touch.toi) }
+    }
+}
+
+/// A number for each kind of pair.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PerKind {
+    /// Vertex-face.
+    pub vf: u64,
+    /// Edge-edge.
+    pub ee: u64,
+}
+
+impl PerKind {
+    /// Both together.
+    pub fn total(&self) -> u64 {
+        self.vf + self.ee
+    }
+
+    /// The number for one kind.
+    pub fn of(&mut self, kind: Kind) -> &mut u64 {
+        match kind {
+            Kind::VertexFace => &mut self.vf,
+            Kind::EdgeEdge => &mut self.ee,
+        }
+    }
+}

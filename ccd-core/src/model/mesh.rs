@@ -1,0 +1,111 @@
+//! Mesh topology: faces, and the undirected edges in a canonical order.
+
+use crate::model::error::Error;
+use alloc::vec::Vec;
+
+/// The connectivity of a triangle mesh; it stays the same while vertices move.
+///
+/// Edges are undirected vertex pairs `[a, b]` with `a < b`, sorted by `b`, then by `a`: the order of the upper triangle of an adjacency matrix
+/// column by column, which published collision data uses. Their ids do not depend on the order of faces. A degenerate face
+/// (a vertex twice) is kept and counted; its sides that join a vertex with itself are no edges.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Mesh {
+    n_vertices: usize,
+    faces: Vec<[u32; 3]>,
+    edges: Vec<[u32; 2]>,
+    n_degenerate: usize,
+}
+
+impl Mesh {
+    /// A mesh of `n_vertices` vertices and these faces; edges are derived.
+    pub fn new(n_vertices: usize, faces: &[[u32; 3]]) -> Result<Self, Error> {
+        Self::with_edges(n_vertices, faces, &[])
+    }
+
+    /// A mesh with edges that no face has (rods, wires) besides those of the faces. Repeated edges count once.
+    pub fn with_edges(n_vertices: usize, faces: &[[u32; 3]], more_edges: &[[u32; 2]]) -> Result<Self, Error> {
+        limit("vertices", n_vertices)?;
+        limit("faces", faces.len())?;
+        limit("edges", faces.len().saturating_mul(3).saturating_add(more_edges.len()))?;
+        let mut n_degenerate = 0;
+        for (at, face) in faces.iter().enumerate() {
+            for &vertex in face {
+                check_index("face", at, vertex, n_vertices)?;
+            }
+            n_degenerate += (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) as usize;
+        }
+        for (at, edge) in more_edges.iter().enumerate() {
+            for &vertex in edge {
+                check_index("edge", at, vertex, n_vertices)?;
+            }
+            n_degenerate += (edge[0] == edge[1]) as usize;
+        }
+        let sides = faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+        let mut edges: Vec<[u32; 2]> =
+            sides.chain(more_edges.iter().copied()).filter(|[a, b]| a != b).map(|[a, b]| if a < b { [a, b] } else { [b, a] }).collect();
+        edges.sort_unstable_by_key(|&[a, b]| (b, a));
+        edges.dedup();
+        edges.shrink_to_fit();
+        Ok(Self { n_vertices, faces: faces.to_vec(), edges, n_degenerate })
+    }
+
+    /// Number of vertices, also those in no face.
+    pub fn n_vertices(&self) -> usize {
+        self.n_vertices
+    }
+
+    /// Faces as given.
+    pub fn faces(&self) -> &[[u32; 3]] {
+        &self.faces
+    }
+
+    /// Undirected edges `[a, b]`, `a < b`, sorted by `b`, then by `a`.
+    pub fn edges(&self) -> &[[u32; 2]] {
+        &self.edges
+    }
+
+    /// Checks that there is a position for every vertex at both ends of a step.
+    pub fn check_positions<T>(&self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<(), Error> {
+        let expected = self.n_vertices;
+        for (time, found) in [(0, x0.len()), (1, x1.len())] {
+            if expected != found {
+                return Err(Error::VertexCount { time, expected, found });
+            }
+        }
+        Ok(())
+    }
+
+    /// Faces and given edges that name a vertex twice.
+    pub fn n_degenerate(&self) -> usize {
+        self.n_degenerate
+    }
+}
+
+fn limit(element: &'static str, count: usize) -> Result<(), Error> {
+    let (count, limit) = (count as u64, Error::MAX_ELEMENTS);
+    if count > limit { Err(Error::TooMany { element, count, limit }) } else { Ok(()) }
+}
+
+fn check_index(element: &'static str, at: usize, vertex: u32, n_vertices: usize) -> Result<(), Error> {
+    if (vertex as usize) < n_vertices { Ok(()) } else { Err(Error::Index { element, at, vertex, n_vertices }) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn edges_are_sorted_and_unique() {
+        let mesh = Mesh::new(5, &[[4, 2, 1], [1, 2, 0], [3, 3, 0]]).unwrap();
+        assert_eq!(mesh.edges(), [[0, 1], [0, 2], [1, 2], [0, 3], [1, 4], [2, 4]]);
+        assert_eq!(mesh.n_degenerate(), 1);
+        assert_eq!(Mesh::new(0, &[]).unwrap().edges(), [[0u32; 2]; 0]);
+    }
+
+    #[test]
+    fn bad_indices_and_counts_are_named() {
+        let want = Error::Index { element: "face", at: 1, vertex: 7, n_vertices: 3 };
+        assert_eq!(Mesh::new(3, &[[0, 1, 2], [0, 7, 2]]), Err(want));
+        assert!(matches!(Mesh::new(1 << 31, &[]), Err(Error::TooMany { element: "vertices", .. })));
+    }
+}

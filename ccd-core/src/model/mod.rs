@@ -1,0 +1,16 @@
+//! What a step is asked and what it answers: meshes, bodies, positions, options, contacts, errors.
+
+#[cfg(feature = "alloc")]
+pub mod bodies;
+pub mod contact;
+pub mod digest;
+pub mod error;
+#[cfg(feature = "alloc")]
+pub mod mesh;
+pub mod method;
+#[cfg(feature = "alloc")]
+pub mod options;
+pub mod precision;
+pub mod quantization;
+#[cfg(feature = "alloc")]
+pub mod report;

@@ -1,0 +1,204 @@
+//! What hosts find out about positions before a step: bounds, whether they are exact in `f32`, and the numbers that follow from that.
+
+use crate::math::aabb::Aabb;
+use crate::math::real::{Num, Real};
+use crate::model::error::Error;
+
+/// What one pass over positions finds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scan {
+    /// Bounds of all positions.
+    pub bounds: Aabb<f64>,
+    /// Whether each coordinate is an `f32`.
+    pub exact: bool,
+    /// Whether each coordinate is accepted, see [`Error::MAX_COORDINATE`].
+    pub finite: bool,
+}
+
+impl Default for Scan {
+    fn default() -> Self {
+        Self::NONE
+    }
+}
+
+impl Scan {
+    /// Of no position.
+    pub const NONE: Self = Self { bounds: Aabb { min: [f64::INFINITY; 3], max: [f64::NEG_INFINITY; 3] }, exact: true, finite: true };
+
+    /// Takes one position.
+    #[inline]
+    pub fn take<T: Real>(&mut self, p: [T; 3]) {
+        for k in 0..3 {
+            let c = p[k].to_f64();
+            self.bounds.min[k] = Num::min(self.bounds.min[k], c);
+            self.bounds.max[k] = Num::max(self.bounds.max[k], c);
+            self.exact &= c as f32 as f64 == c;
+            // Written so that NaN fails.
+            self.finite &= c <= Error::MAX_COORDINATE && c >= -Error::MAX_COORDINATE;
+        }
+    }
+
+    /// Of the positions of both.
+    #[inline]
+    pub fn merged(&self, other: &Self) -> Self {
+        Self { bounds: self.bounds.union(&other.bounds), exact: self.exact & other.exact, finite: self.finite & other.finite }
+    }
+
+    /// Greatest absolute coordinate, 0 without positions.
+    pub fn greatest(&self) -> f64 {
+        (0..3).fold(0.0, |m, k| Num::max(m, Num::max(Num::abs(self.bounds.min[k]), Num::abs(self.bounds.max[k])))).min(f64::MAX)
+    }
+
+    /// Whether boxes in `f32` of positions of type `T` are rounded: by rounding the input, or by growing exact boxes.
+    pub fn rounds_boxes<T: Real>(&self, min_distance: f64) -> bool {
+        T::UNIT.to_f64() < f32::UNIT as f64 && !(self.exact && min_distance == 0.0)
+    }
+
+    /// By how much rounded boxes may overlap without overlapping in truth, see [`slack_at`].
+    pub fn slack(&self, min_distance: f64) -> f32 {
+        slack_at((self.greatest() + min_distance).round_up())
+    }
+
+    /// How positions become `f32`: as they are if they are exact and `keep`, else relative to the middle of their bounds, and
+    /// in another unit where theirs is one in which products of `f32` would overflow or vanish.
+    pub fn table(&self, keep: bool) -> Table {
+        let empty = self.bounds.min[0] > self.bounds.max[0];
+        if empty || self.exact && keep && self.greatest() <= EXACT_LIMIT {
+            return Table::AS_GIVEN;
+        }
+        let mut origin = [0.0; 3];
+        let mut reach = 0f64;
+        for k in 0..3 {
+            origin[k] = 0.5 * self.bounds.min[k] + 0.5 * self.bounds.max[k];
+            let far = Num::max(self.bounds.max[k] - origin[k], origin[k] - self.bounds.min[k]);
+            reach = Num::max(reach, far);
+        }
+        let scale = scale_of(reach);
+        // Rounding to f32, and before it at most six roundings in f64 of numbers no greater than the coordinates.
+        let error = reach * (1.01 * f32::UNIT as f64) + self.greatest() * (16.0 * f64::UNIT);
+        // Scaling is exact unless the result is tiny; so is the rounding to f32.
+        let error = error * scale * (1.0 + 4.0 * f64::UNIT) + 2.0 * f32::MIN_NORMAL as f64;
+        Table { origin, scale, error: error.round_up() }
+    }
+}
+
+/// Coordinates in `f32` up to this, 2^28, are taken as they are: the fourth powers of their differences, which filters
+/// form, are finite.
+const EXACT_LIMIT: f64 = 268_435_456.0;
+
+/// The power of two that brings `reach` to about 2^16 where it is far from it; 1 from 2^-16 to 2^28.
+fn scale_of(reach: f64) -> f64 {
+    const BIAS: u64 = 1023;
+    if reach >= 1.0 / 65_536.0 && reach <= EXACT_LIMIT || reach < f64::MIN_NORMAL {
+        return 1.0;
+    }
+    // 2^(16 - e) for a reach in 2^e .. 2^(e + 1); e is at most 334 for coordinates up to 1e100.
+    let exponent = reach.to_bits() >> 52;
+    f64::from_bits((2 * BIAS + 16 - exponent).min(2 * BIAS) << 52)
+}
+
+/// Positions in `f32`, relative to an origin and in a unit of their own.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Table {
+    /// What is subtracted.
+    pub origin: [f64; 3],
+    /// By what the difference is multiplied: a power of two.
+    pub scale: f64,
+    /// How far a coordinate may be from the true one, in the unit of the table.
+    pub error: f32,
+}
+
+impl Default for Table {
+    fn default() -> Self {
+        Self::AS_GIVEN
+    }
+}
+
+impl Table {
+    /// Positions that are `f32` already.
+    pub const AS_GIVEN: Self = Self { origin: [0.0; 3], scale: 1.0, error: 0.0 };
+
+    /// A position in the table.
+    #[inline]
+    pub fn place(&self, p: [f64; 3]) -> [f32; 3] {
+        let at = |k: usize| ((p[k] - self.origin[k]) * self.scale) as f32;
+        [at(0), at(1), at(2)]
+    }
+
+    /// A distance in the unit of the table, rounded up.
+    #[inline]
+    pub fn distance(&self, min_distance: f64) -> f32 {
+        // The product is exact unless it is tiny, and then some normal number is above it.
+        let scaled = min_distance * self.scale;
+        let tiny = min_distance > 0.0 && scaled < f32::MIN_NORMAL as f64;
+        if tiny { f32::MIN_NORMAL } else { scaled.round_up() }
+    }
+}
+
+/// Half of the minimum distance and the smallest normal number, rounded up: two boxes grown by it keep the distance.
+///
+/// The smallest normal number is for devices that flush denormals. A coordinate that is flushed when it is read moves by less
+/// than that, and what a comparison or a sum flushes keeps its order; a margin that is a denormal would be none.
+pub fn margin<T: Real>(min_distance: f64) -> T {
+    let half = T::from_f64(min_distance * 0.5);
+    // Two roundings, of half of a unit of the sum each at most, are one step.
+    if min_distance > 0.0 { (half + T::MIN_NORMAL).next_up() } else { T::splat(0.0) }
+}
+
+/// Boxes of coordinates up to `greatest` that were rounded to `f32` and overlap by at most this may not overlap in truth: twice the spacing of `f32` there,
+/// since outward rounding moves two bounds by less than that together.
+pub fn slack_at(greatest: f32) -> f32 {
+    greatest * (8.0 * f32::UNIT) + f32::MIN_NORMAL
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Corners of a cube of half side `reach` around `centre`, and points near its middle.
+    fn check_table(centre: f64, reach: f64) {
+        let mut scan = Scan::NONE;
+        let points: [[f64; 3]; 3] = [[centre - reach; 3], [centre + reach; 3], [centre + 0.123_456_789 * reach; 3]];
+        points.iter().for_each(|p| scan.take(*p));
+        let table = scan.table(true);
+        for p in points {
+            let placed = table.place(p)[0];
+            assert!(placed.is_finite_number(), "{centre:e} {reach:e}: {placed}");
+            // Exact up to the rounding of f64, of numbers no greater than the coordinates.
+            let want = (p[0] - table.origin[0]) * table.scale;
+            let slack = scan.greatest() * 4.0 * f64::UNIT * table.scale;
+            assert!((placed as f64 - want).abs() <= table.error as f64 + slack, "{centre:e} {reach:e}: {placed} for {want}");
+            let largest = placed.abs() as f64;
+            assert!(largest <= 2.0 * EXACT_LIMIT, "{centre:e} {reach:e}: {placed} overflows in a filter");
+        }
+        if reach > 0.0 {
+            assert!((table.error as f64) < 1e-6 * (reach + centre.abs() * 1e-8) * table.scale + 3e-38, "{centre:e} {reach:e}: {table:?}");
+        }
+    }
+
+    #[test]
+    fn tables_are_finite_and_close_in_every_unit() {
+        for e in -100..=99 {
+            let unit = 10f64.powi(e);
+            for centre in [0.0, unit, -3.0 * unit] {
+                check_table(centre, unit);
+                check_table(centre, 0.3 * unit);
+            }
+        }
+        check_table(1e100, 0.0);
+        check_table(0.0, 0.0);
+    }
+
+    #[test]
+    fn exact_positions_are_kept_where_filters_cannot_overflow() {
+        let scan = |x: f64| {
+            let mut scan = Scan::NONE;
+            scan.take([x; 3]);
+            scan.take([-x; 3]);
+            scan
+        };
+        assert_eq!(scan(1.5).table(true), Table::AS_GIVEN);
+        assert_eq!(scan(EXACT_LIMIT).table(true), Table::AS_GIVEN);
+        assert!(scan(2.0 * EXACT_LIMIT).table(true).scale < 1.0 && scan(1e38).table(true).error > 0.0);
+    }
+}

@@ -1,0 +1,53 @@
+//! Map: what the filters in `f32` say about one candidate pair.
+
+use crate::kernel::memory::at;
+use crate::layout::{Leaf, Path};
+use crate::narrow_phase::coplanarity::Coplanarity;
+use crate::narrow_phase::relative_motion::{Motion, Patch};
+use crate::narrow_phase::separating_direction::beside;
+
+/// Whether a vertex and a face may come within `min_distance`; `false` is certain.
+///
+/// `error`: how far a coordinate of a path may be from the true one.
+#[inline(always)]
+pub fn vertex_face(v: &Leaf, f: &Leaf, paths: &[Path], error: f32, min_distance: f32) -> bool {
+    let ids = [v.vertices[0], f.vertices[0], f.vertices[1], f.vertices[2]];
+    let (x0, x1) = ends(ids, paths);
+    may_touch(&Motion::vertex_face(&x0, &x1, error), Patch::Triangle, min_distance)
+}
+
+/// Whether two edges, the lesser id first, may come within `min_distance`; `false` is certain.
+#[inline(always)]
+pub fn edge_edge(a: &Leaf, b: &Leaf, paths: &[Path], error: f32, min_distance: f32) -> bool {
+    let ids = [a.vertices[0], a.vertices[1], b.vertices[0], b.vertices[1]];
+    let (x0, x1) = ends(ids, paths);
+    may_touch(&Motion::edge_edge(&x0, &x1, error), Patch::Parallelogram, min_distance)
+}
+
+/// Positions of four vertices at both ends.
+#[inline(always)]
+pub fn ends(ids: [u32; 4], paths: &[Path]) -> ([[f32; 3]; 4], [[f32; 3]; 4]) {
+    let (p, q) = (at(paths, ids[0] as usize), at(paths, ids[1] as usize));
+    let (r, s) = (at(paths, ids[2] as usize), at(paths, ids[3] as usize));
+    ([three(p.t0), three(q.t0), three(r.t0), three(s.t0)], [three(p.t1), three(q.t1), three(r.t1), three(s.t1)])
+}
+
+#[inline(always)]
+fn three(p: [f32; 4]) -> [f32; 3] {
+    [p[0], p[1], p[2]]
+}
+
+/// Over the whole step, then over each half of it.
+#[inline(always)]
+fn may_touch(m: &Motion<f32>, patch: Patch, min_distance: f32) -> bool {
+    if apart(m, patch, min_distance) {
+        return false;
+    }
+    let (first, second) = m.halves();
+    !(apart(&first, patch, min_distance) && apart(&second, patch, min_distance))
+}
+
+#[inline(always)]
+fn apart(m: &Motion<f32>, patch: Patch, min_distance: f32) -> bool {
+    Coplanarity::new(m).clearance(min_distance) > 0.0 || beside(m, patch, min_distance) > 0.0
+}

@@ -1,0 +1,50 @@
+//! The point of a patch nearest to the origin: gives a direction to separate along, and an upper bound of the distance.
+
+use crate::math::real::Real;
+use crate::math::vec3::{dot, scale, sub};
+use crate::narrow_phase::relative_motion::Patch;
+
+/// `x` limited to `[0, 1]`; NaN (from a side of no length) becomes 0.
+#[inline]
+fn unit<R: Real>(x: R) -> R {
+    if x > R::splat(0.0) { if x < R::splat(1.0) { x } else { R::splat(1.0) } } else { R::splat(0.0) }
+}
+
+/// `a - x b` with the `x` in `[0, 1]` that makes it shortest.
+#[inline]
+fn to_segment<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
+    sub(a, scale(b, unit(dot(a, b) / dot(b, b))))
+}
+
+/// The shortest `a - s b - r c` with `(s, r)` in the patch, up to rounding.
+///
+/// Whatever rounding does, the result is some such vector, up to `6 u (A + B + C)` a component, where `A B C`
+/// bound those of `a b c`: its length bounds the distance from above. For `s` and `r` are within the patch
+/// as they are computed (their sum may exceed 1 by `u`), however wrong; then `b s`, `c r`, their sum and
+/// the difference round by `u (A + 3 B + 3 C)`, and a side from a corner, `(a - b) - (c - b) x`, by
+/// `u (2 A + 5 B + 3 C)`. A degenerate patch (collinear or zero sides) is handled by its boundary.
+pub fn closest<R: Real>(a: [R; 3], b: [R; 3], c: [R; 3], patch: Patch) -> [R; 3] {
+    let (bb, bc, cc) = (dot(b, b), dot(b, c), dot(c, c));
+    let (ab, ac) = (dot(a, b), dot(a, c));
+    let det = bb * cc - bc * bc;
+    let (zero, one) = (R::splat(0.0), R::splat(1.0));
+    let s = (ab * cc - ac * bc) / det;
+    let r = (ac * bb - ab * bc) / det;
+    let within = match patch {
+        Patch::Triangle => s >= zero && r >= zero && s + r <= one,
+        Patch::Parallelogram => s >= zero && r >= zero && s <= one && r <= one,
+    };
+    if det > zero && within {
+        return sub(a, [b[0] * s + c[0] * r, b[1] * s + c[1] * r, b[2] * s + c[2] * r]);
+    }
+    let a_b = sub(a, b);
+    let sides = match patch {
+        Patch::Triangle => {
+            let hypotenuse = to_segment(a_b, sub(c, b));
+            [to_segment(a, b), to_segment(a, c), hypotenuse, hypotenuse]
+        }
+        Patch::Parallelogram => [to_segment(a, b), to_segment(a, c), to_segment(a_b, c), to_segment(sub(a, c), b)],
+    };
+    let nearer = |p: [R; 3], q: [R; 3]| if dot(q, q) < dot(p, p) { q } else { p };
+    nearer(nearer(nearer(sides[0], sides[1]), sides[2]), sides[3])
+}

@@ -1,0 +1,181 @@
+//! Map: the verdict of one pair that the filters left, from the buffers of a device.
+
+use super::cascade::ends;
+use crate::broad_phase::placement::given;
+use crate::kernel::memory::at;
+use crate::layout::{Pair, Params, Path, join, split};
+use crate::math::real::Real;
+use crate::narrow_phase::query::{Verdict, solve};
+use crate::narrow_phase::relative_motion::{Motion, Patch};
+
+/// A verdict in words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Verdicts {
+    /// Contact, or not decided.
+    pub touches: bool,
+    /// 1 if not decided.
+    pub undecided: u32,
+    /// Time of impact: bits of an `f64`, low word first.
+    pub toi: [u32; 2],
+}
+
+/// Rounds that workgroup `own` of `groups` needs for its share of `n` items.
+#[inline(always)]
+pub fn rounds(n: u32, own: u32, groups: u32, threads: u32) -> u32 {
+    let tiles = n.div_ceil(threads);
+    if tiles > own { (tiles - own).div_ceil(groups) } else { 0 }
+}
+
+/// A time of impact in `[0, 1]` as an integer of the same order, rounded down: the upper bits of its `f64`, which start at 2^-126 like those of `f32`.
+///
+/// The bits of the `f32` next below, for `toi >= 2^-126`; 0 for lesser ones.
+#[inline(always)]
+pub fn earliest_key(toi: [u32; 2]) -> u32 {
+    // 11 bits of exponent, bias 1023, to 8 bits, bias 127; the 29 lowest bits of the fraction fall away.
+    let exponent = toi[1] >> 20;
+    if exponent <= 1023 - 127 {
+        return 0;
+    }
+    (exponent - (1023 - 127)) << 23 | (toi[1] & 0xf_ffff) << 3 | toi[0] >> 29
+}
+
+/// The key while there is no time of impact.
+pub const NEVER: u32 = u32::MAX;
+
+/// The time of a key; 1 if there is none.
+#[inline(always)]
+pub fn until(key: u32) -> f32 {
+    if key < 0x3f80_0000 { f32::from_bits(key) } else { 1.0 }
+}
+
+/// The bits of an `f32` in `[0, 1]` as those of an `f64`; a denormal becomes 0, which is earlier.
+#[inline(always)]
+pub fn widen(toi: f32) -> [u32; 2] {
+    let bits = toi.to_bits();
+    if bits < 0x0080_0000 || bits >> 31 == 1 {
+        return [0; 2];
+    }
+    [bits << 29, ((bits >> 23) + (1023 - 127)) << 20 | (bits & 0x7f_ffff) >> 3]
+}
+
+#[inline(always)]
+fn verdicts<R>(verdict: Verdict<R>, bits: impl Fn(R) -> [u32; 2]) -> Verdicts {
+    match verdict {
+        Verdict::Miss => Verdicts { touches: false, undecided: 0, toi: [0; 2] },
+        Verdict::Hit { toi } => Verdicts { touches: true, undecided: 0, toi: bits(toi) },
+        Verdict::Undecided { toi } => Verdicts { touches: true, undecided: 1, toi: bits(toi) },
+    }
+}
+
+/// Decides vertex `pair.a` against face `pair.b` in `f32`.
+#[inline(always)]
+pub fn vertex_face(pair: Pair, params: &Params, paths: &[Path], faces: &[[u32; 3]]) -> Verdicts {
+    let (x0, x1) = ends(vertex_face_ids(pair, faces), paths);
+    verdicts(solve(&Motion::vertex_face(&x0, &x1, params.path_error), Patch::Triangle, params.min_distance), widen)
+}
+
+/// Decides edges `pair.a` and `pair.b` in `f32`.
+#[inline(always)]
+pub fn edge_edge(pair: Pair, params: &Params, paths: &[Path], edges: &[[u32; 2]]) -> Verdicts {
+    let (x0, x1) = ends(edge_edge_ids(pair, edges), paths);
+    verdicts(solve(&Motion::edge_edge(&x0, &x1, params.path_error), Patch::Parallelogram, params.min_distance), widen)
+}
+
+/// Decides vertex `pair.a` against face `pair.b` in `f64`.
+#[inline(always)]
+pub fn vertex_face_wide(pair: Pair, params: &Params, paths: &[Path], wide: &[[f64; 3]], faces: &[[u32; 3]]) -> Verdicts {
+    let (x0, x1) = wide_ends(vertex_face_ids(pair, faces), params, paths, wide);
+    verdicts(solve(&Motion::vertex_face(&x0, &x1, 0.0), Patch::Triangle, join(params.distance_bits)), split)
+}
+
+/// Decides edges `pair.a` and `pair.b` in `f64`.
+#[inline(always)]
+pub fn edge_edge_wide(pair: Pair, params: &Params, paths: &[Path], wide: &[[f64; 3]], edges: &[[u32; 2]]) -> Verdicts {
+    let (x0, x1) = wide_ends(edge_edge_ids(pair, edges), params, paths, wide);
+    verdicts(solve(&Motion::edge_edge(&x0, &x1, 0.0), Patch::Parallelogram, join(params.distance_bits)), split)
+}
+
+/// Positions as given: in `f32` if those are exact.
+#[inline(always)]
+fn wide_ends(ids: [u32; 4], params: &Params, paths: &[Path], positions: &[[f64; 3]]) -> ([[f64; 3]; 4], [[f64; 3]; 4]) {
+    if params.has(Params::FLAG_EXACT) {
+        let (p, q) = ends(ids, paths);
+        (widened(p), widened(q))
+    } else {
+        let (v0, v1) = (given(ids[0], params, positions), given(ids[1], params, positions));
+        let (v2, v3) = (given(ids[2], params, positions), given(ids[3], params, positions));
+        ([v0.0, v1.0, v2.0, v3.0], [v0.1, v1.1, v2.1, v3.1])
+    }
+}
+
+#[inline(always)]
+fn widened(x: [[f32; 3]; 4]) -> [[f64; 3]; 4] {
+    let wide = |p: [f32; 3]| [p[0] as f64, p[1] as f64, p[2] as f64];
+    [wide(x[0]), wide(x[1]), wide(x[2]), wide(x[3])]
+}
+
+/// Positions of four vertices at one time, in the precision `R` of the arithmetic.
+#[inline]
+pub fn gather<T: Copy + Into<R>, R: Real>(ids: [u32; 4], x: &[[T; 3]]) -> [[R; 3]; 4] {
+    let mut out = [[R::splat(0.0); 3]; 4];
+    for i in 0..4 {
+        let p = at(x, ids[i] as usize);
+        out[i] = [p[0].into(), p[1].into(), p[2].into()];
+    }
+    out
+}
+
+/// The vertex ids `v f0 f1 f2` of a vertex-face pair.
+#[inline(always)]
+pub fn vertex_face_ids(pair: Pair, faces: &[[u32; 3]]) -> [u32; 4] {
+    let [f0, f1, f2] = at(faces, pair.b as usize);
+    [pair.a, f0, f1, f2]
+}
+
+/// The vertex ids `ea0 ea1 eb0 eb1` of an edge-edge pair.
+#[inline(always)]
+pub fn edge_edge_ids(pair: Pair, edges: &[[u32; 2]]) -> [u32; 4] {
+    let ([a0, a1], [b0, b1]) = (at(edges, pair.a as usize), at(edges, pair.b as usize));
+    [a0, a1, b0, b1]
+}
+
+/// Verdict of a vertex-face pair of vertices `v f0 f1 f2`; every coordinate may be off by `coordinate_error`.
+pub fn vertex_face_pair<T: Copy + Into<R>, R: Real>(
+    ids: [u32; 4],
+    x0: &[[T; 3]],
+    x1: &[[T; 3]],
+    min_distance: R,
+    coordinate_error: R,
+) -> Verdict<R> {
+    let m = Motion::vertex_face(&gather(ids, x0), &gather(ids, x1), coordinate_error);
+    solve(&m, Patch::Triangle, min_distance)
+}
+
+/// Verdict of an edge-edge pair of vertices `ea0 ea1 eb0 eb1`; every coordinate may be off by `coordinate_error`.
+pub fn edge_edge_pair<T: Copy + Into<R>, R: Real>(
+    ids: [u32; 4],
+    x0: &[[T; 3]],
+    x1: &[[T; 3]],
+    min_distance: R,
+    coordinate_error: R,
+) -> Verdict<R> {
+    let m = Motion::edge_edge(&gather(ids, x0), &gather(ids, x1), coordinate_error);
+    solve(&m, Patch::Parallelogram, min_distance)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_are_the_bits_of_f32_rounded_down() {
+        for toi in [0.0, 1e-300, 1.2e-38, 7.49207e-6, 0.1, 1.0 / 3.0, 0.5, 1.0 - f64::EPSILON, 1.0] {
+            let want = if toi < f32::MIN_POSITIVE as f64 { 0.0 } else { Real::round_down(toi) };
+            assert_eq!(f32::from_bits(earliest_key(split(toi))), want, "{toi:e}");
+        }
+        for toi in [0.0f32, 1e-40, 1.2e-38, 7.49207e-6, 0.1, 1.0] {
+            let want = if toi < f32::MIN_POSITIVE { 0.0 } else { toi as f64 };
+            assert_eq!(join(widen(toi)), want, "{toi:e}");
+        }
+    }
+}

@@ -1,0 +1,12 @@
+//! One vertex against one face, or two edges: filters first, then a certified verdict.
+
+pub mod cascade;
+pub mod closest_point;
+pub mod conservative_advancement;
+pub mod containment;
+pub mod coplanarity;
+pub mod cubic_roots;
+pub mod decide;
+pub mod query;
+pub mod relative_motion;
+pub mod separating_direction;

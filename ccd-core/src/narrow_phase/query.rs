@@ -1,0 +1,224 @@
+//! The elemental queries: one vertex against one face, one edge against one edge, over one step.
+//!
+//! Coordinates are in any unit of length, time runs from 0 to 1, vertices move on straight lines. Contact is closed: touching
+//! counts, also at `t = 0` and `t = 1`. With a minimum distance `d > 0`, contact means a distance of at most `d`.
+
+use crate::math::real::Real;
+use crate::narrow_phase::conservative_advancement::{Advance, advance, within};
+use crate::narrow_phase::containment::{Inside, inside};
+use crate::narrow_phase::coplanarity::Coplanarity;
+use crate::narrow_phase::cubic_roots::Cubic;
+use crate::narrow_phase::relative_motion::{Motion, Patch};
+
+/// How early an unflagged time of impact may be, in units of the step.
+pub const TOI_TOLERANCE: f64 = 1e-6;
+/// Half of it, as kernels use it.
+const HALF_TOLERANCE: f32 = 5e-7;
+
+/// The answer of a query.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(u32)]
+pub enum Verdict<R> {
+    /// Certainly no contact during the step.
+    Miss,
+    /// Certainly contact; `toi` is not later than the first contact and at most [`TOI_TOLERANCE`] earlier.
+    Hit {
+        /// Time of impact in `[0, 1]`.
+        toi: R,
+    },
+    /// Neither could be certified in this arithmetic: to be treated as a contact. There is no contact before `toi`.
+    Undecided {
+        /// The time until which the step is certainly free, in `[0, 1]`.
+        toi: R,
+    },
+}
+
+impl<R: Real> Verdict<R> {
+    /// The time that a conservative caller may advance to: `None` for a miss.
+    #[inline]
+    pub fn toi(&self) -> Option<R> {
+        match *self {
+            Verdict::Miss => None,
+            Verdict::Hit { toi } | Verdict::Undecided { toi } => Some(toi),
+        }
+    }
+}
+
+/// A vertex-face query: `v f0 f1 f2` at both ends of the step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VertexFace<T> {
+    /// `v f0 f1 f2` at `t = 0`.
+    pub t0: [[T; 3]; 4],
+    /// `v f0 f1 f2` at `t = 1`.
+    pub t1: [[T; 3]; 4],
+}
+
+/// An edge-edge query: `ea0 ea1 eb0 eb1` at both ends of the step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EdgeEdge<T> {
+    /// `ea0 ea1 eb0 eb1` at `t = 0`.
+    pub t0: [[T; 3]; 4],
+    /// `ea0 ea1 eb0 eb1` at `t = 1`.
+    pub t1: [[T; 3]; 4],
+}
+
+macro_rules! widen {
+    ($name:ident) => {
+        impl $name<f32> {
+            /// The same query in `f64`; exact. What `f32` leaves undecided, this mostly decides.
+            pub fn widen(&self) -> $name<f64> {
+                let f = |x: &[[f32; 3]; 4]| x.map(|p| p.map(f64::from));
+                $name { t0: f(&self.t0), t1: f(&self.t1) }
+            }
+        }
+    };
+}
+widen!(VertexFace);
+widen!(EdgeEdge);
+
+/// Decides a vertex-face query in the arithmetic of `R`.
+///
+/// `min_distance >= 0`. Coordinates must be finite and at most 1e100 (`f64`); what overflows or underflows in `R` is undecided,
+/// not wrong.
+pub fn vertex_face<R: Real>(q: &VertexFace<R>, min_distance: R) -> Verdict<R> {
+    solve(&Motion::vertex_face(&q.t0, &q.t1, R::splat(0.0)), Patch::Triangle, min_distance)
+}
+
+/// Decides an edge-edge query in the arithmetic of `R`. See [`vertex_face`] for what is accepted.
+pub fn edge_edge<R: Real>(q: &EdgeEdge<R>, min_distance: R) -> Verdict<R> {
+    solve(&Motion::edge_edge(&q.t0, &q.t1, R::splat(0.0)), Patch::Parallelogram, min_distance)
+}
+
+/// Decides a query that is already in relative form; input errors of `m` are part of every bound.
+pub fn solve<R: Real>(m: &Motion<R>, patch: Patch, min_distance: R) -> Verdict<R> {
+    let (m, min_distance) = in_unit(m, min_distance);
+    let plane = Coplanarity::new(&m);
+    if plane.clearance(min_distance) > R::splat(0.0) {
+        return Verdict::Miss;
+    }
+    if min_distance > R::splat(0.0) { at_distance(&m, patch, min_distance) } else { touching(&m, patch, &plane) }
+}
+
+/// Vectors whose greatest component is within this factor of 1, 2^16, need no other unit: fourth powers and their inverses
+/// stay inside `f32`.
+const UNIT_RANGE: f32 = 65_536.0;
+
+/// The query in a unit of length in which its vectors are neither huge nor tiny: times do not depend on the unit, products do.
+///
+/// Scaling by a power of two is exact, but for components so much smaller than the greatest that they vanish, which is what
+/// every bound allows for where results are flushed to zero. A distance that vanishes becomes the smallest normal number; that
+/// is more, and too little for a certain contact.
+#[inline(always)]
+fn in_unit<R: Real>(m: &Motion<R>, min_distance: R) -> (Motion<R>, R) {
+    let [a, b, c] = m.magnitudes();
+    let size = a.max(b).max(c);
+    let fine = size <= R::splat(UNIT_RANGE) && size >= R::splat(1.0 / UNIT_RANGE);
+    if fine || !(size >= R::MIN_NORMAL) || !size.is_finite_number() {
+        return (*m, min_distance);
+    }
+    let unit = size.to_unit();
+    let scaled = min_distance * unit;
+    let distance = if min_distance > R::splat(0.0) { scaled.max(R::MIN_NORMAL) } else { scaled };
+    (m.scaled(unit), distance)
+}
+
+/// Contact as coplanarity and containment: `min_distance = 0`.
+fn touching<R: Real>(m: &Motion<R>, patch: Patch, plane: &Coplanarity<R>) -> Verdict<R> {
+    // The bound is of 3 f; 0.34 is a third, rounded up.
+    let cubic = Cubic::new(plane.c, plane.bound * R::splat(0.34));
+    let (ends, n_pieces) = cubic.pieces();
+    for i in 0..n_pieces {
+        let at = cubic.zero_in_piece(ends[i], ends[i + 1]);
+        if at.is_empty() {
+            continue;
+        }
+        let place = inside(m, patch, at.lo, at.hi);
+        if matches!(place, Inside::Outside) {
+            continue;
+        }
+        let narrow = at.hi - at.lo <= R::splat(HALF_TOLERANCE);
+        if matches!(place, Inside::Inside) && at.crosses && narrow {
+            return Verdict::Hit { toi: at.lo };
+        }
+        if let Advance::Stuck(toi) = advance(m, patch, at.lo, at.hi, R::splat(0.0)) {
+            return Verdict::Undecided { toi };
+        }
+    }
+    Verdict::Miss
+}
+
+/// Contact as a distance of at most `min_distance > 0`.
+fn at_distance<R: Real>(m: &Motion<R>, patch: Patch, min_distance: R) -> Verdict<R> {
+    let one = R::splat(1.0);
+    let toi = match advance(m, patch, R::splat(0.0), one, min_distance) {
+        Advance::Clear => return Verdict::Miss,
+        Advance::Stuck(toi) => toi,
+    };
+    // A hit needs a witness: a time shortly after `toi` at which the distance certainly is small enough.
+    let later = [0.0, 0.02 * HALF_TOLERANCE, 1.8 * HALF_TOLERANCE];
+    for i in 0..3 {
+        let t = (toi + R::splat(later[i])).min(one);
+        if within(m, patch, t, min_distance) {
+            return Verdict::Hit { toi };
+        }
+    }
+    Verdict::Undecided { toi }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Random queries at many scales: what is certainly a contact at scale 1 is none that may be missed at another.
+    fn check_scales<R: Real>(exponents: &[i32]) {
+        let mut x = 7u32;
+        let mut coordinate = || {
+            x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+            (x >> 16) as f64 / 65_536.0 - 0.5
+        };
+        let mut n_hits = 0;
+        for _ in 0..20_000 {
+            let mut four = || core::array::from_fn::<[f64; 3], 4, _>(|_| core::array::from_fn(|_| coordinate()));
+            let (t0, t1) = (four(), four());
+            let at = |scale: f64, x: &[[f64; 3]; 4]| x.map(|p| p.map(|c| R::from_f64(c * scale)));
+            let verdicts = |scale| {
+                let (t0, t1) = (at(scale, &t0), at(scale, &t1));
+                let zero = R::splat(0.0);
+                [vertex_face(&VertexFace { t0, t1 }, zero), edge_edge(&EdgeEdge { t0, t1 }, zero)]
+            };
+            let base = [vertex_face(&VertexFace { t0, t1 }, 0.0), edge_edge(&EdgeEdge { t0, t1 }, 0.0)];
+            for k in 0..2 {
+                if matches!(base[k], Verdict::Hit { .. }) {
+                    n_hits += 1;
+                    for &e in exponents {
+                        assert!(verdicts(2f64.powi(e))[k] != Verdict::Miss, "missed at scale 2^{e}: {t0:?} {t1:?}");
+                    }
+                }
+            }
+        }
+        assert!(n_hits > 1000, "{n_hits} hits show nothing");
+    }
+
+    #[test]
+    fn scale_makes_no_miss() {
+        check_scales::<f64>(&[0, 166, -166, 200, -200, 265, -265, 329, -329]);
+        check_scales::<f32>(&[0, 16, -16, 20, -20, 24, -24, 30, -30, 40, -40, 45]);
+    }
+
+    /// A vertex grazes the plane of the face near t = 0.15 and goes through it at t = 0.589: the coplanarity cubic nearly touches
+    /// zero before it crosses.
+    fn check_tangential<R: Real>() {
+        let at = |v: [f64; 3], z: f64| [v, [0.0; 3], [1.0, 0.0, z], [0.0, 1.0, 0.0]].map(|p| p.map(R::from_f64));
+        let t0 = at([-0.540_695_877_705_146_2, 0.225_321_612_868_974_26, 0.027_710_373_284_185_068], -0.646_476_115_185_463_8);
+        let t1 = at([0.376_821_355_790_778_86, 0.225_321_612_868_974_26, -0.019_311_892_065_309_713], 0.363_575_607_019_382_63);
+        let verdict = vertex_face(&VertexFace { t0, t1 }, R::splat(0.0));
+        let toi = verdict.toi().map(R::to_f64);
+        assert!(toi.is_some_and(|t| t <= 0.589_303_333_765_757_5), "{verdict:?}");
+    }
+
+    #[test]
+    fn a_crossing_after_a_near_tangency_is_found() {
+        check_tangential::<f64>();
+        check_tangential::<f32>();
+    }
+}

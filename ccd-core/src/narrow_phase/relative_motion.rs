@@ -1,0 +1,118 @@
+//! One form for both elemental tests: a vector `a` against the patch spanned by `b` and `c`, all moving linearly.
+//!
+//! | test | `a` | `b` | `c` | patch |
+//! |---|---|---|---|---|
+//! | vertex-face | `v - f0` | `f1 - f0` | `f2 - f0` | triangle: `s, r >= 0`, `s + r <= 1` |
+//! | edge-edge | `eb0 - ea0` | `ea1 - ea0` | `eb0 - eb1` | parallelogram: `0 <= s, r <= 1` |
+//!
+//! There is contact at time `t` exactly when `a(t) = s b(t) + r c(t)` with `(s, r)` in the patch (Provot 1997). Taking
+//! differences first recentres the query: each difference has relative error of one unit roundoff, however far from the
+//! origin the query is.
+
+use crate::math::real::Num;
+use crate::math::vec3::{add, max_abs, scale, sub};
+
+/// The region of `(s, r)` in which the patch exists.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u32)]
+pub enum Patch {
+    /// Vertex-face: `s >= 0`, `r >= 0`, `s + r <= 1`.
+    Triangle,
+    /// Edge-edge: `0 <= s <= 1`, `0 <= r <= 1`.
+    Parallelogram,
+}
+
+/// A query after recentring; index 0 is `t = 0`, index 1 is `t = 1`.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion<N> {
+    /// The vector that must reach the patch.
+    pub a: [[N; 3]; 2],
+    /// First side of the patch.
+    pub b: [[N; 3]; 2],
+    /// Second side of the patch.
+    pub c: [[N; 3]; 2],
+    /// Absolute error of each difference that comes with the input (0 where coordinates are exact).
+    pub error: N,
+}
+
+impl<N: Num> Motion<N> {
+    /// From `v f0 f1 f2` at both times. `coordinate_error`: how far each coordinate may be from the true one.
+    #[inline(always)]
+    pub fn vertex_face(t0: &[[N; 3]; 4], t1: &[[N; 3]; 4], coordinate_error: N) -> Self {
+        Self {
+            a: [sub(t0[0], t0[1]), sub(t1[0], t1[1])],
+            b: [sub(t0[2], t0[1]), sub(t1[2], t1[1])],
+            c: [sub(t0[3], t0[1]), sub(t1[3], t1[1])],
+            error: coordinate_error + coordinate_error,
+        }
+    }
+
+    /// From `ea0 ea1 eb0 eb1` at both times. `coordinate_error`: how far each coordinate may be from the true one.
+    #[inline(always)]
+    pub fn edge_edge(t0: &[[N; 3]; 4], t1: &[[N; 3]; 4], coordinate_error: N) -> Self {
+        Self {
+            a: [sub(t0[2], t0[0]), sub(t1[2], t1[0])],
+            b: [sub(t0[1], t0[0]), sub(t1[1], t1[0])],
+            c: [sub(t0[2], t0[3]), sub(t1[2], t1[3])],
+            error: coordinate_error + coordinate_error,
+        }
+    }
+
+    /// The first and the second half of the step.
+    ///
+    /// The vectors in the middle are off by up to three units of roundoff of the greatest component in
+    /// the half, instead of one (derived in `bernstein.rs`), which the bounds of filters allow for.
+    #[inline(always)]
+    pub fn halves(&self) -> (Self, Self) {
+        let half = N::splat(0.5);
+        let a = scale(add(self.a[0], self.a[1]), half);
+        let b = scale(add(self.b[0], self.b[1]), half);
+        let c = scale(add(self.c[0], self.c[1]), half);
+        (
+            Self { a: [self.a[0], a], b: [self.b[0], b], c: [self.c[0], c], error: self.error },
+            Self { a: [a, self.a[1]], b: [b, self.b[1]], c: [c, self.c[1]], error: self.error },
+        )
+    }
+
+    /// The same in another unit of length; exact for a power of two, unless a component vanishes.
+    #[inline(always)]
+    pub fn scaled(&self, unit: N) -> Self {
+        let both = |x: &[[N; 3]; 2]| [scale(x[0], unit), scale(x[1], unit)];
+        Self { a: both(&self.a), b: both(&self.b), c: both(&self.c), error: self.error * unit }
+    }
+
+    /// Bounds of the absolute components of `a`, `b`, `c` over the whole step, input error included.
+    #[inline(always)]
+    pub fn magnitudes(&self) -> [N; 3] {
+        [
+            max_abs(self.a[0]).max(max_abs(self.a[1])) + self.error,
+            max_abs(self.b[0]).max(max_abs(self.b[1])) + self.error,
+            max_abs(self.c[0]).max(max_abs(self.c[1])) + self.error,
+        ]
+    }
+}
+
+impl<N: Num> Motion<N> {
+    /// The corners of the patch seen from the origin of `a`: `a`, `a - b`, `a - c` and, for a parallelogram, `a - b - c`
+    /// (for a triangle `a` again). The features touch exactly when the hull of these points contains the origin.
+    #[inline(always)]
+    pub fn corners(&self, patch: Patch, time: usize) -> [[N; 3]; 4] {
+        let (a, b, c) = (self.a[time], self.b[time], self.c[time]);
+        let ab = sub(a, b);
+        let last = if matches!(patch, Patch::Triangle) { a } else { sub(ab, c) };
+        [a, ab, sub(a, c), last]
+    }
+
+    /// Bound of the error of a component of any corner, and of its scalar product with a vector per unit of
+    /// that vector's components (their absolute sum).
+    ///
+    /// Of `S = A + B + C`: at most `3 u S` from the differences (where the step was halved), `2 u S` from
+    /// two subtractions, `3 u S` from a multiplication and two additions: `8 u S`, where the code has `16 u S`.
+    /// `3 e` from the input. Flushing: 5 times the smallest normal number a difference, 2 for the
+    /// subtractions, 5 for products and sums with a vector whose components add up to 1: below `256`.
+    #[inline(always)]
+    pub fn corner_error(&self) -> N {
+        let [a, b, c] = self.magnitudes();
+        (a + b + c) * (N::UNIT * N::splat(16.0)) + self.error * N::splat(3.0) + (N::MIN_NORMAL * N::splat(256.0))
+    }
+}

@@ -1,0 +1,223 @@
+//! What is written per instruction set, behind two traits: portable arrays, and vectors that are
+//! chosen at run time.
+//!
+//! | set | rows of eight boxes | filters |
+//! |---|---|---|
+//! | portable | arrays of 8 | arrays of 8 |
+//! | AVX2 (x86-64) | 8 in one register | 8 in one register |
+//! | AVX-512 (x86-64) | those of AVX2 | 16 in one register |
+//! | NEON (AArch64) | 8 in two registers | 8 in two registers |
+//!
+//! All give the same bits: every operation rounds as IEEE 754 says, nothing is contracted, and the
+//! greater or smaller of two numbers is chosen by one comparison, as `Num` for `f32` does.
+
+#[cfg(target_arch = "x86_64")]
+mod avx2;
+#[cfg(target_arch = "x86_64")]
+mod avx512;
+#[cfg(target_arch = "aarch64")]
+mod neon;
+mod portable;
+#[cfg(test)]
+mod tests;
+
+#[cfg(target_arch = "x86_64")]
+pub use avx2::Avx2;
+#[cfg(target_arch = "x86_64")]
+pub use avx512::Avx512;
+#[cfg(target_arch = "aarch64")]
+pub use neon::Neon;
+pub use portable::{F32x8, Portable};
+
+use ccd_core::layout::Pair;
+use ccd_core::{Aabb, Num};
+
+/// Boxes side by side in a block, and lanes of a row.
+pub const WIDTH: usize = 8;
+/// Lanes of the widest vectors that filters use.
+pub const MAX_WIDTH: usize = 16;
+
+/// Eight boxes side by side; a lane without a box holds the empty one.
+pub type Block = Aabb<F32x8>;
+
+/// Eight empty boxes.
+pub const EMPTY: Block = Aabb { min: [F32x8([f32::INFINITY; WIDTH]); 3], max: [F32x8([f32::NEG_INFINITY; WIDTH]); 3] };
+
+/// Answers of a comparison, one a lane.
+pub trait Mask {
+    /// Bit `i`: the answer of lane `i`.
+    fn bits(self) -> u32;
+}
+
+/// An instruction set. A value of it is the proof that the processor has it; vectors of the set are
+/// made and used only where there is such a value.
+pub trait Simd: Copy + Send + Sync {
+    /// Numbers side by side, for filters.
+    type Lanes: Num<Mask: Mask>;
+    /// How many.
+    const LANES: usize;
+    /// The first [`Simd::LANES`] of the rows `ids` of a table, transposed: component `k` of all rows
+    /// in `out[k]`.
+    fn gather(self, table: &[[f32; WIDTH]], ids: &[u32]) -> [Self::Lanes; WIDTH];
+    /// Runs `work` with the set enabled for everything that is inlined into it.
+    fn run<W: Work<Self>>(self, work: W) -> W::Out;
+}
+
+/// An instruction set for rows of eight boxes.
+pub trait RowSimd: Simd {
+    /// Eight numbers.
+    fn load(self, x: &F32x8) -> Self::Lanes;
+    /// The same as an array.
+    fn store(self, x: Self::Lanes) -> F32x8;
+    /// Lanes in which `x` is one of the two.
+    fn equals(self, lanes: &[u32; WIDTH], x: [u32; 2]) -> u32;
+    /// Appends `(a, b[j])` for every lane `j` in `mask`, ascending; lesser id first if `ORDERED`.
+    fn append<const ORDERED: bool>(self, out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mask: u32);
+
+    /// Eight boxes.
+    #[inline(always)]
+    fn boxes(self, block: &Block) -> Aabb<Self::Lanes> {
+        let (min, max) = (&block.min, &block.max);
+        Aabb {
+            min: [self.load(&min[0]), self.load(&min[1]), self.load(&min[2])],
+            max: [self.load(&max[0]), self.load(&max[1]), self.load(&max[2])],
+        }
+    }
+
+    /// Box `i` in all lanes, each bound moved inward by `shrink`.
+    #[inline(always)]
+    fn one(self, block: &Block, i: usize, shrink: f32) -> Aabb<Self::Lanes> {
+        let (min, max) = (&block.min, &block.max);
+        let low = |k: usize| Self::Lanes::splat(min[k].0[i] + shrink);
+        let high = |k: usize| Self::Lanes::splat(max[k].0[i] - shrink);
+        Aabb { min: [low(0), low(1), low(2)], max: [high(0), high(1), high(2)] }
+    }
+
+    /// Lanes of `b` whose closed boxes overlap that of lane `i` of `a`, after each of its bounds was
+    /// moved inward by `shrink`.
+    #[inline(always)]
+    fn overlaps(self, a: &Block, i: usize, b: &Block, shrink: f32) -> u32 {
+        !self.one(a, i, shrink).separated(&self.boxes(b)).bits() & 0xff
+    }
+}
+
+/// Something to run with an instruction set. `call` must be `#[inline(always)]`, or the set is not
+/// enabled inside.
+pub trait Work<S: Simd> {
+    /// What it returns.
+    type Out;
+    /// Does the work.
+    fn call(self, simd: S) -> Self::Out;
+}
+
+/// Runs work with the best set of this processor for rows.
+macro_rules! run_rows {
+    ($work:expr) => {{
+        #[cfg(target_arch = "x86_64")]
+        {
+            if let Some(simd) = $crate::simd::Avx2::new() {
+                $crate::simd::Simd::run(simd, $work)
+            } else {
+                $crate::simd::Simd::run($crate::simd::Portable, $work)
+            }
+        }
+        #[cfg(target_arch = "aarch64")]
+        {
+            $crate::simd::Simd::run($crate::simd::Neon::new(), $work)
+        }
+        #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+        {
+            $crate::simd::Simd::run($crate::simd::Portable, $work)
+        }
+    }};
+}
+pub(crate) use run_rows;
+
+/// Runs work with the best set of this processor for filters.
+macro_rules! run {
+    ($work:expr) => {{
+        #[cfg(target_arch = "x86_64")]
+        {
+            if let Some(simd) = $crate::simd::Avx512::new() { $crate::simd::Simd::run(simd, $work) } else { $crate::simd::run_rows!($work) }
+        }
+        #[cfg(not(target_arch = "x86_64"))]
+        {
+            $crate::simd::run_rows!($work)
+        }
+    }};
+}
+pub(crate) use run;
+
+/// `Num` for a vector type from functions of its instruction set: the two that take one vector, those
+/// that take two, the comparison, and all lanes alike.
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+macro_rules! num {
+    (
+        $lanes:ident($width:expr), $mask:ty,
+        $neg:path, $abs:path, $add:path, $sub:path, $mul:path, $max:path, $min:path, $gt:path
+    ) => {
+        $crate::simd::num!(@operator $lanes, Add, add, $add);
+        $crate::simd::num!(@operator $lanes, Sub, sub, $sub);
+        $crate::simd::num!(@operator $lanes, Mul, mul, $mul);
+
+        impl std::ops::Neg for $lanes {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                // SAFETY: there are such vectors only where the processor has the set.
+                Self(unsafe { $neg(self.0) })
+            }
+        }
+
+        impl $lanes {
+            /// `x` in every lane; any processor can do that.
+            #[inline(always)]
+            const fn all(x: f32) -> Self {
+                // SAFETY: a vector is its numbers, in order; every bit pattern is one.
+                Self(unsafe { std::mem::transmute::<[f32; $width], _>([x; $width]) })
+            }
+        }
+
+        impl ccd_core::Num for $lanes {
+            const UNIT: Self = Self::all(<f32 as ccd_core::Num>::UNIT);
+            const MIN_NORMAL: Self = Self::all(<f32 as ccd_core::Num>::MIN_NORMAL);
+            type Mask = $mask;
+            #[inline(always)]
+            fn gt(self, other: Self) -> $mask {
+                // SAFETY: as above.
+                unsafe { $gt(self.0, other.0) }.into()
+            }
+            #[inline(always)]
+            fn splat(x: f32) -> Self {
+                Self::all(x)
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                // SAFETY: as above.
+                Self(unsafe { $abs(self.0) })
+            }
+            #[inline(always)]
+            fn max(self, other: Self) -> Self {
+                // SAFETY: as above.
+                Self(unsafe { $max(self.0, other.0) })
+            }
+            #[inline(always)]
+            fn min(self, other: Self) -> Self {
+                // SAFETY: as above.
+                Self(unsafe { $min(self.0, other.0) })
+            }
+        }
+    };
+    (@operator $lanes:ident, $trait:ident, $name:ident, $function:path) => {
+        impl std::ops::$trait for $lanes {
+            type Output = Self;
+            #[inline(always)]
+            fn $name(self, other: Self) -> Self {
+                // SAFETY: there are such vectors only where the processor has the set.
+                Self(unsafe { $function(self.0, other.0) })
+            }
+        }
+    };
+}
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+pub(crate) use num;

@@ -1,0 +1,114 @@
+//! What stands for the GPU where this crate is built without it: types that have no value, so that
+//! nothing of them ever runs.
+
+use crate::{Aabb, BroadPhaseMethod, Mesh, Options, Pair, Real, Report};
+
+/// Why the work was not done. With the feature `gpu` this is `ccd::gpu::Error`, which has more
+/// variants and these two.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub enum Error {
+    /// The input was refused; nothing was computed from it.
+    Input(crate::Error),
+    /// There is no GPU backend.
+    Unavailable {
+        /// Why there is none.
+        why: String,
+    },
+}
+
+impl std::fmt::Display for Error {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Error::Input(e) => e.fmt(f),
+            Error::Unavailable { why } => write!(f, "no GPU: {why}"),
+        }
+    }
+}
+
+impl std::error::Error for Error {}
+
+impl From<crate::Error> for Error {
+    fn from(e: crate::Error) -> Self {
+        Error::Input(e)
+    }
+}
+
+#[derive(Default)]
+pub struct DeviceOptions {
+    pub adapter: Option<String>,
+}
+
+#[derive(Clone)]
+pub enum Device {}
+
+impl Device {
+    pub fn open(_: &DeviceOptions) -> Result<Self, Error> {
+        Err(Error::Unavailable { why: "built without the feature `gpu`".into() })
+    }
+}
+
+pub fn name(device: &Device) -> &str {
+    match *device {}
+}
+
+pub fn is_emulated(device: &Device) -> bool {
+    match *device {}
+}
+
+pub enum Session {}
+
+pub struct Candidates {
+    pub vf: Vec<Pair>,
+    pub ee: Vec<Pair>,
+}
+
+impl Session {
+    pub fn new(device: &Device, _: Mesh, _: Options) -> Result<Self, Error> {
+        match *device {}
+    }
+
+    pub fn step<T: Real>(&mut self, _: &[[T; 3]], _: &[[T; 3]]) -> Result<&Report, Error> {
+        match *self {}
+    }
+
+    pub fn earliest_toi<T: Real>(&mut self, _: &[[T; 3]], _: &[[T; 3]]) -> Result<Option<f64>, Error> {
+        match *self {}
+    }
+
+    pub fn candidates<T: Real>(&mut self, _: &[[T; 3]], _: &[[T; 3]]) -> Result<Candidates, Error> {
+        match *self {}
+    }
+
+    pub fn report(&self) -> &Report {
+        match *self {}
+    }
+
+    pub fn mesh(&self) -> &Mesh {
+        match *self {}
+    }
+
+    pub fn options(&self) -> &Options {
+        match *self {}
+    }
+
+    pub fn device(&self) -> &Device {
+        match *self {}
+    }
+}
+
+pub enum BroadPhase {}
+
+impl BroadPhase {
+    pub fn new(device: &Device, _: BroadPhaseMethod) -> Result<Self, Error> {
+        match *device {}
+    }
+
+    pub fn self_pairs(&mut self, _: &[Aabb<f32>]) -> Result<Vec<Pair>, Error> {
+        match *self {}
+    }
+
+    pub fn pairs(&mut self, _: &[Aabb<f32>], _: &[Aabb<f32>]) -> Result<Vec<Pair>, Error> {
+        match *self {}
+    }
+}

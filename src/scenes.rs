@@ -1,0 +1,231 @@
+//! Scenes made from a few numbers, the same bits on every machine: nothing but operations that
+//! IEEE 754 rounds in one way, so no sine, no cosine and no cube root of a system's library.
+//! Feature `scenes`.
+//!
+//! ```
+//! let step = ccd::scenes::crumpled_sheet(20, 1);
+//! let report = ccd::step(&step.mesh, &step.x0, &step.x1, &ccd::Options::default())?;
+//! assert!(report.contacts.len() > 20);
+//! # Ok::<(), ccd::Error>(())
+//! ```
+
+use crate::{Aabb, Mesh};
+
+/// Pseudo-random numbers: [`pcg`] of a counter.
+#[derive(Clone, Debug)]
+pub struct Random(u32);
+
+/// The 32-bit PCG output hash (RXS-M-XS) [O'Neill 2014].
+pub fn pcg(v: u32) -> u32 {
+    let state = v.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+    let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
+    (word >> 22) ^ word
+}
+
+/// The hash of `i` as a multiple of 2^-24 in `[0, 1)`, which is an `f32`.
+fn unit(i: u32) -> f32 {
+    (pcg(i) >> 8) as f32 / 16_777_216.0
+}
+
+/// Where the counters of a seed begin: 2^32 over the golden ratio apart.
+fn origin(seed: u32) -> u32 {
+    seed.wrapping_mul(0x9e37_79b9)
+}
+
+impl Random {
+    /// From a seed.
+    pub fn new(seed: u32) -> Self {
+        Self(origin(seed))
+    }
+
+    /// 32 random bits.
+    pub fn bits(&mut self) -> u32 {
+        self.0 = self.0.wrapping_add(1);
+        pcg(self.0)
+    }
+
+    /// A number in `[0, 1)`, a multiple of 2^-24.
+    pub fn unit(&mut self) -> f64 {
+        (self.bits() >> 8) as f64 / 16_777_216.0
+    }
+
+    /// A point in the unit cube.
+    pub fn point(&mut self) -> [f64; 3] {
+        [self.unit(), self.unit(), self.unit()]
+    }
+
+    /// An integer in `0 .. n`.
+    pub fn below(&mut self, n: u32) -> u32 {
+        self.bits() % n
+    }
+}
+
+/// Uniform boxes of the same size in the unit cube, as in the comparisons with other libraries:
+/// half width 0.001 for 100,000 boxes and fewer, and `0.002 (100,000 / n)^(1/3)` above.
+pub fn uniform_boxes(n: usize) -> Vec<Aabb<f32>> {
+    let half = if n <= 100_000 { 0.001 } else { 0.002 * cube_root(100_000.0 / n as f64) as f32 };
+    let make = |i: u32| {
+        let centre: [f32; 3] = std::array::from_fn(|k| unit(8 * i + k as u32));
+        Aabb { min: centre.map(|c| c - half), max: centre.map(|c| c + half) }
+    };
+    (0..n as u32).map(make).collect()
+}
+
+/// The cube root of a number in `(0, 1]`, to a unit or two in the last place, by Newton-Raphson
+/// from 1: always from above, a third of the way down a round at first, then quadratically.
+fn cube_root(x: f64) -> f64 {
+    (0..64).fold(1.0, |y, _| y - (y * y * y - x) / (3.0 * y * y))
+}
+
+/// A mesh with its positions at both ends of a step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// Topology.
+    pub mesh: Mesh,
+    /// Positions at the start.
+    pub x0: Vec<[f64; 3]>,
+    /// Positions at the end.
+    pub x1: Vec<[f64; 3]>,
+}
+
+impl Step {
+    /// Both ends rounded to the nearest `f32`.
+    pub fn rounded(&self) -> [Vec<[f32; 3]>; 2] {
+        [&self.x0, &self.x1].map(|x| x.iter().map(|p| p.map(|c| c as f32)).collect())
+    }
+}
+
+/// A wavy sheet of `n x n` vertices, side 1, each moved at random by up to three quarters of a
+/// cell, and by as much again in the step: many contacts within one mesh.
+///
+/// # Panics
+/// If `n` is less than 2 or greater than 30,000.
+pub fn crumpled_sheet(n: usize, seed: u32) -> Step {
+    let wave = |x: f64| {
+        let part = x - x.floor();
+        part * (1.0 - part)
+    };
+    let size = 1.5 / n as f64;
+    let at = |i: usize, end: u32| -> [f64; 3] {
+        let (u, v) = ((i % n) as f64 / n as f64, (i / n) as f64 / n as f64);
+        let rest = [u, 1.6 * wave(1.5 * u) * wave(1.2 * v), v];
+        let first = origin(seed).wrapping_add(8 * i as u32 + 4 * end);
+        let jitter = |k: usize| unit(first.wrapping_add(k as u32)) as f64 - 0.5;
+        std::array::from_fn(|k| rest[k] + jitter(k) * size)
+    };
+    let mut faces = Vec::new();
+    grid(&mut faces, n, 0);
+    let mesh = Mesh::new(n * n, &faces).expect("a valid sheet");
+    let [x0, x1] = [0, 1].map(|end| (0..n * n).map(|i| at(i, end)).collect());
+    Step { mesh, x0, x1 }
+}
+
+/// Triangles with nothing in common in the unit cube, each moving on its own, with corners up to
+/// `size` from one of them.
+pub fn triangle_soup(n: usize, size: f64, seed: u32) -> Step {
+    let mut random = Random::new(seed);
+    let (mut x0, mut x1) = (Vec::new(), Vec::new());
+    for _ in 0..n {
+        let (from, to) = (random.point(), random.point());
+        for _ in 0..3 {
+            let corner = random.point();
+            x0.push(std::array::from_fn(|k| from[k] + size * corner[k]));
+            let corner = random.point();
+            let at = |k: usize| from[k] + 2.0 * size * (to[k] - 0.5) + size * corner[k];
+            x1.push(std::array::from_fn(at));
+        }
+    }
+    let faces: Vec<[u32; 3]> = (0..n as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    Step { mesh: Mesh::new(3 * n, &faces).expect("a valid soup"), x0, x1 }
+}
+
+/// Two triangles per cell of an `n x n` grid whose vertices begin at `first`.
+pub fn grid(faces: &mut Vec<[u32; 3]>, n: usize, first: u32) {
+    let n = n as u32;
+    for i in 0..(n - 1) * (n - 1) {
+        let a = first + i / (n - 1) * n + i % (n - 1);
+        faces.extend([[a, a + n, a + 1], [a + 1, a + n, a + n + 1]]);
+    }
+}
+
+/// Vertices of the unit sphere for a [`grid`] of `n x n`: rows from the pole `y = 1` to the other,
+/// the ends of a row in one place.
+pub fn sphere(n: usize) -> Vec<[f64; 3]> {
+    let at = |i: usize| i as f64 / (n - 1) as f64;
+    let point = |i: usize| {
+        let ([x, z], [y, r]) = (circle(at(i % n)), circle(0.5 * at(i / n)));
+        [r * x, y, r * z]
+    };
+    (0..n * n).map(point).collect()
+}
+
+/// A point on the unit circle after so much of a turn: exact quarters, in between by the rational
+/// parametrisation `(1 - t^2, 2 t) / (1 + t^2)`, whose steps shrink to half along each quarter.
+fn circle(turn: f64) -> [f64; 2] {
+    let quarter = (4.0 * turn).floor();
+    let t = 4.0 * turn - quarter;
+    let [x, y] = [(1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t)];
+    match quarter as i64 & 3 {
+        0 => [x, y],
+        1 => [-y, x],
+        2 => [-x, -y],
+        _ => [y, -x],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A hash of bits, so that a scene that differs anywhere is seen.
+    fn hash(words: impl Iterator<Item = u64>) -> u32 {
+        words.fold(0, |h, w| pcg(pcg(h ^ w as u32) ^ (w >> 32) as u32))
+    }
+
+    fn check_points(x: &[[f64; 3]], want: u32) {
+        let found = hash(x.iter().flatten().map(|c| c.to_bits()));
+        assert_eq!(found, want, "{found:#x}, not {want:#x}: other bits than on other machines");
+    }
+
+    #[test]
+    fn scenes_have_the_same_bits_everywhere() {
+        let sheet = crumpled_sheet(40, 3);
+        check_points(&sheet.x0, 0);
+        check_points(&sheet.x1, 0);
+        check_points(&triangle_soup(100, 0.1, 3).x1, 0);
+        check_points(&sphere(32), 0);
+        for (n, want) in [(1000, 0), (150_000, 0)] {
+            let boxes = uniform_boxes(n);
+            let words = boxes.iter().flat_map(|b| b.min.into_iter().chain(b.max));
+            assert_eq!(hash(words.map(|c| c.to_bits() as u64)), want, "{n} boxes");
+        }
+        // The control: the last bit of one coordinate.
+        let mut other = sheet.x0.clone();
+        other[700][2] = other[700][2].next_up();
+        let bits = |x: &[[f64; 3]]| hash(x.iter().flatten().map(|c| c.to_bits()));
+        assert_ne!(bits(&other), bits(&sheet.x0));
+    }
+
+    #[test]
+    fn spheres_are_round_and_closed() {
+        let n = 33;
+        let x = sphere(n);
+        for p in &x {
+            let length = p.iter().map(|c| c * c).sum::<f64>();
+            assert!((length - 1.0).abs() < 1e-14, "{p:?}");
+        }
+        for row in x.chunks(n) {
+            assert_eq!(row[0], row[n - 1]);
+            assert!(row.windows(2).all(|w| (0..3).all(|k| (w[0][k] - w[1][k]).abs() < 0.26)));
+        }
+        assert!((x[0][1], x[n * n - 1][1]) == (1.0, -1.0));
+    }
+
+    #[test]
+    fn cube_roots_cube_to_their_number() {
+        for x in [1.0, 0.1, 0.01, 0.001, 0.3, 1e-5] {
+            let y = cube_root(x);
+            assert!((y * y * y - x).abs() <= 8.0 * f64::EPSILON * x, "{x}: {y}");
+        }
+    }
+}
