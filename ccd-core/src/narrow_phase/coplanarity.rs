@@ -6,15 +6,33 @@
 //! nothing is divided, and one bound covers every control value.
 //!
 //! # The bound
-//! Let `A B C` bound the components of `a b c` over both times, `u` the unit roundoff, `e` the input error of a difference.
-//! Three times each Bernstein value is a sum of at most 18 products of three components (`6 x 3`). A product passes at
-//! most 2 multiplications and 17 additions in whatever order a compiler picks, contracted or not, and its factors carry
-//! an error of `2 u` times their bound each (one rounding for a difference, another where a step was halved) and the absolute error `e`:
+//! Let `A B C` bound the components of `a b c` at both ends, `u` the unit roundoff, `e` the input error
+//! of a difference. Three times each Bernstein value is a sum of at most 18 products of three
+//! components (`6 x 3`).
 //!
-//! `error <= 18 (20 u + 6 u) A B C + 18 e (A B + B C + C A)`, up to terms of second order, which the constants below absorb
-//! (`490` for `468`, `19` for `18`). A result that underflows and is flushed loses at most the smallest normal number times
-//! the factors still to come, which `256 MIN_NORMAL (1 + A)(1 + B)(1 + C)` covers. If anything overflows, so does `64 A B C`, which is
-//! part of the bound, and the filter answers "unknown".
+//! - *Operations.* A product passes at most 2 multiplications and 17 additions, in whatever order they
+//!   are summed, contracted or not, and one multiplication by three: `20 u`.
+//! - *Factors.* A difference is rounded once: `u`. The middle of a step that was halved is the mean of
+//!   two such: `u (|a0| + |a1|) / 2` from them and `u A` from their sum. The end that is not in the half
+//!   may be three times as great as what is, since it is twice the middle less the other end: so `2 u A`
+//!   and `u A`, together `3 u A`, and `9 u` for three factors.
+//! - *Input.* Each factor is off by `e`: `e (A B + B C + C A)` a product.
+//!
+//! `error <= 18 (20 u + 9 u) A B C + 18 e (A B + B C + C A)`: `524` for `522` and `19` for `18` absorb
+//! terms of second order and the roundings of the bound itself (a part in 10^5 where `u` is 2^-24).
+//!
+//! - *Flushing.* A component is off by at most 5 times the smallest normal number (two operands, their
+//!   difference, the sum and the half of a middle), so 18 products lose `90 (A B + B C + C A)` times
+//!   that, `18 (A + B + C)` for products of two factors, `36` for products of three and sums:
+//!   below `256 MIN_NORMAL (1 + A)(1 + B)(1 + C)`.
+//! - *Overflow.* No intermediate result is above `18 A B C`, or `8 B C` before it is multiplied by `a`. Where
+//!   one overflows so does `8 B C` or `64 A B C` (or the latter is NaN), which is part of the bound, and
+//!   the filter answers "unknown".
+//!
+//! The greatest normal is a sum of absolute components, each of them at most four products of two
+//! factors: `(6 u + u + 3 u) 4 B C / 2 = 20 u B C` (`16 u` at the ends), for three `60 u B C`: `8 u 8 B C`
+//! covers it. Input: `2 e (B + C)` a component. What is relative to the sum itself is in the factor
+//! `1.0001` of [`Coplanarity::clearance`].
 
 use crate::math::real::Num;
 use crate::math::vec3::{add, cross, dot, sum_abs};
@@ -45,12 +63,12 @@ impl<N: Num> Coplanarity<N> {
         let (one, eight) = (N::splat(1.0), N::splat(8.0));
         let bc = (mb * eight) * mc;
         let abc = (ma * eight) * bc;
-        let rounding = abc * (N::UNIT * N::splat(490.0 / 64.0));
+        let rounding = abc * (N::UNIT * N::splat(524.0 / 64.0));
         let input = m.error * N::splat(19.0) * (ma * (mb + mc) + mb * mc);
         let flushed = (N::MIN_NORMAL * N::splat(256.0)) * ((one + ma) * ((one + mb) * (one + mc)));
         let half = N::splat(0.5);
         let normal = sum_abs(n00).max(sum_abs(n11)).max(sum_abs(n01) * half)
-            + bc * (N::UNIT * N::splat(4.0))
+            + bc * (N::UNIT * N::splat(8.0))
             + m.error * N::splat(6.0) * (mb + mc)
             + (N::MIN_NORMAL * N::splat(256.0)) * ((one + mb) * (one + mc));
         Self { c, bound: rounding + input + flushed, normal }

@@ -2,6 +2,22 @@
 //!
 //! Along a fixed direction, separation at `t = 0` and on the same side at `t = 1` is separation throughout: positions are linear in time, so every
 //! difference of two positions along the direction keeps its sign. Branch-free, for lanes.
+//!
+//! # The bound
+//! Any direction `w` will do, so its own rounding does not matter; what must be known is how far the
+//! computed `w . d` of a corner `d` is from the true one. Let `S = A + B + C` bound the components of all
+//! corners and `|w|` be the sum of absolute components of `w`.
+//!
+//! - A corner carries at most `3 u S` from its differences (three roundings where the step was halved,
+//!   see `bernstein.rs`) and `2 u S` from at most two subtractions.
+//! - Its product with `w` passes one multiplication and two additions: `3 u |w| S`.
+//!
+//! Together `8 u |w| S`; `17` leaves as much again for the roundings of `S`, of `|w|` and of the comparison.
+//! Input: `3 e` a corner, `3.1` with its rounding. Flushing: a corner is off by 5 times the smallest normal
+//! number a difference and 2 for its subtractions, below `256` a unit of `|w|`; products and sums lose
+//! at most 5 more, and the terms of the bound 4, below `64`. (Where operands are flushed, every operation
+//! sees the same `w`, which is a direction too.) Overflow: a product or a sum is at most `|w| S`, so where one
+//! overflows `|w| 2 S` does, and the result is negative infinity or NaN.
 
 use crate::math::real::Num;
 use crate::math::vec3::{add, cross, dot, sub, sum_abs};
@@ -10,8 +26,9 @@ use crate::narrow_phase::relative_motion::{Motion, Patch};
 /// Whether one of the three axes keeps two features further than `needed >= 0` apart during the whole step, from their boxes
 /// `[min, max]` at `t = 0` and `t = 1`.
 ///
-/// One subtraction a side and time, so a true gap of `needed (1 + 2 u)` is seen; `needed` must exceed what is wanted by that
-/// much. A difference that overflows has the right sign; one that is NaN separates nothing.
+/// One subtraction a side and time: where it is seen, the true gap exceeds `needed / (1 + u)`, so `needed` must exceed what is
+/// wanted by that much, and by what the boxes lost by flushed operands (none, if they were rounded outward to
+/// numbers that are not flushed). A difference that overflows has the right sign; one that is NaN separates nothing.
 #[inline(always)]
 pub fn axis_separated<N: Num>(a0: &[[N; 3]; 2], a1: &[[N; 3]; 2], b0: &[[N; 3]; 2], b1: &[[N; 3]; 2], needed: N) -> N::Mask {
     let above = |k: usize| (a0[0][k] - b0[1][k]).gt(needed) & (a1[0][k] - b1[1][k]).gt(needed);
@@ -30,7 +47,7 @@ pub fn beside<N: Num>(m: &Motion<N>, patch: Patch, min_distance: N) -> N {
     let (corners0, corners1) = (m.corners(patch, 0), m.corners(patch, 1));
     let [ma, mb, mc] = m.magnitudes();
     let reach =
-        Reach { size: ma + mb + mc, needed: min_distance * N::splat(1.0001) + m.error * N::splat(3.1) + (N::MIN_NORMAL * N::splat(256.0)) };
+        Reach { size: (ma + mb + mc) * N::splat(2.0), needed: min_distance * N::splat(1.0001) + m.error * N::splat(3.1) + (N::MIN_NORMAL * N::splat(256.0)) };
     let along_b = apart(cross(n, b), &corners0, &corners1, &reach);
     let along_c = apart(cross(n, c), &corners0, &corners1, &reach);
     let best = along_b.max(along_c);
@@ -39,7 +56,7 @@ pub fn beside<N: Num>(m: &Motion<N>, patch: Patch, min_distance: N) -> N {
 
 /// What a separation must exceed.
 struct Reach<N> {
-    /// Bound of the components of all corners: times that of the direction, of every product with it.
+    /// Twice a bound of the components of all corners: times the sum of the direction's, of every product with it.
     size: N,
     /// Distance and errors of the input, per unit of the direction.
     needed: N,
@@ -53,7 +70,7 @@ fn along<N: Num>(w: [N; 3], points: &[[N; 3]; 4]) -> [N; 4] {
 
 /// Separation along `w` beyond what is needed; `sum_abs` is at least the length of `w`.
 ///
-/// If a product overflows, so does the sum of `w` times the size, and the result is not positive.
+/// If a product overflows, so does the sum of `w` times the size, and the result is not positive. `17 / 2`: of twice the bound.
 #[inline(always)]
 fn apart<N: Num>(w: [N; 3], corners0: &[[N; 3]; 4], corners1: &[[N; 3]; 4], reach: &Reach<N>) -> N {
     // No loop: indices that are not constants would keep the corners out of a GPU's registers.
@@ -61,6 +78,6 @@ fn apart<N: Num>(w: [N; 3], corners0: &[[N; 3]; 4], corners1: &[[N; 3]; 4], reac
     let low = (a[0].min(a[1])).min(a[2].min(a[3])).min((b[0].min(b[1])).min(b[2].min(b[3])));
     let high = (a[0].max(a[1])).max(a[2].max(a[3])).max((b[0].max(b[1])).max(b[2].max(b[3])));
     let length = sum_abs(w);
-    let rounding = (length * reach.size) * (N::UNIT * N::splat(17.0));
+    let rounding = (length * reach.size) * (N::UNIT * N::splat(17.0 / 2.0));
     low.max(-high) - rounding - length * reach.needed - (N::MIN_NORMAL * N::splat(64.0))
 }

@@ -1,0 +1,288 @@
+//! Every bound against an adversary: each operation off by one unit of roundoff either way, ascent on error over bound.
+//!
+//! A ratio above 1 is a bound that does not hold; each test also reaches the ratio that docs/ERROR-BOUNDS.md states.
+
+mod common;
+
+use ccd_core::bernstein::Coplanarity;
+use ccd_core::cubic::Cubic;
+use ccd_core::inside::{Ball, cross2};
+use ccd_core::motion::{Motion, Patch};
+use ccd_core::separate::beside;
+use ccd_core::vec3::{dot, sum_abs};
+use common::adversary::{Adversarial, UNIT, under, undisturbed};
+use common::ascent::Ascent;
+
+type V = [f64; 3];
+
+const PATCHES: [Patch; 2] = [Patch::Triangle, Patch::Parallelogram];
+
+fn minus(a: V, b: V) -> V {
+    std::array::from_fn(|k| a[k] - b[k])
+}
+
+fn cross(a: V, b: V) -> V {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn scalar(a: V, b: V) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn at(x: &[V; 2], t: f64) -> V {
+    std::array::from_fn(|k| x[0][k] * (1.0 - t) + x[1][k] * t)
+}
+
+fn wrap(x: V) -> [Adversarial; 3] {
+    x.map(Adversarial)
+}
+
+/// Part of the step that a motion is of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Part {
+    Whole,
+    First,
+    Second,
+}
+
+/// Points from 24 inputs; true ones, off by up to `error`, from 24 more. The motion in adversarial arithmetic, and the
+/// true `a b c`.
+fn motion(x: &[f64], patch: Patch, part: Part, size: f64, error: f64) -> (Motion<Adversarial>, [[V; 2]; 3]) {
+    let point = |t: usize, i: usize| -> V { std::array::from_fn(|k| size * x[12 * t + 3 * i + k]) };
+    let off = |t: usize, i: usize| -> V { std::array::from_fn(|k| point(t, i)[k] + error * x.get(24 + 12 * t + 3 * i + k).unwrap_or(&0.0)) };
+    let given = |t: usize| std::array::from_fn(|i| wrap(point(t, i)));
+    let (t0, t1) = (given(0), given(1));
+    let e = Adversarial(error);
+    let difference = |i: usize, j: usize| [minus(off(0, i), off(0, j)), minus(off(1, i), off(1, j))];
+    let (m, mut exact) = match patch {
+        Patch::Triangle => {
+            (Motion::vertex_face(&t0, &t1, e), [difference(0, 1), difference(2, 1), difference(3, 1)])
+        }
+        Patch::Parallelogram => {
+            (Motion::edge_edge(&t0, &t1, e), [difference(2, 0), difference(1, 0), difference(2, 3)])
+        }
+    };
+    let (first, second) = m.halves();
+    let m = match part {
+        Part::Whole => m,
+        Part::First => {
+            exact = exact.map(|v| [v[0], at(&v, 0.5)]);
+            first
+        }
+        Part::Second => {
+            exact = exact.map(|v| [at(&v, 0.5), v[1]]);
+            second
+        }
+    };
+    (m, exact)
+}
+
+/// Three times a Bernstein value of the cubic.
+fn control([a, b, c]: &[[V; 2]; 3], k: usize) -> f64 {
+    let triple = |i: usize, j: usize, l: usize| scalar(a[i], cross(b[j], c[l]));
+    match k {
+        0 => 3.0 * triple(0, 0, 0),
+        1 => triple(1, 0, 0) + triple(0, 1, 0) + triple(0, 0, 1),
+        2 => triple(0, 1, 1) + triple(1, 0, 1) + triple(1, 1, 0),
+        _ => 3.0 * triple(1, 1, 1),
+    }
+}
+
+/// The error of a control value over its bound.
+fn check_control(name: &str, k: usize, part: Part, size: f64, error: f64, documented: f64) {
+    let ratio = |x: &[f64]| {
+        let (m, exact) = motion(x, Patch::Triangle, part, size, error);
+        let plane = Coplanarity::new(&m);
+        let c = plane.c[k].0 * if k == 0 || k == 3 { 3.0 } else { 1.0 };
+        (c - control(&exact, k)) / plane.bound.0
+    };
+    Ascent { n_inputs: 48, flush: size < 1e-6, ratio }.check(name, 1 + k as u64, [4, 400], documented);
+}
+
+#[test]
+fn control_values() {
+    check_control("control value 0", 0, Part::Whole, 1.0, 0.0, 0.0);
+    check_control("control value 1", 1, Part::Whole, 1.0, 0.0, 0.0);
+    check_control("control value 1, first half", 1, Part::First, 1.0, 0.0, 0.0);
+    check_control("control value 2, second half", 2, Part::Second, 1.0, 0.0, 0.0);
+    check_control("control value 1, input", 1, Part::Whole, 1.0, 0.01, 0.0);
+    check_control("control value 1, flushed", 1, Part::Whole, 2e-13, 0.0, 0.0);
+}
+
+#[test]
+fn middles_of_halves() {
+    // A middle is off by up to 3 u times the greatest component of its half.
+    let ratio = |x: &[f64]| {
+        let (m, exact) = motion(x, Patch::Triangle, Part::First, 1.0, 0.0);
+        (m.a[1][0].0 - exact[0][1][0]) / (3.0 * UNIT * m.magnitudes()[0].0)
+    };
+    Ascent { n_inputs: 24, flush: false, ratio }.check("middle of a half", 5, [4, 1500], 0.0);
+}
+
+#[test]
+fn greatest_normal() {
+    for (part, documented) in [(Part::Whole, 0.0), (Part::First, 0.0)] {
+        let ratio = |x: &[f64]| {
+            let (m, exact) = motion(x, Patch::Triangle, part, 1.0, 0.0);
+            let greatest = |length: fn(V) -> f64| {
+                let middle = {
+                    let (p, q) = (cross(exact[1][0], exact[2][1]), cross(exact[1][1], exact[2][0]));
+                    std::array::from_fn(|k| 0.5 * (p[k] + q[k]))
+                };
+                [cross(exact[1][0], exact[2][0]), middle, cross(exact[1][1], exact[2][1])].map(length).into_iter().fold(0.0, f64::max)
+            };
+            let normal = Coplanarity::new(&m).normal.0;
+            let size = m.magnitudes();
+            // What is added to the rounded sums of components.
+            let added = 64.0 * UNIT * size[1].0 * size[2].0;
+            1.0 + (greatest(|n| scalar(n, n).sqrt()) - normal) / added
+        };
+        Ascent { n_inputs: 24, flush: false, ratio }.check("normal", 7, [6, 800], documented);
+    }
+}
+
+#[test]
+fn corners_along_a_direction() {
+    for (patch, part, size, error) in [
+        (Patch::Triangle, Part::Whole, 1.0, 0.0),
+        (Patch::Parallelogram, Part::Whole, 1.0, 0.0),
+        (Patch::Parallelogram, Part::Second, 1.0, 0.0),
+        (Patch::Parallelogram, Part::Whole, 1.0, 0.01),
+        (Patch::Parallelogram, Part::Whole, 1e-37, 0.0),
+    ] {
+        let ratio = |x: &[f64]| {
+            let (m, [a, b, c]) = motion(x, patch, part, size, error);
+            let w = [x[48], x[49], x[50]];
+            let (corner, exact) = match patch {
+                Patch::Triangle => (1, minus(a[1], b[1])),
+                Patch::Parallelogram => (3, minus(minus(a[1], b[1]), c[1])),
+            };
+            let got = dot(wrap(w), m.corners(patch, 1)[corner]).0;
+            (got - scalar(w, exact)) / (m.corner_error().0 * sum_abs(w))
+        };
+        let name = format!("corner, {patch:?} {part:?} {size} {error}");
+        Ascent { n_inputs: 51, flush: size < 1e-6, ratio }.check(&name, 9, [4, 600], 0.0);
+    }
+}
+
+#[test]
+fn separations_beside() {
+    for (patch, part) in PATCHES.into_iter().flat_map(|p| [Part::Whole, Part::Second].map(|h| (p, h))) {
+        // Points that touch at both ends in the same corner or along the same side: the true separation is nowhere
+        // positive.
+        let ratio = |x: &[f64]| {
+            let mut x = x.to_vec();
+            let (s, r) = match (x[24] > 0.0, patch) {
+                (true, _) => (0.5 * x[25] + 0.5, 0.0),
+                (false, Patch::Triangle) => (0.5 * x[25] + 0.5, 0.5 - 0.5 * x[25]),
+                (false, Patch::Parallelogram) => (1.0, 0.5 * x[25] + 0.5),
+            };
+            for t in [0, 12] {
+                for k in 0..3 {
+                    let p = |i: usize| x[t + 3 * i + k];
+                    match patch {
+                        Patch::Triangle => x[t + k] = p(1) + s * (p(2) - p(1)) + r * (p(3) - p(1)),
+                        // eb0 = ea0 + s b + r (eb0 - eb1): moves both ends of the edge b.
+                        Patch::Parallelogram => {
+                            let c = p(2) - p(3);
+                            let eb0 = p(0) + s * (p(1) - p(0)) + r * c;
+                            (x[t + 6 + k], x[t + 9 + k]) = (eb0, eb0 - c);
+                        }
+                    }
+                }
+            }
+            x.resize(48, 0.0);
+            let separation = || beside(&motion(&x, patch, part, 1.0, 0.0).0, patch, Adversarial(0.0)).0;
+            // Without errors of rounding nearly the bound alone is left.
+            let bound = -undisturbed(separation);
+            1.0 + separation() / bound
+        };
+        Ascent { n_inputs: 26, flush: false, ratio }.check(&format!("beside, {patch:?} {part:?}"), 11, [4, 400], 0.0);
+    }
+}
+
+#[test]
+fn values_of_cubics() {
+    // Inputs: four coefficients and a time.
+    let largest = |x: &[f64]| x[..4].iter().fold(0.0f64, |m, c| m.max(c.abs()));
+    let exact = |x: &[f64], t: f64| {
+        let s = 1.0 - t;
+        x[0] * s * s * s + x[1] * s * s * t + x[2] * s * t * t + x[3] * t * t * t
+    };
+    let cubic = |x: &[f64]| Cubic::new([x[0], x[1], x[2], x[3]].map(Adversarial), Adversarial(0.0));
+    let value = |x: &[f64]| {
+        let t = 0.5 + 0.5 * x[4];
+        (cubic(x).value(Adversarial(t)).0 - exact(x, t)) / (12.0 * UNIT * largest(x))
+    };
+    Ascent { n_inputs: 5, flush: false, ratio: value }.check("value of a cubic", 13, [4, 2000], 0.0);
+    // The value at a critical point as found, against the true extreme value.
+    let turning = |x: &[f64]| {
+        let (ends, n) = cubic(x).pieces();
+        let q = [x[1] - 3.0 * x[0], x[2] - x[1], 3.0 * x[3] - x[2]];
+        let d = q[1] * q[1] - q[0] * q[2];
+        if n < 2 || d <= 0.0 {
+            return f64::NEG_INFINITY;
+        }
+        let i = if x[4] > 0.0 { 1 } else { n - 1 };
+        let z = -(q[1] + if q[1] < 0.0 { -d.sqrt() } else { d.sqrt() });
+        let near = |t: f64| if t > 0.0 && t < 1.0 { (t - ends[i].0).abs() } else { f64::INFINITY };
+        let (t, u) = (z / (z + q[2]), q[0] / (q[0] + z));
+        let t = if near(t) < near(u) { t } else { u };
+        if !near(t).is_finite() {
+            return f64::NEG_INFINITY;
+        }
+        let got = cubic(x).value(ends[i]).0;
+        let sign = if x[5] > 0.0 { 1.0 } else { -1.0 };
+        sign * (got - exact(x, t)) / (256.0 * UNIT * largest(x))
+    };
+    Ascent { n_inputs: 6, flush: false, ratio: turning }.check("value at a critical point", 15, [6, 2000], 0.0);
+}
+
+#[test]
+fn balls_and_products_over_an_interval() {
+    // Widths of the interval: none (rounding alone), and all of the step.
+    for (width, error) in [(0.0, 0.0), (1.0, 0.0), (0.0, 0.01), (1e-3, 1e-4)] {
+        let vector = |x: &[f64], from: usize| -> ([[Adversarial; 3]; 2], [V; 2]) {
+            let given = [0, 3].map(|i| -> V { std::array::from_fn(|k| x[from + i + k]) });
+            let true_ones = [0, 3].map(|i| -> V { std::array::from_fn(|k| x[from + i + k] + error * x[from + 6 + i + k]) });
+            (given.map(wrap), true_ones)
+        };
+        let times = |x: &[f64]| {
+            let lo = (0.5 + 0.5 * x[24]) * (1.0 - width);
+            (lo, width, if x[25] > 0.0 { lo } else { lo + width })
+        };
+        let ball = |x: &[f64], v: &[[Adversarial; 3]; 2]| {
+            let (lo, width, _) = times(x);
+            let half = Adversarial(width) * Adversarial(0.5);
+            let middle = Adversarial(lo) + half;
+            Ball::new(v, middle, half + Adversarial(4.0 * UNIT), Adversarial(error))
+        };
+        let radius = |x: &[f64]| {
+            let (v, exact) = vector(x, 0);
+            let b = ball(x, &v);
+            (b.centre[0].0 - at(&exact, times(x).2)[0]) / b.radius.0
+        };
+        let name = format!("ball, width {width}, input error {error}");
+        Ascent { n_inputs: 26, flush: false, ratio: radius }.check(&name, 17, [4, 800], 0.0);
+        let product = |x: &[f64]| {
+            let ((p, p_true), (q, q_true)) = (vector(x, 0), vector(x, 12));
+            let (value, bound) = cross2(&ball(x, &p), &ball(x, &q), 0, 1);
+            let t = times(x).2;
+            (value.0 - cross(at(&p_true, t), at(&q_true, t))[2]) / bound.0
+        };
+        let name = format!("product, width {width}, input error {error}");
+        Ascent { n_inputs: 26, flush: false, ratio: product }.check(&name, 19, [4, 800], 0.0);
+    }
+}
+
+#[test]
+fn the_search_finds_a_bound_that_is_too_small() {
+    let ratio = |x: &[f64]| {
+        let (m, exact) = motion(x, Patch::Triangle, Part::Second, 1.0, 0.0);
+        (m.a[0][0].0 - exact[0][0][0]) / (2.0 * UNIT * m.magnitudes()[0].0)
+    };
+    assert!(Ascent { n_inputs: 24, flush: false, ratio }.climb(5, 4, 1500).ratio > 1.0);
+    // And each choice of the adversary counts.
+    let sum = |choices: &[i8]| under(choices, false, || (Adversarial(1.0) + Adversarial(1.0)).0).0;
+    assert_eq!([sum(&[-1]), sum(&[]), sum(&[1])], [2.0 - 2.0 * UNIT, 2.0, 2.0 + 2.0 * UNIT]);
+}
