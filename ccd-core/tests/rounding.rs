@@ -49,18 +49,15 @@ enum Part {
 /// true `a b c`.
 fn motion(x: &[f64], patch: Patch, part: Part, size: f64, error: f64) -> (Motion<Adversarial>, [[V; 2]; 3]) {
     let point = |t: usize, i: usize| -> V { std::array::from_fn(|k| size * x[12 * t + 3 * i + k]) };
-    let off = |t: usize, i: usize| -> V { std::array::from_fn(|k| point(t, i)[k] + error * x.get(24 + 12 * t + 3 * i + k).unwrap_or(&0.0)) };
+    let off =
+        |t: usize, i: usize| -> V { std::array::from_fn(|k| point(t, i)[k] + error * x.get(24 + 12 * t + 3 * i + k).unwrap_or(&0.0)) };
     let given = |t: usize| std::array::from_fn(|i| wrap(point(t, i)));
     let (t0, t1) = (given(0), given(1));
     let e = Adversarial(error);
     let difference = |i: usize, j: usize| [minus(off(0, i), off(0, j)), minus(off(1, i), off(1, j))];
     let (m, mut exact) = match patch {
-        Patch::Triangle => {
-            (Motion::vertex_face(&t0, &t1, e), [difference(0, 1), difference(2, 1), difference(3, 1)])
-        }
-        Patch::Parallelogram => {
-            (Motion::edge_edge(&t0, &t1, e), [difference(2, 0), difference(1, 0), difference(2, 3)])
-        }
+        Patch::Triangle => (Motion::vertex_face(&t0, &t1, e), [difference(0, 1), difference(2, 1), difference(3, 1)]),
+        Patch::Parallelogram => (Motion::edge_edge(&t0, &t1, e), [difference(2, 0), difference(1, 0), difference(2, 3)]),
     };
     let (first, second) = m.halves();
     let m = match part {

@@ -36,7 +36,13 @@ impl<F: Fn(&[f64]) -> f64> Ascent<F> {
             choices[i] = 1;
             let effect = run(&choices).0 - base;
             choices[i] = 0;
-            best[i] = if effect > 0.0 { 1 } else if effect < 0.0 { -1 } else { 0 };
+            best[i] = if effect > 0.0 {
+                1
+            } else if effect < 0.0 {
+                -1
+            } else {
+                0
+            };
         }
         let opposite: Vec<i8> = best.iter().map(|c| -c).collect();
         run(&best).0.max(run(&opposite).0).max(base)
