@@ -138,4 +138,7 @@ impl Real for Adversarial {
     fn is_finite_number(self) -> bool {
         self.0.is_finite()
     }
+    fn to_unit(self) -> Self {
+        Self(self.0.to_unit())
+    }
 }
