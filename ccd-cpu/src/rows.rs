@@ -46,10 +46,10 @@ impl Scene<'_> {
 
     /// Whether the swept boxes of two features overlap in the precision of the input.
     #[inline(never)]
-    fn boxes_overlap(&self, a: &[u32], b: &[u32]) -> bool {
+    fn boxes_overlap<const A: usize, const B: usize>(&self, a: [u32; A], b: [u32; B]) -> bool {
         match self.given {
-            Precision::F32(x) => boxes_overlap(x, self.min_distance, a, b),
-            Precision::F64(x) => boxes_overlap(x, self.min_distance, a, b),
+            Precision::F32(x) => boxes_overlap(x, self.min_distance, &a, &b),
+            Precision::F64(x) => boxes_overlap(x, self.min_distance, &a, &b),
         }
     }
 }
@@ -160,17 +160,18 @@ impl<W: Take> Rows for EdgeRows<'_, W> {
 
     #[inline(always)]
     fn row<S: RowSimd>(&self, worker: &mut W, simd: S, a: usize, lane: usize, b: usize, mut mask: u32) {
-        let ends_a = [self.leaves.vertices[a][0][lane], self.leaves.vertices[a][1][lane]];
+        // Two numbers and not an array: one that a call refers to would live in memory.
+        let (a0, a1) = (self.leaves.vertices[a][0][lane], self.leaves.vertices[a][1][lane]);
         let ends_b = &self.leaves.vertices[b];
-        mask &= !(simd.equals(&ends_b[0], ends_a) | simd.equals(&ends_b[1], ends_a));
+        mask &= !(simd.equals(&ends_b[0], [a0, a1]) | simd.equals(&ends_b[1], [a0, a1]));
         if let Some(bodies) = self.scene.bodies {
-            mask = keep(mask, |j| bodies.wants(bodies.body(ends_a[0]), bodies.body(ends_b[0][j])));
+            mask = keep(mask, |j| bodies.wants(bodies.body(a0), bodies.body(ends_b[0][j])));
         }
         if let Some(slack) = self.scene.slack {
-            let sure = simd.overlaps(&self.edges.level(0)[a], lane, &self.edges.level(0)[b], slack);
+            let sure = simd.overlaps_shrunk(&self.edges.level(0)[a], lane, &self.edges.level(0)[b], slack);
             let unsure = mask & !sure;
             if unsure != 0 {
-                mask = mask & sure | keep(unsure, |j| self.scene.boxes_overlap(&ends_a, &[ends_b[0][j], ends_b[1][j]]));
+                mask = mask & sure | keep(unsure, |j| self.scene.boxes_overlap([a0, a1], [ends_b[0][j], ends_b[1][j]]));
             }
         }
         worker.count(mask.count_ones() as u64);
@@ -204,11 +205,11 @@ impl<W: Take> Rows for FaceRows<'_, W> {
             mask = keep(mask, |j| bodies.wants(bodies.body(vertex), bodies.body(corners[0][j])));
         }
         if let Some(slack) = self.scene.slack {
-            let sure = simd.overlaps(&self.vertices.level(0)[a], lane, &self.faces.level(0)[b], slack);
+            let sure = simd.overlaps_shrunk(&self.vertices.level(0)[a], lane, &self.faces.level(0)[b], slack);
             let unsure = mask & !sure;
             if unsure != 0 {
                 let of = |j: usize| [corners[0][j], corners[1][j], corners[2][j]];
-                mask = mask & sure | keep(unsure, |j| self.scene.boxes_overlap(&[vertex], &of(j)));
+                mask = mask & sure | keep(unsure, |j| self.scene.boxes_overlap([vertex], of(j)));
             }
         }
         worker.count(mask.count_ones() as u64);
@@ -246,7 +247,7 @@ pub(crate) fn keep(mask: u32, wanted: impl Fn(usize) -> bool) -> u32 {
 /// Lanes of `b` that an axis keeps further than `needed` from lane `i` of `a` during the whole step.
 #[inline(always)]
 fn separated<S: RowSimd>(simd: S, a: &[Block; 2], i: usize, b: &[Block; 2], needed: f32) -> u32 {
-    let (a0, a1) = (bounds(simd.one(&a[0], i, 0.0)), bounds(simd.one(&a[1], i, 0.0)));
+    let (a0, a1) = (bounds(simd.one(&a[0], i)), bounds(simd.one(&a[1], i)));
     let (b0, b1) = (bounds(simd.boxes(&b[0])), bounds(simd.boxes(&b[1])));
     axis_separated(&a0, &a1, &b0, &b1, S::Lanes::splat(needed)).bits()
 }

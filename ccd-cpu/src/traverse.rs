@@ -138,7 +138,7 @@ fn children<S: RowSimd>(simd: S, sides: Sides, task: Task, out: &mut Vec<Task>) 
 fn overlaps<S: RowSimd>(simd: S, a: &Block, b: &Block) -> u64 {
     let mut masks = 0;
     for i in 0..WIDTH {
-        masks |= (simd.overlaps(a, i, b, 0.0) as u64) << (8 * i);
+        masks |= (simd.overlaps(a, i, b) as u64) << (8 * i);
     }
     masks
 }

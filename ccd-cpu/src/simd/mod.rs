@@ -30,6 +30,7 @@ pub use neon::Neon;
 pub use portable::{F32x8, Portable};
 
 use ccd_core::layout::Pair;
+use ccd_core::math::vec3::{add, sub};
 use ccd_core::{Aabb, Num};
 
 /// Boxes side by side in a block, and lanes of a row.
@@ -84,20 +85,27 @@ pub trait RowSimd: Simd {
         }
     }
 
-    /// Box `i` in all lanes, each bound moved inward by `shrink`.
+    /// Box `i` in all lanes.
     #[inline(always)]
-    fn one(self, block: &Block, i: usize, shrink: f32) -> Aabb<Self::Lanes> {
+    fn one(self, block: &Block, i: usize) -> Aabb<Self::Lanes> {
         let (min, max) = (&block.min, &block.max);
-        let low = |k: usize| Self::Lanes::splat(min[k].0[i] + shrink);
-        let high = |k: usize| Self::Lanes::splat(max[k].0[i] - shrink);
-        Aabb { min: [low(0), low(1), low(2)], max: [high(0), high(1), high(2)] }
+        let all = Self::Lanes::splat;
+        Aabb { min: [all(min[0].0[i]), all(min[1].0[i]), all(min[2].0[i])], max: [all(max[0].0[i]), all(max[1].0[i]), all(max[2].0[i])] }
     }
 
-    /// Lanes of `b` whose closed boxes overlap that of lane `i` of `a`, after each of its bounds was
-    /// moved inward by `shrink`.
+    /// Lanes of `b` whose closed boxes overlap that of lane `i` of `a`.
     #[inline(always)]
-    fn overlaps(self, a: &Block, i: usize, b: &Block, shrink: f32) -> u32 {
-        !self.one(a, i, shrink).separated(&self.boxes(b)).bits() & 0xff
+    fn overlaps(self, a: &Block, i: usize, b: &Block) -> u32 {
+        !self.one(a, i).separated(&self.boxes(b)).bits() & 0xff
+    }
+
+    /// The same after each bound of lane `i` of `a` was moved inward by `shrink`.
+    #[inline(always)]
+    fn overlaps_shrunk(self, a: &Block, i: usize, b: &Block, shrink: f32) -> u32 {
+        let shrink = [Self::Lanes::splat(shrink); 3];
+        let Aabb { min, max } = self.one(a, i);
+        let a = Aabb { min: add(min, shrink), max: sub(max, shrink) };
+        !a.separated(&self.boxes(b)).bits() & 0xff
     }
 }
 
