@@ -36,7 +36,7 @@ pub fn run(runs: usize, out: &Path) -> Result<(), String> {
     );
     text.push_str("each by itself, so that none overlaps another. Wall: with upload, waiting and reading back. Floor: bytes that must move, at 4.3 TB/s.\n");
     // What was measured before a failure is kept.
-    let write = |text: &str| std::fs::write(out, text).map_err(|e| format!("{}: {e}", out.display()));
+    let write = |text: &str| std::fs::write(out, crate::markdown::wrap(text)).map_err(|e| format!("{}: {e}", out.display()));
     for path in [Shaders::Passthrough, Shaders::Wgsl] {
         let device = Device::open(&DeviceOptions { path: Some(path), ..DeviceOptions::default() }).map_err(error)?;
         let _ = write!(text, "\n## {} through {path:?}\n\n```\n{}\n```\n", device.info().adapter.name, device.info());
