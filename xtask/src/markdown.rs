@@ -2,7 +2,7 @@
 
 use crate::tidy::MAX_COLUMNS_MARKDOWN;
 
-/// Wraps every line that is neither a row of a table nor a heading; a word is never divided.
+/// Wraps every line that is neither a row of a table nor a heading; no word is divided.
 pub fn wrap(text: &str) -> String {
     let mut out = String::new();
     for line in text.lines() {
@@ -17,16 +17,18 @@ pub fn wrap(text: &str) -> String {
 }
 
 fn wrap_line(line: &str, out: &mut String) {
-    // What goes on in a further line of a list item stands below its text.
-    let indent = if line.starts_with("- ") { "  " } else { "" };
-    let mut columns = 0;
-    for word in line.split(' ') {
+    let (spaces, body) = line.split_at(line.len() - line.trim_start().len());
+    // What goes on in a further line stands below the text of the first.
+    let indent = if body.starts_with("- ") { format!("{spaces}  ") } else { spaces.to_owned() };
+    out.push_str(spaces);
+    let mut columns = spaces.len();
+    for (i, word) in body.split(' ').enumerate() {
         let n = word.chars().count();
-        if columns > 0 && columns + 1 + n > MAX_COLUMNS_MARKDOWN {
+        if i > 0 && columns + 1 + n > MAX_COLUMNS_MARKDOWN {
             out.push('\n');
-            out.push_str(indent);
+            out.push_str(&indent);
             columns = indent.len();
-        } else if columns > 0 {
+        } else if i > 0 {
             out.push(' ');
             columns += 1;
         }
@@ -49,6 +51,7 @@ mod tests {
         assert_eq!((lines[2].len(), lines[3].len(), lines[4].len()), (99, 99, 4));
         assert!(lines[5].starts_with("- word") && lines[6].starts_with("  word"));
         assert!(lines.iter().all(|l| l.starts_with(['#', '|']) || l.len() <= MAX_COLUMNS_MARKDOWN));
+        assert_eq!(wrap("   a  b"), "   a  b\n");
         let squeezed = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
         assert_eq!(squeezed(&wrapped), squeezed(&text));
     }

@@ -24,8 +24,11 @@ const UNSAFE_FILES: [&str; 7] = [
     "tests/allocations.rs",
 ];
 /// A word, and the only places where it may stand.
-const OWNERS: [(&str, &[&str]); 3] =
-    [("rayon", &["ccd-cpu/", "xtask/"]), ("wgpu", &["ccd-gpu/", "examples/", "src/any/", "src/cli/", "tests/"]), ("spirv_std", &["ccd-shaders/"])];
+const OWNERS: [(&str, &[&str]); 3] = [
+    ("rayon", &["ccd-cpu/", "xtask/"]),
+    ("wgpu", &["ccd-gpu/", "examples/", "src/any/", "src/cli/", "tests/"]),
+    ("spirv_std", &["ccd-shaders/"]),
+];
 
 pub fn run(root: &Path) -> Result<(), String> {
     let mut problems = Vec::new();
