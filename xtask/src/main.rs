@@ -1,8 +1,12 @@
 //! `cargo xtask`: what the project does to itself.
+#![deny(unsafe_code)]
 
 mod ci;
+mod compile_times;
 #[cfg(feature = "gpu-report")]
 mod gpu;
+#[cfg(any(feature = "report", feature = "gpu-report", test))]
+mod markdown;
 #[cfg(feature = "report")]
 mod report;
 mod shaders;
@@ -40,6 +44,12 @@ enum Task {
         #[arg(long, requires = "gpu", default_value = "benches/GPU.md")]
         out: std::path::PathBuf,
     },
+    /// Measure how long compiling takes, beside bars; fails above twice a bar (takes long)
+    CompileTimes {
+        /// Measure this alone
+        #[arg(long, value_enum)]
+        only: Option<compile_times::Part>,
+    },
 }
 
 fn main() -> ExitCode {
@@ -50,6 +60,7 @@ fn main() -> ExitCode {
         Task::Shaders { check } => shaders_task(root, check),
         Task::Report { runs, gpu: true, out } => gpu_task(root, runs, &root.join(out)),
         Task::Report { runs, .. } => report_task(root, runs),
+        Task::CompileTimes { only } => compile_times::run(root, only),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

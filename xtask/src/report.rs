@@ -33,7 +33,7 @@ pub fn run(root: &Path, runs: usize) -> Result<(), String> {
     }
     kernels(root, &mut out)?;
     let path = root.join("benches/RESULTS.md");
-    std::fs::write(&path, &out).map_err(|e| format!("{}: {e}", path.display()))?;
+    std::fs::write(&path, crate::markdown::wrap(&out)).map_err(|e| format!("{}: {e}", path.display()))?;
     println!("written {}", path.display());
     Ok(())
 }
