@@ -26,8 +26,9 @@ pub trait Num: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Sel
     fn min(self, other: Self) -> Self;
 }
 
-mod sealed {
-    /// `f32` and `f64` alone.
+#[doc(hidden)]
+pub mod sealed {
+    /// `f32` and `f64`, and the numbers with which tests of bounds play other devices.
     pub trait Sealed {}
 }
 

@@ -5,6 +5,8 @@
 //! last place); 0 for a product stands for contraction. It may also flush operands and results that are not normal.
 
 use bytemuck::{Pod, Zeroable};
+use ccd_core::math::real::sealed::Sealed;
+use ccd_core::model::precision::{Record, Slices};
 use ccd_core::{Num, Real};
 use std::cell::{Cell, RefCell};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -111,7 +113,12 @@ impl Num for Adversarial {
     }
 }
 
+impl Sealed for Adversarial {}
+
 impl Real for Adversarial {
+    fn slices<'a, R: Record, const N: usize>(_: [&'a [R::Of<Self>]; N]) -> Slices<'a, R, N> {
+        unreachable!("no pipeline takes these numbers")
+    }
     fn to_f64(self) -> f64 {
         self.0
     }
@@ -137,5 +144,8 @@ impl Real for Adversarial {
     }
     fn is_finite_number(self) -> bool {
         self.0.is_finite()
+    }
+    fn to_unit(self) -> Self {
+        Self(self.0.to_unit())
     }
 }
