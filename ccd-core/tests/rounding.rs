@@ -4,12 +4,12 @@
 
 mod common;
 
-use ccd_core::math::vec3::{dot, sum_abs};
-use ccd_core::narrow_phase::containment::{Ball, cross2};
 use ccd_core::narrow_phase::coplanarity::Coplanarity;
 use ccd_core::narrow_phase::cubic_roots::Cubic;
+use ccd_core::narrow_phase::containment::{Ball, cross2};
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
 use ccd_core::narrow_phase::separating_direction::beside;
+use ccd_core::math::vec3::{dot, sum_abs};
 use common::adversary::{Adversarial, UNIT, under, undisturbed};
 use common::ascent::Ascent;
 
@@ -93,7 +93,7 @@ fn check_control(name: &str, k: usize, part: Part, size: f64, error: f64, docume
         let c = plane.c[k].0 * if k == 0 || k == 3 { 3.0 } else { 1.0 };
         (c - control(&exact, k)) / plane.bound.0
     };
-    Ascent { n_inputs: 48, flush: size < 1e-6, ratio }.check(name, 1 + k as u64, [4, 400], documented);
+    Ascent { n_inputs: 48, flush: size < 1e-6, ratio }.check(name, 1 + k as u64, [3, 250], documented);
 }
 
 #[test]
@@ -113,7 +113,7 @@ fn middles_of_halves() {
         let (m, exact) = motion(x, Patch::Triangle, Part::First, 1.0, 0.0);
         (m.a[1][0].0 - exact[0][1][0]) / (3.0 * UNIT * m.magnitudes()[0].0)
     };
-    Ascent { n_inputs: 24, flush: false, ratio }.check("middle of a half", 5, [4, 1500], 0.0);
+    Ascent { n_inputs: 24, flush: false, ratio }.check("middle of a half", 5, [3, 800], 0.0);
 }
 
 #[test]
@@ -134,7 +134,7 @@ fn greatest_normal() {
             let added = 64.0 * UNIT * size[1].0 * size[2].0;
             1.0 + (greatest(|n| scalar(n, n).sqrt()) - normal) / added
         };
-        Ascent { n_inputs: 24, flush: false, ratio }.check("normal", 7, [6, 800], documented);
+        Ascent { n_inputs: 24, flush: false, ratio }.check("normal", 7, [4, 400], documented);
     }
 }
 
@@ -158,7 +158,7 @@ fn corners_along_a_direction() {
             (got - scalar(w, exact)) / (m.corner_error().0 * sum_abs(w))
         };
         let name = format!("corner, {patch:?} {part:?} {size} {error}");
-        Ascent { n_inputs: 51, flush: size < 1e-6, ratio }.check(&name, 9, [4, 600], 0.0);
+        Ascent { n_inputs: 51, flush: size < 1e-6, ratio }.check(&name, 9, [3, 300], 0.0);
     }
 }
 
@@ -194,7 +194,7 @@ fn separations_beside() {
             let bound = -undisturbed(separation);
             1.0 + separation() / bound
         };
-        Ascent { n_inputs: 26, flush: false, ratio }.check(&format!("beside, {patch:?} {part:?}"), 11, [4, 400], 0.0);
+        Ascent { n_inputs: 26, flush: false, ratio }.check(&format!("beside, {patch:?} {part:?}"), 11, [3, 200], 0.0);
     }
 }
 
@@ -211,7 +211,7 @@ fn values_of_cubics() {
         let t = 0.5 + 0.5 * x[4];
         (cubic(x).value(Adversarial(t)).0 - exact(x, t)) / (12.0 * UNIT * largest(x))
     };
-    Ascent { n_inputs: 5, flush: false, ratio: value }.check("value of a cubic", 13, [4, 2000], 0.0);
+    Ascent { n_inputs: 5, flush: false, ratio: value }.check("value of a cubic", 13, [3, 1000], 0.0);
     // The value at a critical point as found, against the true extreme value.
     let turning = |x: &[f64]| {
         let (ends, n) = cubic(x).pieces();
@@ -232,7 +232,7 @@ fn values_of_cubics() {
         let sign = if x[5] > 0.0 { 1.0 } else { -1.0 };
         sign * (got - exact(x, t)) / (256.0 * UNIT * largest(x))
     };
-    Ascent { n_inputs: 6, flush: false, ratio: turning }.check("value at a critical point", 15, [6, 2000], 0.0);
+    Ascent { n_inputs: 6, flush: false, ratio: turning }.check("value at a critical point", 15, [4, 1000], 0.0);
 }
 
 #[test]
@@ -260,7 +260,7 @@ fn balls_and_products_over_an_interval() {
             (b.centre[0].0 - at(&exact, times(x).2)[0]) / b.radius.0
         };
         let name = format!("ball, width {width}, input error {error}");
-        Ascent { n_inputs: 26, flush: false, ratio: radius }.check(&name, 17, [4, 800], 0.0);
+        Ascent { n_inputs: 26, flush: false, ratio: radius }.check(&name, 17, [3, 400], 0.0);
         let product = |x: &[f64]| {
             let ((p, p_true), (q, q_true)) = (vector(x, 0), vector(x, 12));
             let (value, bound) = cross2(&ball(x, &p), &ball(x, &q), 0, 1);
@@ -268,7 +268,7 @@ fn balls_and_products_over_an_interval() {
             (value.0 - cross(at(&p_true, t), at(&q_true, t))[2]) / bound.0
         };
         let name = format!("product, width {width}, input error {error}");
-        Ascent { n_inputs: 26, flush: false, ratio: product }.check(&name, 19, [4, 800], 0.0);
+        Ascent { n_inputs: 26, flush: false, ratio: product }.check(&name, 19, [3, 400], 0.0);
     }
 }
 
@@ -278,7 +278,7 @@ fn the_search_finds_a_bound_that_is_too_small() {
         let (m, exact) = motion(x, Patch::Triangle, Part::Second, 1.0, 0.0);
         (m.a[0][0].0 - exact[0][0][0]) / (2.0 * UNIT * m.magnitudes()[0].0)
     };
-    assert!(Ascent { n_inputs: 24, flush: false, ratio }.climb(5, 4, 1500).ratio > 1.0);
+    assert!(Ascent { n_inputs: 24, flush: false, ratio }.climb(5, 3, 800).ratio > 1.0);
     // And each choice of the adversary counts.
     let sum = |choices: &[i8]| under(choices, false, || (Adversarial(1.0) + Adversarial(1.0)).0).0;
     assert_eq!([sum(&[-1]), sum(&[]), sum(&[1])], [2.0 - 2.0 * UNIT, 2.0, 2.0 + 2.0 * UNIT]);

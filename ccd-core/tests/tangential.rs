@@ -75,14 +75,14 @@ fn check_queries<R: Real>(n: usize, seed: u64) {
 
 #[test]
 fn zeros_of_cubics_that_nearly_touch_are_held() {
-    check_cubics::<f64>(10_000, 1);
-    check_cubics::<f32>(10_000, 2);
+    check_cubics::<f64>(6_000, 1);
+    check_cubics::<f32>(6_000, 2);
 }
 
 #[test]
 fn contacts_of_queries_that_nearly_graze_are_seen() {
-    check_queries::<f64>(40_000, 3);
-    check_queries::<f32>(40_000, 4);
+    check_queries::<f64>(25_000, 3);
+    check_queries::<f32>(25_000, 4);
 }
 
 #[test]

@@ -4,8 +4,8 @@ mod common;
 
 use ccd_core::narrow_phase::conservative_advancement::{Advance, advance, within};
 use ccd_core::narrow_phase::containment::{Inside, inside};
-use ccd_core::narrow_phase::query::{Verdict, solve};
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
+use ccd_core::narrow_phase::query::solve;
 use common::Points;
 use common::adversary::{Adversarial, UNIT, under};
 use common::random::Random;
@@ -32,7 +32,7 @@ fn touch(random: &mut Random) -> Touch {
     let small = random.power(-12.0, 0.0);
     match random.below(6) {
         0 => c = b.map(|v| v.map(|x| x * 0.5)),
-        1 => [a, b, c].iter_mut().for_each(|v| v.iter_mut().for_each(|p| p[2] = 0.0)),
+        1 => [&mut a, &mut b, &mut c].into_iter().flatten().for_each(|p| p[2] = 0.0),
         2 => a = a.map(|v| v.map(|x| x * small)),
         3 => [a[0], a[1]] = [a[0], a[0]],
         _ => {}
@@ -88,14 +88,14 @@ const LATE: f64 = 1e-9;
 #[test]
 fn no_contact_is_missed() {
     let mut random = Random::new(1);
-    let mut n = [0; 2];
+    let mut n_late = 0;
     for _ in 0..20_000 {
         let q = touch(&mut random);
         let ways = choices(&mut random);
         let flush = random.below(2) == 0;
         let origin = if random.below(2) == 0 { [0.0; 3] } else { random.vector() };
         let [t0, t1] = q.points(origin);
-        let verdict = under(&ways, flush, || {
+        let (verdict, _) = under(&ways, flush, || {
             let zero = Adversarial(0.0);
             let m = match q.patch {
                 Patch::Triangle => Motion::vertex_face(&t0, &t1, zero),
@@ -103,12 +103,11 @@ fn no_contact_is_missed() {
             };
             solve(&m, q.patch, zero)
         });
-        let (verdict, _) = verdict;
         let early = verdict.toi().is_some_and(|toi| toi.0 <= q.t + LATE);
         assert!(early, "contact at {}, but {verdict:?}: {:?} {t0:?} {t1:?} {flush} {ways:?}", q.t, q.patch);
-        n[matches!(verdict, Verdict::Hit { .. }) as usize] += 1;
+        n_late += verdict.toi().is_some_and(|toi| toi.0 > 0.1) as usize;
     }
-    assert!(n[0] > 1000 && n[1] > 1000, "{n:?}");
+    assert!(n_late > 1000, "{n_late} that were decided at all");
 }
 
 #[test]

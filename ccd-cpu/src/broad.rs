@@ -340,7 +340,7 @@ mod tests {
             pairs.sort_unstable_by_key(|p| (p.a, p.b));
             pairs
         };
-        for method in [BroadPhaseMethod::Blocks, _] {
+        for method in [BroadPhaseMethod::Blocks, BroadPhaseMethod::Tree] {
             let mut broad = BroadPhase::new(1, method).unwrap();
             let got = sorted(broad.self_pairs(a).unwrap());
             assert_eq!(got, within, "{method:?}, within {a:?}");

@@ -1,8 +1,8 @@
 //! Certificates of staying apart, and halves of a step, against numbers without rounding: products
 //! and differences of `f32` are exact in `f64`, and the oracle is exact altogether.
 
-use ccd_core::motion::{Motion, Patch};
-use ccd_core::separate::{axis_separated, beside};
+use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
+use ccd_core::narrow_phase::separating_direction::{axis_separated, beside};
 use ccd_testkit::generate::Random;
 use ccd_testkit::oracle::{self, Answer};
 

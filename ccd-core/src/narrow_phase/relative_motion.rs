@@ -61,7 +61,7 @@ impl<N: Num> Motion<N> {
     /// The first and the second half of the step.
     ///
     /// The vectors in the middle are off by up to three units of roundoff of the greatest component in
-    /// the half, instead of one (derived in `bernstein.rs`), which the bounds of filters allow for.
+    /// the half, instead of one (derived in `coplanarity.rs`), which the bounds of filters allow for.
     #[inline(always)]
     pub fn halves(&self) -> (Self, Self) {
         let half = N::splat(0.5);

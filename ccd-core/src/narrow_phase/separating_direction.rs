@@ -9,7 +9,7 @@
 //! corners and `|w|` be the sum of absolute components of `w`.
 //!
 //! - A corner carries at most `3 u S` from its differences (three roundings where the step was halved,
-//!   see `bernstein.rs`) and `2 u S` from at most two subtractions.
+//!   see `coplanarity.rs`) and `2 u S` from at most two subtractions.
 //! - Its product with `w` passes one multiplication and two additions: `3 u |w| S`.
 //!
 //! Together `8 u |w| S`; `17` leaves as much again for the roundings of `S`, of `|w|` and of the comparison.

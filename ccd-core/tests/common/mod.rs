@@ -3,6 +3,8 @@
 
 pub mod adversary;
 pub mod ascent;
+#[path = "distance.rs"]
+pub mod distance;
 pub mod exact;
 #[path = "../../../ccd-testkit/src/oracle.rs"]
 pub mod oracle;
