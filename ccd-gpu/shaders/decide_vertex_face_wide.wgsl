@@ -77,12 +77,18 @@ struct type_30 {
 }
 
 struct type_32 {
+    member: array<f64, 4>,
+    member_1: array<f64, 4>,
+    member_2: array<f64, 4>,
+}
+
+struct type_33 {
     member: array<f64, 3>,
     member_1: f64,
     member_2: f64,
 }
 
-struct type_33 {
+struct type_34 {
     member: f64,
     member_1: f64,
 }
@@ -94,23 +100,28 @@ struct type_38 {
     member_3: f64,
 }
 
-struct type_39 {
+struct type_40 {
     member: array<array<f64, 3>, 4>,
     member_1: array<array<f64, 3>, 4>,
 }
 
-struct type_40 {
+struct type_41 {
+    member: type_38,
+    member_1: f64,
+}
+
+struct type_42 {
     member: u32,
     member_1: f64,
 }
 
-struct type_41 {
+struct type_43 {
     member: f64,
     member_1: f64,
     member_2: bool,
 }
 
-struct type_44 {
+struct type_46 {
     member: array<atomic<u32>>,
 }
 
@@ -119,14 +130,14 @@ var<storage> params: type_9;
 @group(0) @binding(1) 
 var<storage> paths: type_27;
 @group(0) @binding(6) 
-var<storage, read_write> earliest: type_44;
+var<storage, read_write> earliest: type_46;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(2) 
 var<storage> wide: type_23;
 @group(0) @binding(4) 
 var<storage> input: type_12;
 @group(0) @binding(5) 
-var<storage, read_write> contacts: type_44;
+var<storage, read_write> contacts: type_46;
 @group(0) @binding(3) 
 var<storage> elements: type_14;
 
@@ -135,51 +146,51 @@ fn function_(param: array<f32, 3>) -> array<f64, 3> {
 }
 
 fn function_1(param_1: array<f64, 3>, param_2: array<f64, 3>) -> array<f64, 3> {
-    var phi_729_: array<f64, 3>;
+    var phi_738_: array<f64, 3>;
 
     if ((((param_2[0] * param_2[0]) + (param_2[1] * param_2[1])) + (param_2[2] * param_2[2])) < (((param_1[0] * param_1[0]) + (param_1[1] * param_1[1])) + (param_1[2] * param_1[2]))) {
-        phi_729_ = param_2;
+        phi_738_ = param_2;
     } else {
-        phi_729_ = param_1;
+        phi_738_ = param_1;
     }
-    let _e26 = phi_729_;
+    let _e26 = phi_738_;
     return _e26;
 }
 
 fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: u32) -> array<f64, 3> {
-    var phi_293_: bool;
-    var phi_294_: bool;
-    var phi_295_: bool;
-    var phi_296_: bool;
-    var phi_300_: bool;
-    var phi_273_: bool;
-    var phi_274_: bool;
-    var phi_275_: bool;
-    var phi_276_: bool;
-    var phi_277_: bool;
-    var phi_278_: bool;
+    var phi_302_: bool;
+    var phi_303_: bool;
+    var phi_304_: bool;
+    var phi_305_: bool;
+    var phi_309_: bool;
     var phi_282_: bool;
-    var phi_301_: bool;
-    var phi_331_: array<f64, 3>;
-    var phi_332_: bool;
-    var phi_333_: array<f64, 3>;
-    var phi_334_: bool;
-    var phi_580_: f64;
-    var phi_582_: f64;
-    var phi_624_: f64;
-    var phi_626_: f64;
-    var phi_674_: f64;
-    var phi_676_: f64;
-    var phi_385_: f64;
-    var phi_387_: f64;
-    var phi_435_: f64;
-    var phi_437_: f64;
-    var phi_482_: f64;
-    var phi_484_: f64;
-    var phi_535_: f64;
-    var phi_537_: f64;
-    var phi_691_: array<array<f64, 3>, 4>;
-    var phi_699_: array<f64, 3>;
+    var phi_283_: bool;
+    var phi_284_: bool;
+    var phi_285_: bool;
+    var phi_286_: bool;
+    var phi_287_: bool;
+    var phi_291_: bool;
+    var phi_310_: bool;
+    var phi_340_: array<f64, 3>;
+    var phi_341_: bool;
+    var phi_342_: array<f64, 3>;
+    var phi_343_: bool;
+    var phi_589_: f64;
+    var phi_591_: f64;
+    var phi_633_: f64;
+    var phi_635_: f64;
+    var phi_683_: f64;
+    var phi_685_: f64;
+    var phi_394_: f64;
+    var phi_396_: f64;
+    var phi_444_: f64;
+    var phi_446_: f64;
+    var phi_491_: f64;
+    var phi_493_: f64;
+    var phi_544_: f64;
+    var phi_546_: f64;
+    var phi_700_: array<array<f64, 3>, 4>;
+    var phi_708_: array<f64, 3>;
 
     let _e21 = (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2]));
     let _e32 = (((param_4[0] * param_5[0]) + (param_4[1] * param_5[1])) + (param_4[2] * param_5[2]));
@@ -195,83 +206,83 @@ fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64
         if (_e74 >= _e69) {
             if (_e78 >= _e69) {
                 if (_e74 <= _e70) {
-                    phi_273_ = (_e78 <= _e70);
-                    phi_274_ = false;
+                    phi_282_ = (_e78 <= _e70);
+                    phi_283_ = false;
                 } else {
-                    phi_273_ = bool();
-                    phi_274_ = true;
+                    phi_282_ = bool();
+                    phi_283_ = true;
                 }
-                let _e99 = phi_273_;
-                let _e101 = phi_274_;
-                phi_275_ = _e99;
-                phi_276_ = _e101;
+                let _e99 = phi_282_;
+                let _e101 = phi_283_;
+                phi_284_ = _e99;
+                phi_285_ = _e101;
             } else {
-                phi_275_ = bool();
-                phi_276_ = true;
+                phi_284_ = bool();
+                phi_285_ = true;
             }
-            let _e103 = phi_275_;
-            let _e105 = phi_276_;
-            phi_277_ = _e103;
-            phi_278_ = _e105;
+            let _e103 = phi_284_;
+            let _e105 = phi_285_;
+            phi_286_ = _e103;
+            phi_287_ = _e105;
         } else {
-            phi_277_ = bool();
-            phi_278_ = true;
+            phi_286_ = bool();
+            phi_287_ = true;
         }
-        let _e107 = phi_277_;
-        let _e109 = phi_278_;
+        let _e107 = phi_286_;
+        let _e109 = phi_287_;
         if _e109 {
-            phi_282_ = false;
+            phi_291_ = false;
         } else {
-            phi_282_ = _e107;
+            phi_291_ = _e107;
         }
-        let _e111 = phi_282_;
-        phi_301_ = _e111;
+        let _e111 = phi_291_;
+        phi_310_ = _e111;
     } else {
         if (_e74 >= _e69) {
             if (_e78 >= _e69) {
-                phi_293_ = ((_e74 + _e78) <= _e70);
-                phi_294_ = false;
+                phi_302_ = ((_e74 + _e78) <= _e70);
+                phi_303_ = false;
             } else {
-                phi_293_ = bool();
-                phi_294_ = true;
+                phi_302_ = bool();
+                phi_303_ = true;
             }
-            let _e85 = phi_293_;
-            let _e87 = phi_294_;
-            phi_295_ = _e85;
-            phi_296_ = _e87;
+            let _e85 = phi_302_;
+            let _e87 = phi_303_;
+            phi_304_ = _e85;
+            phi_305_ = _e87;
         } else {
-            phi_295_ = bool();
-            phi_296_ = true;
+            phi_304_ = bool();
+            phi_305_ = true;
         }
-        let _e89 = phi_295_;
-        let _e91 = phi_296_;
+        let _e89 = phi_304_;
+        let _e91 = phi_305_;
         if _e91 {
-            phi_300_ = false;
+            phi_309_ = false;
         } else {
-            phi_300_ = _e89;
+            phi_309_ = _e89;
         }
-        let _e93 = phi_300_;
-        phi_301_ = _e93;
+        let _e93 = phi_309_;
+        phi_310_ = _e93;
     }
-    let _e113 = phi_301_;
+    let _e113 = phi_310_;
     if (_e68 > _e69) {
         if _e113 {
-            phi_331_ = array<f64, 3>((param_3[0] - ((param_4[0] * _e74) + (param_5[0] * _e78))), (param_3[1] - ((param_4[1] * _e74) + (param_5[1] * _e78))), (param_3[2] - ((param_4[2] * _e74) + (param_5[2] * _e78))));
-            phi_332_ = false;
+            phi_340_ = array<f64, 3>((param_3[0] - ((param_4[0] * _e74) + (param_5[0] * _e78))), (param_3[1] - ((param_4[1] * _e74) + (param_5[1] * _e78))), (param_3[2] - ((param_4[2] * _e74) + (param_5[2] * _e78))));
+            phi_341_ = false;
         } else {
-            phi_331_ = array<f64, 3>();
-            phi_332_ = true;
+            phi_340_ = array<f64, 3>();
+            phi_341_ = true;
         }
-        let _e138 = phi_331_;
-        let _e140 = phi_332_;
-        phi_333_ = _e138;
-        phi_334_ = _e140;
+        let _e138 = phi_340_;
+        let _e140 = phi_341_;
+        phi_342_ = _e138;
+        phi_343_ = _e140;
     } else {
-        phi_333_ = array<f64, 3>();
-        phi_334_ = true;
+        phi_342_ = array<f64, 3>();
+        phi_343_ = true;
     }
-    let _e142 = phi_333_;
-    let _e144 = phi_334_;
+    let _e142 = phi_342_;
+    let _e144 = phi_343_;
     if _e144 {
         let _e147 = (param_3[0] - param_4[0]);
         let _e150 = (param_3[1] - param_4[1]);
@@ -280,59 +291,59 @@ fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64
             let _e307 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e307 > f64(0f)) {
                 if (_e307 < f64(1f)) {
-                    phi_385_ = _e307;
+                    phi_394_ = _e307;
                 } else {
-                    phi_385_ = f64(1f);
+                    phi_394_ = f64(1f);
                 }
-                let _e315 = phi_385_;
-                phi_387_ = _e315;
+                let _e315 = phi_394_;
+                phi_396_ = _e315;
             } else {
-                phi_387_ = f64(0f);
+                phi_396_ = f64(0f);
             }
-            let _e317 = phi_387_;
+            let _e317 = phi_396_;
             let _e353 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e353 > f64(0f)) {
                 if (_e353 < f64(1f)) {
-                    phi_435_ = _e353;
+                    phi_444_ = _e353;
                 } else {
-                    phi_435_ = f64(1f);
+                    phi_444_ = f64(1f);
                 }
-                let _e361 = phi_435_;
-                phi_437_ = _e361;
+                let _e361 = phi_444_;
+                phi_446_ = _e361;
             } else {
-                phi_437_ = f64(0f);
+                phi_446_ = f64(0f);
             }
-            let _e363 = phi_437_;
+            let _e363 = phi_446_;
             let _e396 = ((((_e147 * param_5[0]) + (_e150 * param_5[1])) + (_e153 * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e396 > f64(0f)) {
                 if (_e396 < f64(1f)) {
-                    phi_482_ = _e396;
+                    phi_491_ = _e396;
                 } else {
-                    phi_482_ = f64(1f);
+                    phi_491_ = f64(1f);
                 }
-                let _e404 = phi_482_;
-                phi_484_ = _e404;
+                let _e404 = phi_491_;
+                phi_493_ = _e404;
             } else {
-                phi_484_ = f64(0f);
+                phi_493_ = f64(0f);
             }
-            let _e406 = phi_484_;
+            let _e406 = phi_493_;
             let _e419 = (param_3[0] - param_5[0]);
             let _e422 = (param_3[1] - param_5[1]);
             let _e425 = (param_3[2] - param_5[2]);
             let _e445 = ((((_e419 * param_4[0]) + (_e422 * param_4[1])) + (_e425 * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e445 > f64(0f)) {
                 if (_e445 < f64(1f)) {
-                    phi_535_ = _e445;
+                    phi_544_ = _e445;
                 } else {
-                    phi_535_ = f64(1f);
+                    phi_544_ = f64(1f);
                 }
-                let _e453 = phi_535_;
-                phi_537_ = _e453;
+                let _e453 = phi_544_;
+                phi_546_ = _e453;
             } else {
-                phi_537_ = f64(0f);
+                phi_546_ = f64(0f);
             }
-            let _e455 = phi_537_;
-            phi_691_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e317)), (param_3[1] - (param_4[1] * _e317)), (param_3[2] - (param_4[2] * _e317))), array<f64, 3>((param_3[0] - (param_5[0] * _e363)), (param_3[1] - (param_5[1] * _e363)), (param_3[2] - (param_5[2] * _e363))), array<f64, 3>((_e147 - (param_5[0] * _e406)), (_e150 - (param_5[1] * _e406)), (_e153 - (param_5[2] * _e406))), array<f64, 3>((_e419 - (param_4[0] * _e455)), (_e422 - (param_4[1] * _e455)), (_e425 - (param_4[2] * _e455))));
+            let _e455 = phi_546_;
+            phi_700_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e317)), (param_3[1] - (param_4[1] * _e317)), (param_3[2] - (param_4[2] * _e317))), array<f64, 3>((param_3[0] - (param_5[0] * _e363)), (param_3[1] - (param_5[1] * _e363)), (param_3[2] - (param_5[2] * _e363))), array<f64, 3>((_e147 - (param_5[0] * _e406)), (_e150 - (param_5[1] * _e406)), (_e153 - (param_5[2] * _e406))), array<f64, 3>((_e419 - (param_4[0] * _e455)), (_e422 - (param_4[1] * _e455)), (_e425 - (param_4[2] * _e455))));
         } else {
             let _e157 = (param_5[0] - param_4[0]);
             let _e160 = (param_5[1] - param_4[1]);
@@ -340,54 +351,54 @@ fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64
             let _e174 = ((((_e147 * _e157) + (_e150 * _e160)) + (_e153 * _e163)) / (((_e157 * _e157) + (_e160 * _e160)) + (_e163 * _e163)));
             if (_e174 > f64(0f)) {
                 if (_e174 < f64(1f)) {
-                    phi_580_ = _e174;
+                    phi_589_ = _e174;
                 } else {
-                    phi_580_ = f64(1f);
+                    phi_589_ = f64(1f);
                 }
-                let _e182 = phi_580_;
-                phi_582_ = _e182;
+                let _e182 = phi_589_;
+                phi_591_ = _e182;
             } else {
-                phi_582_ = f64(0f);
+                phi_591_ = f64(0f);
             }
-            let _e184 = phi_582_;
+            let _e184 = phi_591_;
             let _e191 = array<f64, 3>((_e147 - (_e157 * _e184)), (_e150 - (_e160 * _e184)), (_e153 - (_e163 * _e184)));
             let _e214 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e214 > f64(0f)) {
                 if (_e214 < f64(1f)) {
-                    phi_624_ = _e214;
+                    phi_633_ = _e214;
                 } else {
-                    phi_624_ = f64(1f);
+                    phi_633_ = f64(1f);
                 }
-                let _e222 = phi_624_;
-                phi_626_ = _e222;
+                let _e222 = phi_633_;
+                phi_635_ = _e222;
             } else {
-                phi_626_ = f64(0f);
+                phi_635_ = f64(0f);
             }
-            let _e224 = phi_626_;
+            let _e224 = phi_635_;
             let _e260 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e260 > f64(0f)) {
                 if (_e260 < f64(1f)) {
-                    phi_674_ = _e260;
+                    phi_683_ = _e260;
                 } else {
-                    phi_674_ = f64(1f);
+                    phi_683_ = f64(1f);
                 }
-                let _e268 = phi_674_;
-                phi_676_ = _e268;
+                let _e268 = phi_683_;
+                phi_685_ = _e268;
             } else {
-                phi_676_ = f64(0f);
+                phi_685_ = f64(0f);
             }
-            let _e270 = phi_676_;
-            phi_691_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e224)), (param_3[1] - (param_4[1] * _e224)), (param_3[2] - (param_4[2] * _e224))), array<f64, 3>((param_3[0] - (param_5[0] * _e270)), (param_3[1] - (param_5[1] * _e270)), (param_3[2] - (param_5[2] * _e270))), _e191, _e191);
+            let _e270 = phi_685_;
+            phi_700_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e224)), (param_3[1] - (param_4[1] * _e224)), (param_3[2] - (param_4[2] * _e224))), array<f64, 3>((param_3[0] - (param_5[0] * _e270)), (param_3[1] - (param_5[1] * _e270)), (param_3[2] - (param_5[2] * _e270))), _e191, _e191);
         }
-        let _e468 = phi_691_;
+        let _e468 = phi_700_;
         let _e471 = function_1(_e468[0], _e468[1]);
         let _e473 = function_1(_e471, _e468[2]);
         let _e475 = function_1(_e473, _e468[3]);
-        phi_699_ = _e475;
+        phi_708_ = _e475;
     } else {
-        phi_699_ = _e142;
+        phi_708_ = _e142;
     }
-    let _e477 = phi_699_;
+    let _e477 = phi_708_;
     return _e477;
 }
 
@@ -397,773 +408,864 @@ fn function_3(param_7: f64) -> array<u32, 2> {
 }
 
 fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: array<array<f64, 3>, 4>;
-    var local_1: array<array<f64, 3>, 4>;
-    var local_2: type_32;
-    var local_3: type_32;
-    var local_4: type_32;
-    var local_5: array<type_33, 4>;
+    var local: type_32;
+    var local_1: type_32;
+    var local_2: type_33;
+    var local_3: type_33;
+    var local_4: type_33;
+    var local_5: array<type_34, 4>;
     var local_6: array<f64, 4>;
     var local_7: array<f64, 2>;
     var local_8: array<f64, 4>;
-    var local_9: array<array<f64, 3>, 4>;
-    var local_10: array<array<f64, 3>, 4>;
+    var local_9: type_32;
+    var local_10: type_32;
     var local_11: array<f32, 3>;
     var local_12: type_38;
-    var phi_789_: u32;
-    var phi_805_: u32;
-    var phi_826_: u32;
-    var phi_827_: u32;
-    var phi_830_: type_19;
-    var phi_831_: type_19;
-    var phi_854_: type_19;
-    var phi_1102_: type_39;
-    var phi_1471_: f64;
-    var phi_1478_: f64;
-    var phi_1483_: f64;
-    var phi_1490_: f64;
-    var phi_1495_: f64;
-    var phi_1508_: f64;
-    var phi_1515_: f64;
-    var phi_1520_: f64;
-    var phi_1527_: f64;
-    var phi_1532_: f64;
-    var phi_1537_: f64;
-    var phi_1554_: f64;
-    var phi_1561_: f64;
-    var phi_1566_: f64;
-    var phi_1573_: f64;
-    var phi_1578_: f64;
-    var phi_1592_: f64;
-    var phi_1599_: f64;
-    var phi_1604_: f64;
-    var phi_1611_: f64;
-    var phi_1616_: f64;
-    var phi_1621_: f64;
-    var phi_1638_: f64;
-    var phi_1645_: f64;
-    var phi_1650_: f64;
-    var phi_1657_: f64;
-    var phi_1662_: f64;
-    var phi_1676_: f64;
-    var phi_1683_: f64;
-    var phi_1688_: f64;
-    var phi_1695_: f64;
-    var phi_1700_: f64;
-    var phi_1705_: f64;
-    var phi_1742_: f64;
-    var phi_1748_: f64;
-    var phi_1755_: f64;
-    var phi_1762_: f64;
-    var phi_1768_: f64;
-    var phi_1775_: f64;
-    var phi_1781_: f64;
-    var phi_1787_: f64;
-    var phi_1793_: f64;
-    var phi_1800_: f64;
-    var phi_1807_: f64;
-    var phi_1835_: f64;
-    var phi_1840_: f64;
-    var phi_1845_: f64;
-    var phi_1850_: f64;
-    var phi_1855_: f64;
-    var phi_1860_: f64;
+    var phi_798_: u32;
+    var phi_814_: u32;
+    var phi_835_: u32;
+    var phi_836_: u32;
+    var phi_839_: type_19;
+    var phi_840_: type_19;
+    var phi_863_: type_19;
+    var phi_1111_: type_40;
+    var phi_1205_: f64;
+    var phi_1211_: f64;
+    var phi_1216_: f64;
+    var phi_1222_: f64;
+    var phi_1227_: f64;
+    var phi_1233_: f64;
+    var phi_1239_: f64;
+    var phi_1244_: f64;
+    var phi_1250_: f64;
+    var phi_1255_: f64;
+    var phi_1260_: f64;
+    var phi_1267_: f64;
+    var phi_1273_: f64;
+    var phi_1278_: f64;
+    var phi_1284_: f64;
+    var phi_1289_: f64;
+    var phi_1295_: f64;
+    var phi_1301_: f64;
+    var phi_1306_: f64;
+    var phi_1312_: f64;
+    var phi_1317_: f64;
+    var phi_1322_: f64;
+    var phi_1329_: f64;
+    var phi_1335_: f64;
+    var phi_1340_: f64;
+    var phi_1346_: f64;
+    var phi_1351_: f64;
+    var phi_1357_: f64;
+    var phi_1363_: f64;
+    var phi_1368_: f64;
+    var phi_1374_: f64;
+    var phi_1379_: f64;
+    var phi_1384_: f64;
+    var phi_1390_: f64;
+    var phi_1395_: f64;
+    var phi_1404_: bool;
+    var phi_1428_: u64;
+    var phi_1440_: f64;
+    var phi_1441_: f64;
+    var phi_1472_: type_41;
+    var phi_1473_: bool;
+    var phi_1474_: type_41;
+    var phi_1475_: bool;
+    var phi_1476_: type_41;
+    var phi_1477_: bool;
+    var phi_1482_: type_41;
+    var phi_1764_: f64;
+    var phi_1771_: f64;
+    var phi_1776_: f64;
+    var phi_1783_: f64;
+    var phi_1788_: f64;
+    var phi_1801_: f64;
+    var phi_1808_: f64;
+    var phi_1813_: f64;
+    var phi_1820_: f64;
+    var phi_1825_: f64;
+    var phi_1830_: f64;
+    var phi_1847_: f64;
+    var phi_1854_: f64;
+    var phi_1859_: f64;
+    var phi_1866_: f64;
     var phi_1871_: f64;
-    var phi_3454_: f64;
-    var phi_3460_: f64;
-    var phi_3465_: f64;
-    var phi_3471_: f64;
-    var phi_3477_: f64;
-    var phi_3482_: f64;
-    var phi_3487_: f64;
-    var phi_3497_: bool;
-    var phi_3504_: f64;
-    var phi_3512_: f64;
-    var phi_3555_: type_17;
-    var phi_3558_: f64;
-    var phi_3579_: bool;
-    var phi_3585_: type_18;
-    var phi_3556_: type_17;
-    var phi_3599_: type_18;
-    var phi_3559_: f64;
-    var local_13: f64;
-    var phi_3548_: f64;
-    var phi_3612_: f64;
-    var phi_3618_: f64;
-    var phi_3643_: type_19;
-    var phi_3646_: u32;
-    var phi_3644_: type_19;
-    var phi_3669_: type_19;
-    var phi_3713_: u32;
-    var phi_3714_: u32;
-    var phi_3647_: u32;
-    var phi_3715_: u32;
-    var phi_3735_: type_19;
-    var phi_3736_: type_19;
-    var phi_3759_: type_19;
-    var phi_3813_: f64;
-    var phi_3820_: f64;
-    var phi_3832_: bool;
-    var phi_3833_: bool;
-    var phi_3834_: bool;
-    var phi_3835_: bool;
-    var phi_3839_: bool;
-    var phi_3851_: type_41;
-    var phi_3852_: type_41;
-    var phi_3853_: bool;
-    var phi_3854_: type_41;
-    var phi_3855_: bool;
-    var phi_3868_: f64;
-    var phi_3881_: type_19;
-    var phi_3884_: f64;
-    var phi_3886_: f64;
-    var phi_3888_: f64;
-    var phi_3882_: type_19;
-    var phi_3911_: type_19;
-    var phi_3938_: f64;
-    var phi_3939_: f64;
-    var phi_3967_: f64;
-    var phi_3983_: f64;
-    var phi_3990_: bool;
-    var phi_3991_: bool;
-    var phi_3992_: bool;
-    var phi_3998_: f64;
-    var phi_3999_: f64;
-    var phi_4000_: bool;
-    var phi_3885_: f64;
-    var phi_3887_: f64;
-    var phi_3889_: f64;
-    var phi_4001_: f64;
-    var phi_4002_: bool;
-    var phi_4003_: bool;
-    var local_14: bool;
-    var phi_4007_: f64;
-    var phi_4008_: f64;
-    var phi_4016_: type_19;
-    var phi_4019_: f64;
-    var phi_4017_: type_19;
-    var phi_4042_: type_19;
-    var phi_4085_: f64;
-    var phi_4095_: f64;
-    var phi_4105_: bool;
-    var phi_4107_: bool;
-    var phi_4112_: f64;
-    var phi_4113_: bool;
-    var phi_4114_: f64;
-    var phi_4115_: bool;
-    var phi_4116_: bool;
-    var phi_4117_: bool;
-    var phi_4118_: f64;
-    var phi_4020_: f64;
-    var phi_4119_: bool;
-    var phi_4120_: bool;
-    var phi_4121_: bool;
-    var phi_4122_: bool;
-    var local_15: bool;
-    var phi_4126_: bool;
-    var phi_4127_: bool;
-    var phi_4131_: bool;
-    var phi_4135_: f64;
-    var phi_4136_: f64;
-    var phi_4138_: type_41;
-    var phi_4169_: f64;
-    var phi_4176_: f64;
-    var phi_4181_: f64;
-    var phi_4188_: f64;
-    var phi_4193_: f64;
-    var phi_4206_: f64;
-    var phi_4213_: f64;
-    var phi_4218_: f64;
-    var phi_4225_: f64;
-    var phi_4230_: f64;
-    var phi_4235_: f64;
-    var phi_4294_: f64;
-    var phi_4300_: f64;
-    var phi_4305_: f64;
-    var phi_4311_: f64;
-    var phi_4316_: f64;
-    var phi_4330_: f64;
-    var phi_4336_: f64;
-    var phi_4341_: f64;
-    var phi_4347_: f64;
-    var phi_4352_: f64;
-    var phi_4378_: f64;
-    var phi_4385_: f64;
-    var phi_4390_: f64;
-    var phi_4397_: f64;
-    var phi_4402_: f64;
-    var phi_4415_: f64;
-    var phi_4422_: f64;
-    var phi_4427_: f64;
-    var phi_4434_: f64;
-    var phi_4439_: f64;
-    var phi_4444_: f64;
-    var phi_4503_: f64;
-    var phi_4509_: f64;
-    var phi_4514_: f64;
-    var phi_4520_: f64;
-    var phi_4525_: f64;
-    var phi_4539_: f64;
-    var phi_4545_: f64;
-    var phi_4550_: f64;
-    var phi_4556_: f64;
-    var phi_4561_: f64;
-    var phi_4587_: f64;
-    var phi_4594_: f64;
-    var phi_4599_: f64;
-    var phi_4606_: f64;
-    var phi_4611_: f64;
-    var phi_4624_: f64;
-    var phi_4631_: f64;
-    var phi_4636_: f64;
-    var phi_4643_: f64;
-    var phi_4648_: f64;
-    var phi_4653_: f64;
-    var phi_4712_: f64;
-    var phi_4718_: f64;
-    var phi_4723_: f64;
-    var phi_4729_: f64;
-    var phi_4734_: f64;
-    var phi_4748_: f64;
-    var phi_4754_: f64;
-    var phi_4759_: f64;
-    var phi_4765_: f64;
-    var phi_4770_: f64;
-    var phi_4819_: f64;
-    var phi_4825_: f64;
-    var phi_4853_: f64;
-    var phi_4859_: f64;
-    var phi_4864_: u32;
-    var phi_4865_: u32;
-    var phi_4835_: f64;
-    var phi_4841_: f64;
-    var phi_4846_: u32;
-    var phi_4847_: u32;
-    var phi_4866_: u32;
-    var phi_4867_: u32;
-    var phi_4938_: f64;
-    var phi_4950_: f64;
-    var phi_5089_: f64;
-    var phi_5095_: f64;
-    var phi_5102_: f64;
-    var phi_5146_: type_19;
-    var phi_5149_: bool;
-    var phi_5147_: type_19;
-    var phi_5172_: type_19;
-    var phi_5199_: bool;
-    var phi_5200_: bool;
-    var phi_5150_: bool;
-    var phi_5201_: bool;
-    var phi_5202_: bool;
-    var local_16: bool;
-    var phi_5206_: bool;
-    var local_17: bool;
-    var phi_5213_: u32;
-    var phi_5214_: u32;
-    var phi_5215_: bool;
-    var phi_5216_: u32;
-    var phi_5217_: u32;
-    var phi_5218_: bool;
-    var phi_5222_: u32;
-    var phi_5243_: bool;
-    var phi_5244_: bool;
-    var phi_5245_: bool;
-    var phi_5442_: f64;
-    var phi_5449_: f64;
-    var phi_5454_: f64;
-    var phi_5461_: f64;
-    var phi_5466_: f64;
-    var phi_5479_: f64;
-    var phi_5486_: f64;
-    var phi_5491_: f64;
-    var phi_5498_: f64;
-    var phi_5503_: f64;
-    var phi_5508_: f64;
-    var phi_5525_: f64;
-    var phi_5532_: f64;
-    var phi_5537_: f64;
-    var phi_5544_: f64;
-    var phi_5549_: f64;
-    var phi_5563_: f64;
-    var phi_5570_: f64;
-    var phi_5575_: f64;
-    var phi_5582_: f64;
-    var phi_5587_: f64;
-    var phi_5592_: f64;
-    var phi_5609_: f64;
-    var phi_5616_: f64;
-    var phi_5621_: f64;
-    var phi_5628_: f64;
-    var phi_5633_: f64;
-    var phi_5647_: f64;
-    var phi_5654_: f64;
-    var phi_5659_: f64;
-    var phi_5666_: f64;
-    var phi_5671_: f64;
-    var phi_5676_: f64;
-    var phi_5696_: type_19;
-    var phi_5699_: f64;
-    var phi_5697_: type_19;
-    var phi_5722_: type_19;
-    var phi_5833_: f64;
-    var phi_5840_: f64;
-    var phi_5848_: f64;
-    var phi_5893_: type_17;
-    var phi_5896_: f64;
-    var phi_5917_: bool;
-    var phi_5923_: type_18;
-    var phi_5894_: type_17;
-    var phi_5937_: type_18;
-    var phi_5897_: f64;
-    var local_18: f64;
-    var phi_5886_: f64;
-    var phi_5950_: f64;
-    var phi_5963_: type_19;
-    var phi_5966_: f64;
-    var phi_5964_: type_19;
-    var phi_5989_: type_19;
-    var phi_6040_: f64;
-    var phi_6046_: f64;
-    var phi_6060_: bool;
-    var phi_6061_: bool;
-    var phi_6095_: f64;
-    var phi_6096_: f64;
-    var phi_6097_: f64;
-    var phi_6098_: bool;
-    var phi_6102_: bool;
-    var phi_6103_: f64;
-    var phi_6104_: bool;
-    var phi_6105_: bool;
-    var phi_6106_: bool;
-    var phi_6107_: f64;
-    var phi_6108_: bool;
-    var phi_6109_: bool;
-    var phi_6110_: bool;
-    var phi_5967_: f64;
-    var phi_6111_: bool;
-    var phi_6112_: bool;
-    var phi_6113_: bool;
-    var phi_6114_: bool;
-    var local_19: bool;
-    var local_20: f64;
-    var local_21: f64;
-    var local_22: f64;
-    var phi_6132_: bool;
-    var phi_6133_: bool;
-    var phi_6134_: bool;
-    var phi_6135_: bool;
-    var phi_6136_: bool;
-    var phi_6137_: bool;
-    var phi_6138_: bool;
-    var phi_6139_: bool;
-    var phi_6140_: bool;
-    var phi_6141_: bool;
-    var phi_6142_: bool;
-    var phi_6143_: bool;
-    var phi_6144_: bool;
-    var phi_6145_: f64;
-    var phi_6146_: f64;
-    var phi_6147_: bool;
-    var phi_6148_: bool;
-    var phi_6149_: bool;
-    var phi_6150_: bool;
-    var phi_6151_: bool;
-    var phi_6152_: bool;
-    var phi_6153_: bool;
-    var phi_6154_: f64;
-    var phi_6155_: f64;
-    var phi_6156_: bool;
-    var phi_6157_: bool;
-    var phi_6158_: bool;
-    var phi_6159_: bool;
-    var phi_6160_: bool;
-    var phi_6161_: bool;
-    var phi_6162_: bool;
-    var phi_6163_: bool;
-    var phi_6164_: f64;
-    var phi_5700_: f64;
-    var phi_6165_: bool;
-    var phi_6166_: bool;
-    var phi_6167_: bool;
-    var phi_6168_: bool;
-    var phi_6169_: bool;
-    var phi_6170_: bool;
-    var phi_6171_: bool;
-    var phi_6172_: bool;
-    var phi_6173_: bool;
-    var local_23: bool;
-    var phi_6178_: type_40;
-    var phi_6179_: bool;
-    var phi_6180_: bool;
-    var phi_6181_: bool;
-    var phi_6182_: bool;
-    var phi_6183_: bool;
-    var phi_6184_: bool;
-    var phi_6185_: bool;
-    var phi_6189_: f64;
-    var phi_6190_: bool;
-    var phi_6191_: bool;
-    var phi_6192_: bool;
-    var phi_6193_: bool;
-    var phi_6194_: bool;
-    var phi_6195_: bool;
-    var phi_6196_: bool;
-    var phi_6201_: type_40;
-    var phi_6202_: bool;
-    var phi_6203_: bool;
-    var phi_6204_: bool;
-    var phi_6205_: bool;
-    var phi_6206_: bool;
-    var phi_6207_: bool;
-    var local_24: f64;
-    var phi_6212_: type_40;
-    var phi_6213_: bool;
-    var phi_6214_: bool;
-    var phi_6215_: bool;
-    var phi_6216_: bool;
-    var phi_6217_: bool;
-    var local_25: f64;
-    var phi_6222_: type_40;
-    var phi_6223_: bool;
-    var phi_6224_: bool;
-    var phi_6225_: bool;
-    var phi_6226_: bool;
-    var local_26: f64;
-    var phi_6231_: type_40;
-    var phi_6232_: bool;
-    var phi_6233_: bool;
-    var phi_6234_: bool;
-    var phi_6235_: bool;
-    var phi_6239_: type_40;
-    var phi_6240_: bool;
-    var phi_6241_: bool;
-    var phi_6242_: bool;
-    var phi_6246_: bool;
-    var phi_6247_: bool;
-    var phi_6251_: bool;
-    var phi_6252_: bool;
-    var phi_6256_: bool;
-    var phi_6257_: bool;
-    var local_27: f64;
-    var phi_6262_: type_40;
-    var phi_6263_: bool;
-    var phi_6267_: type_40;
-    var phi_6274_: bool;
-    var phi_6275_: f64;
-    var phi_6276_: bool;
-    var phi_6277_: bool;
-    var phi_6278_: bool;
-    var phi_6279_: f64;
-    var phi_6280_: bool;
-    var phi_6281_: bool;
-    var phi_6282_: bool;
-    var phi_6283_: f64;
-    var phi_6284_: bool;
-    var phi_6285_: bool;
-    var phi_6286_: bool;
-    var phi_6287_: bool;
-    var phi_6291_: bool;
-    var phi_6292_: bool;
-    var phi_6293_: bool;
-    var phi_6294_: f64;
-    var phi_6295_: type_41;
-    var phi_6296_: bool;
-    var phi_6297_: bool;
-    var phi_6298_: bool;
-    var phi_6299_: bool;
-    var local_28: bool;
-    var phi_6304_: type_40;
-    var phi_6305_: bool;
-    var phi_6306_: bool;
-    var local_29: f64;
-    var phi_6311_: type_40;
-    var phi_6312_: bool;
-    var local_30: type_41;
-    var phi_6318_: type_40;
-    var phi_6319_: bool;
-    var phi_6323_: type_40;
+    var phi_1885_: f64;
+    var phi_1892_: f64;
+    var phi_1897_: f64;
+    var phi_1904_: f64;
+    var phi_1909_: f64;
+    var phi_1914_: f64;
+    var phi_1931_: f64;
+    var phi_1938_: f64;
+    var phi_1943_: f64;
+    var phi_1950_: f64;
+    var phi_1955_: f64;
+    var phi_1969_: f64;
+    var phi_1976_: f64;
+    var phi_1981_: f64;
+    var phi_1988_: f64;
+    var phi_1993_: f64;
+    var phi_1998_: f64;
+    var phi_2035_: f64;
+    var phi_2041_: f64;
+    var phi_2048_: f64;
+    var phi_2055_: f64;
+    var phi_2061_: f64;
+    var phi_2068_: f64;
     var phi_2074_: f64;
-    var phi_2081_: f64;
+    var phi_2080_: f64;
     var phi_2086_: f64;
     var phi_2093_: f64;
-    var phi_2098_: f64;
-    var phi_2111_: f64;
-    var phi_2118_: f64;
-    var phi_2123_: f64;
-    var phi_2130_: f64;
-    var phi_2135_: f64;
-    var phi_2140_: f64;
-    var phi_2157_: f64;
+    var phi_2100_: f64;
+    var phi_2128_: f64;
+    var phi_2133_: f64;
+    var phi_2138_: f64;
+    var phi_2143_: f64;
+    var phi_2148_: f64;
+    var phi_2153_: f64;
     var phi_2164_: f64;
-    var phi_2169_: f64;
-    var phi_2176_: f64;
-    var phi_2181_: f64;
-    var phi_2195_: f64;
-    var phi_2202_: f64;
-    var phi_2207_: f64;
-    var phi_2214_: f64;
-    var phi_2219_: f64;
-    var phi_2224_: f64;
-    var phi_2241_: f64;
-    var phi_2248_: f64;
-    var phi_2253_: f64;
-    var phi_2260_: f64;
-    var phi_2265_: f64;
-    var phi_2279_: f64;
-    var phi_2286_: f64;
-    var phi_2291_: f64;
-    var phi_2298_: f64;
-    var phi_2303_: f64;
-    var phi_2308_: f64;
-    var phi_2328_: type_19;
-    var phi_2331_: f64;
-    var phi_2329_: type_19;
-    var phi_2354_: type_19;
-    var phi_2465_: f64;
-    var phi_2472_: f64;
-    var phi_2480_: f64;
-    var phi_2525_: type_17;
-    var phi_2528_: f64;
-    var phi_2549_: bool;
-    var phi_2555_: type_18;
-    var phi_2526_: type_17;
-    var phi_2569_: type_18;
-    var phi_2529_: f64;
+    var phi_4861_: f64;
+    var phi_4867_: f64;
+    var phi_4872_: f64;
+    var phi_4878_: f64;
+    var phi_4884_: f64;
+    var phi_4889_: f64;
+    var phi_4894_: f64;
+    var phi_4904_: bool;
+    var phi_4911_: f64;
+    var phi_4919_: f64;
+    var phi_4962_: type_17;
+    var phi_4965_: f64;
+    var phi_4986_: bool;
+    var phi_4992_: type_18;
+    var phi_4963_: type_17;
+    var phi_5006_: type_18;
+    var phi_4966_: f64;
+    var local_13: f64;
+    var phi_4955_: f64;
+    var phi_5019_: f64;
+    var phi_5025_: f64;
+    var phi_5050_: type_19;
+    var phi_5053_: u32;
+    var phi_5051_: type_19;
+    var phi_5076_: type_19;
+    var phi_5120_: u32;
+    var phi_5121_: u32;
+    var phi_5054_: u32;
+    var phi_5122_: u32;
+    var phi_5142_: type_19;
+    var phi_5143_: type_19;
+    var phi_5166_: type_19;
+    var phi_5220_: f64;
+    var phi_5227_: f64;
+    var phi_5239_: bool;
+    var phi_5240_: bool;
+    var phi_5241_: bool;
+    var phi_5242_: bool;
+    var phi_5246_: bool;
+    var phi_5258_: type_43;
+    var phi_5259_: type_43;
+    var phi_5260_: bool;
+    var phi_5261_: type_43;
+    var phi_5262_: bool;
+    var phi_5275_: f64;
+    var phi_5288_: type_19;
+    var phi_5291_: f64;
+    var phi_5293_: f64;
+    var phi_5295_: f64;
+    var phi_5289_: type_19;
+    var phi_5318_: type_19;
+    var phi_5345_: f64;
+    var phi_5346_: f64;
+    var phi_5374_: f64;
+    var phi_5390_: f64;
+    var phi_5397_: bool;
+    var phi_5398_: bool;
+    var phi_5399_: bool;
+    var phi_5405_: f64;
+    var phi_5406_: f64;
+    var phi_5407_: bool;
+    var phi_5292_: f64;
+    var phi_5294_: f64;
+    var phi_5296_: f64;
+    var phi_5408_: f64;
+    var phi_5409_: bool;
+    var phi_5410_: bool;
+    var local_14: bool;
+    var phi_5414_: f64;
+    var phi_5415_: f64;
+    var phi_5425_: f64;
+    var phi_5430_: type_19;
+    var phi_5433_: f64;
+    var phi_5431_: type_19;
+    var phi_5456_: type_19;
+    var phi_5487_: f64;
+    var phi_5488_: bool;
+    var phi_5489_: f64;
+    var phi_5490_: bool;
+    var phi_5491_: bool;
+    var phi_5492_: bool;
+    var phi_5493_: f64;
+    var phi_5434_: f64;
+    var phi_5494_: bool;
+    var phi_5495_: bool;
+    var phi_5496_: bool;
+    var phi_5497_: bool;
+    var local_15: bool;
+    var phi_5501_: bool;
+    var phi_5502_: bool;
+    var phi_5506_: bool;
+    var phi_5510_: f64;
+    var phi_5511_: f64;
+    var phi_5513_: type_43;
+    var phi_5544_: f64;
+    var phi_5551_: f64;
+    var phi_5556_: f64;
+    var phi_5563_: f64;
+    var phi_5568_: f64;
+    var phi_5581_: f64;
+    var phi_5588_: f64;
+    var phi_5593_: f64;
+    var phi_5600_: f64;
+    var phi_5605_: f64;
+    var phi_5610_: f64;
+    var phi_5669_: f64;
+    var phi_5675_: f64;
+    var phi_5680_: f64;
+    var phi_5686_: f64;
+    var phi_5691_: f64;
+    var phi_5705_: f64;
+    var phi_5711_: f64;
+    var phi_5716_: f64;
+    var phi_5722_: f64;
+    var phi_5727_: f64;
+    var phi_5753_: f64;
+    var phi_5760_: f64;
+    var phi_5765_: f64;
+    var phi_5772_: f64;
+    var phi_5777_: f64;
+    var phi_5790_: f64;
+    var phi_5797_: f64;
+    var phi_5802_: f64;
+    var phi_5809_: f64;
+    var phi_5814_: f64;
+    var phi_5819_: f64;
+    var phi_5878_: f64;
+    var phi_5884_: f64;
+    var phi_5889_: f64;
+    var phi_5895_: f64;
+    var phi_5900_: f64;
+    var phi_5914_: f64;
+    var phi_5920_: f64;
+    var phi_5925_: f64;
+    var phi_5931_: f64;
+    var phi_5936_: f64;
+    var phi_5962_: f64;
+    var phi_5969_: f64;
+    var phi_5974_: f64;
+    var phi_5981_: f64;
+    var phi_5986_: f64;
+    var phi_5999_: f64;
+    var phi_6006_: f64;
+    var phi_6011_: f64;
+    var phi_6018_: f64;
+    var phi_6023_: f64;
+    var phi_6028_: f64;
+    var phi_6087_: f64;
+    var phi_6093_: f64;
+    var phi_6098_: f64;
+    var phi_6104_: f64;
+    var phi_6109_: f64;
+    var phi_6123_: f64;
+    var phi_6129_: f64;
+    var phi_6134_: f64;
+    var phi_6140_: f64;
+    var phi_6145_: f64;
+    var phi_6194_: f64;
+    var phi_6200_: f64;
+    var phi_6228_: f64;
+    var phi_6234_: f64;
+    var phi_6239_: u32;
+    var phi_6240_: u32;
+    var phi_6210_: f64;
+    var phi_6216_: f64;
+    var phi_6221_: u32;
+    var phi_6222_: u32;
+    var phi_6241_: u32;
+    var phi_6242_: u32;
+    var phi_6315_: f64;
+    var phi_6327_: f64;
+    var phi_6470_: f64;
+    var phi_6476_: f64;
+    var phi_6483_: f64;
+    var phi_6527_: type_19;
+    var phi_6530_: bool;
+    var phi_6528_: type_19;
+    var phi_6553_: type_19;
+    var phi_6580_: bool;
+    var phi_6581_: bool;
+    var phi_6531_: bool;
+    var phi_6582_: bool;
+    var phi_6583_: bool;
+    var local_16: bool;
+    var phi_6587_: bool;
+    var local_17: bool;
+    var phi_6594_: u32;
+    var phi_6595_: u32;
+    var phi_6596_: bool;
+    var phi_6597_: u32;
+    var phi_6598_: u32;
+    var phi_6599_: bool;
+    var phi_6603_: u32;
+    var phi_6624_: bool;
+    var phi_6625_: bool;
+    var phi_6626_: bool;
+    var phi_6775_: f64;
+    var phi_6782_: f64;
+    var phi_6787_: f64;
+    var phi_6794_: f64;
+    var phi_6799_: f64;
+    var phi_6812_: f64;
+    var phi_6819_: f64;
+    var phi_6824_: f64;
+    var phi_6831_: f64;
+    var phi_6836_: f64;
+    var phi_6841_: f64;
+    var phi_6858_: f64;
+    var phi_6865_: f64;
+    var phi_6870_: f64;
+    var phi_6877_: f64;
+    var phi_6882_: f64;
+    var phi_6896_: f64;
+    var phi_6903_: f64;
+    var phi_6908_: f64;
+    var phi_6915_: f64;
+    var phi_6920_: f64;
+    var phi_6925_: f64;
+    var phi_6942_: f64;
+    var phi_6949_: f64;
+    var phi_6954_: f64;
+    var phi_6961_: f64;
+    var phi_6966_: f64;
+    var phi_6980_: f64;
+    var phi_6987_: f64;
+    var phi_6992_: f64;
+    var phi_6999_: f64;
+    var phi_7004_: f64;
+    var phi_7009_: f64;
+    var phi_7053_: type_19;
+    var phi_7056_: f64;
+    var phi_7058_: f64;
+    var phi_7060_: f64;
+    var phi_7054_: type_19;
+    var phi_7083_: type_19;
+    var phi_7195_: f64;
+    var phi_7202_: f64;
+    var phi_7210_: f64;
+    var phi_7256_: type_17;
+    var phi_7259_: f64;
+    var phi_7280_: bool;
+    var phi_7286_: type_18;
+    var phi_7257_: type_17;
+    var phi_7300_: type_18;
+    var phi_7260_: f64;
+    var local_18: f64;
+    var phi_7249_: f64;
+    var phi_7313_: f64;
+    var phi_7382_: f64;
+    var phi_7388_: f64;
+    var phi_7397_: f64;
+    var phi_7403_: f64;
+    var phi_7412_: f64;
+    var phi_7418_: f64;
+    var phi_7427_: f64;
+    var phi_7433_: f64;
+    var phi_7439_: type_32;
+    var phi_7440_: bool;
+    var phi_7441_: type_32;
+    var phi_7442_: bool;
+    var phi_7452_: type_32;
+    var phi_7623_: bool;
+    var phi_7624_: bool;
+    var phi_7625_: bool;
+    var phi_7626_: bool;
+    var phi_7627_: bool;
+    var phi_7628_: bool;
+    var phi_7632_: bool;
+    var phi_7930_: bool;
+    var phi_7931_: bool;
+    var phi_7932_: bool;
+    var phi_7933_: bool;
+    var phi_7934_: bool;
+    var phi_7935_: bool;
+    var phi_7939_: bool;
+    var phi_7943_: bool;
+    var phi_7955_: bool;
+    var phi_7956_: bool;
+    var phi_8030_: bool;
+    var phi_8031_: bool;
+    var phi_8054_: f64;
+    var phi_8055_: bool;
+    var phi_8056_: f64;
+    var phi_8057_: bool;
+    var phi_8058_: f64;
+    var phi_8059_: bool;
+    var phi_8060_: bool;
+    var phi_8065_: f64;
+    var phi_8066_: bool;
+    var phi_8070_: f64;
+    var phi_8102_: bool;
+    var phi_8103_: bool;
+    var phi_8126_: f64;
+    var phi_8127_: bool;
+    var phi_8128_: f64;
+    var phi_8129_: bool;
+    var phi_8130_: f64;
+    var phi_8131_: bool;
+    var phi_8132_: bool;
+    var phi_8137_: f64;
+    var phi_8138_: bool;
+    var phi_8142_: f64;
+    var phi_8147_: f64;
+    var phi_8179_: bool;
+    var phi_8180_: bool;
+    var phi_8203_: f64;
+    var phi_8204_: bool;
+    var phi_8205_: f64;
+    var phi_8206_: bool;
+    var phi_8207_: f64;
+    var phi_8208_: bool;
+    var phi_8209_: bool;
+    var phi_8214_: f64;
+    var phi_8215_: bool;
+    var phi_8219_: f64;
+    var phi_8251_: bool;
+    var phi_8252_: bool;
+    var phi_8275_: f64;
+    var phi_8276_: bool;
+    var phi_8277_: f64;
+    var phi_8278_: bool;
+    var phi_8279_: f64;
+    var phi_8280_: bool;
+    var phi_8281_: bool;
+    var phi_8286_: f64;
+    var phi_8287_: bool;
+    var phi_8291_: f64;
+    var phi_8296_: f64;
+    var phi_8301_: f64;
+    var phi_8306_: f64;
+    var phi_8317_: f64;
+    var phi_8318_: f64;
+    var phi_8319_: bool;
+    var phi_8320_: f64;
+    var phi_8321_: f64;
+    var phi_8322_: bool;
+    var phi_8323_: bool;
+    var phi_8324_: bool;
+    var phi_8325_: f64;
+    var phi_8326_: f64;
+    var phi_8327_: bool;
+    var phi_8328_: bool;
+    var phi_8329_: bool;
+    var phi_8330_: bool;
+    var phi_8331_: f64;
+    var phi_8332_: f64;
+    var phi_8333_: bool;
+    var phi_8334_: bool;
+    var phi_8335_: bool;
+    var phi_8336_: bool;
+    var phi_8416_: f64;
+    var phi_8489_: f64;
+    var phi_8494_: f64;
+    var phi_8567_: f64;
+    var phi_8640_: f64;
+    var phi_8645_: f64;
+    var phi_8666_: f64;
+    var phi_8667_: f64;
+    var phi_8668_: f64;
+    var phi_8670_: f64;
+    var phi_8671_: bool;
+    var phi_8672_: f64;
+    var phi_8673_: f64;
+    var phi_8674_: f64;
+    var phi_8675_: bool;
+    var phi_8676_: bool;
+    var phi_8677_: bool;
+    var phi_8678_: bool;
+    var phi_8687_: f64;
+    var phi_8692_: f64;
+    var phi_8703_: bool;
+    var phi_8707_: bool;
+    var phi_8708_: f64;
+    var phi_8709_: bool;
+    var phi_8710_: bool;
+    var phi_8711_: bool;
+    var phi_8712_: bool;
+    var phi_8713_: bool;
+    var phi_7057_: f64;
+    var phi_7059_: f64;
+    var phi_7061_: f64;
+    var phi_8714_: f64;
+    var phi_8715_: bool;
+    var phi_8716_: bool;
+    var phi_8717_: bool;
+    var phi_8718_: bool;
+    var phi_8719_: bool;
+    var phi_8720_: bool;
+    var local_19: bool;
+    var phi_8724_: f64;
+    var phi_8725_: bool;
+    var phi_8726_: bool;
+    var phi_8727_: bool;
+    var phi_8728_: bool;
+    var phi_8733_: type_42;
+    var phi_8734_: bool;
+    var phi_8735_: bool;
+    var phi_8736_: bool;
+    var local_20: f64;
+    var phi_8741_: type_42;
+    var phi_8742_: bool;
+    var phi_8743_: bool;
+    var phi_8748_: type_42;
+    var phi_8749_: bool;
+    var phi_8750_: bool;
+    var phi_8755_: type_42;
+    var phi_8756_: bool;
+    var phi_8760_: type_42;
+    var phi_8767_: bool;
+    var phi_8768_: f64;
+    var phi_8769_: bool;
+    var phi_8770_: bool;
+    var phi_8771_: bool;
+    var phi_8772_: f64;
+    var phi_8773_: bool;
+    var phi_8774_: bool;
+    var phi_8775_: bool;
+    var phi_8776_: f64;
+    var phi_8777_: bool;
+    var phi_8778_: bool;
+    var phi_8779_: bool;
+    var phi_8780_: bool;
+    var phi_8784_: bool;
+    var phi_8785_: bool;
+    var phi_8786_: bool;
+    var phi_8787_: f64;
+    var phi_8788_: type_43;
+    var phi_8789_: bool;
+    var phi_8790_: bool;
+    var phi_8791_: bool;
+    var phi_8792_: bool;
+    var local_21: bool;
+    var phi_8797_: type_42;
+    var phi_8798_: bool;
+    var phi_8799_: bool;
+    var local_22: f64;
+    var phi_8804_: type_42;
+    var phi_8805_: bool;
+    var local_23: type_43;
+    var phi_8811_: type_42;
+    var phi_8812_: bool;
+    var phi_8816_: type_42;
+    var phi_2321_: f64;
+    var phi_2328_: f64;
+    var phi_2333_: f64;
+    var phi_2340_: f64;
+    var phi_2345_: f64;
+    var phi_2358_: f64;
+    var phi_2365_: f64;
+    var phi_2370_: f64;
+    var phi_2377_: f64;
+    var phi_2382_: f64;
+    var phi_2387_: f64;
+    var phi_2404_: f64;
+    var phi_2411_: f64;
+    var phi_2416_: f64;
+    var phi_2423_: f64;
+    var phi_2428_: f64;
+    var phi_2442_: f64;
+    var phi_2449_: f64;
+    var phi_2454_: f64;
+    var phi_2461_: f64;
+    var phi_2466_: f64;
+    var phi_2471_: f64;
+    var phi_2488_: f64;
+    var phi_2495_: f64;
+    var phi_2500_: f64;
+    var phi_2507_: f64;
+    var phi_2512_: f64;
+    var phi_2526_: f64;
+    var phi_2533_: f64;
+    var phi_2538_: f64;
+    var phi_2545_: f64;
+    var phi_2550_: f64;
+    var phi_2555_: f64;
+    var phi_2599_: type_19;
+    var phi_2602_: f64;
+    var phi_2604_: f64;
+    var phi_2606_: f64;
+    var phi_2600_: type_19;
+    var phi_2629_: type_19;
+    var phi_2741_: f64;
+    var phi_2748_: f64;
+    var phi_2756_: f64;
+    var phi_2802_: type_17;
+    var phi_2805_: f64;
+    var phi_2826_: bool;
+    var phi_2832_: type_18;
+    var phi_2803_: type_17;
+    var phi_2846_: type_18;
+    var phi_2806_: f64;
+    var local_24: f64;
+    var phi_2795_: f64;
+    var phi_2859_: f64;
+    var phi_2928_: f64;
+    var phi_2934_: f64;
+    var phi_2943_: f64;
+    var phi_2949_: f64;
+    var phi_2958_: f64;
+    var phi_2964_: f64;
+    var phi_2973_: f64;
+    var phi_2979_: f64;
+    var phi_2985_: type_32;
+    var phi_2986_: bool;
+    var phi_2987_: type_32;
+    var phi_2988_: bool;
+    var phi_2998_: type_32;
+    var phi_3169_: bool;
+    var phi_3170_: bool;
+    var phi_3171_: bool;
+    var phi_3172_: bool;
+    var phi_3173_: bool;
+    var phi_3174_: bool;
+    var phi_3178_: bool;
+    var phi_3476_: bool;
+    var phi_3477_: bool;
+    var phi_3478_: bool;
+    var phi_3479_: bool;
+    var phi_3480_: bool;
+    var phi_3481_: bool;
+    var phi_3485_: bool;
+    var phi_3489_: bool;
+    var phi_3501_: bool;
+    var phi_3502_: bool;
+    var phi_3576_: bool;
+    var phi_3577_: bool;
+    var phi_3600_: f64;
+    var phi_3601_: bool;
+    var phi_3602_: f64;
+    var phi_3603_: bool;
+    var phi_3604_: f64;
+    var phi_3605_: bool;
+    var phi_3606_: bool;
+    var phi_3611_: f64;
+    var phi_3612_: bool;
+    var phi_3616_: f64;
+    var phi_3648_: bool;
+    var phi_3649_: bool;
+    var phi_3672_: f64;
+    var phi_3673_: bool;
+    var phi_3674_: f64;
+    var phi_3675_: bool;
+    var phi_3676_: f64;
+    var phi_3677_: bool;
+    var phi_3678_: bool;
+    var phi_3683_: f64;
+    var phi_3684_: bool;
+    var phi_3688_: f64;
+    var phi_3693_: f64;
+    var phi_3725_: bool;
+    var phi_3726_: bool;
+    var phi_3749_: f64;
+    var phi_3750_: bool;
+    var phi_3751_: f64;
+    var phi_3752_: bool;
+    var phi_3753_: f64;
+    var phi_3754_: bool;
+    var phi_3755_: bool;
+    var phi_3760_: f64;
+    var phi_3761_: bool;
+    var phi_3765_: f64;
+    var phi_3797_: bool;
+    var phi_3798_: bool;
+    var phi_3821_: f64;
+    var phi_3822_: bool;
+    var phi_3823_: f64;
+    var phi_3824_: bool;
+    var phi_3825_: f64;
+    var phi_3826_: bool;
+    var phi_3827_: bool;
+    var phi_3832_: f64;
+    var phi_3833_: bool;
+    var phi_3837_: f64;
+    var phi_3842_: f64;
+    var phi_3847_: f64;
+    var phi_3852_: f64;
+    var phi_3863_: f64;
+    var phi_3864_: f64;
+    var phi_3865_: bool;
+    var phi_3866_: f64;
+    var phi_3867_: f64;
+    var phi_3868_: bool;
+    var phi_3869_: bool;
+    var phi_3870_: bool;
+    var phi_3871_: f64;
+    var phi_3872_: f64;
+    var phi_3873_: bool;
+    var phi_3874_: bool;
+    var phi_3875_: bool;
+    var phi_3876_: bool;
+    var phi_3877_: f64;
+    var phi_3878_: f64;
+    var phi_3879_: bool;
+    var phi_3880_: bool;
+    var phi_3881_: bool;
+    var phi_3882_: bool;
+    var phi_3962_: f64;
+    var phi_4035_: f64;
+    var phi_4040_: f64;
+    var phi_4113_: f64;
+    var phi_4186_: f64;
+    var phi_4191_: f64;
+    var phi_4212_: f64;
+    var phi_4213_: f64;
+    var phi_4214_: f64;
+    var phi_4216_: f64;
+    var phi_4217_: bool;
+    var phi_4218_: f64;
+    var phi_4219_: f64;
+    var phi_4220_: f64;
+    var phi_4221_: bool;
+    var phi_4222_: bool;
+    var phi_4223_: bool;
+    var phi_4224_: bool;
+    var phi_4233_: f64;
+    var phi_4238_: f64;
+    var phi_4249_: bool;
+    var phi_4253_: bool;
+    var phi_4254_: f64;
+    var phi_4255_: bool;
+    var phi_4256_: bool;
+    var phi_4257_: bool;
+    var phi_4258_: bool;
+    var phi_4259_: bool;
+    var phi_2603_: f64;
+    var phi_2605_: f64;
+    var phi_2607_: f64;
+    var phi_4260_: f64;
+    var phi_4261_: bool;
+    var phi_4262_: bool;
+    var phi_4263_: bool;
+    var phi_4264_: bool;
+    var phi_4265_: bool;
+    var phi_4266_: bool;
+    var local_25: bool;
+    var phi_4270_: f64;
+    var phi_4271_: bool;
+    var phi_4272_: bool;
+    var phi_4273_: bool;
+    var phi_4274_: bool;
+    var phi_4279_: type_42;
+    var phi_4280_: bool;
+    var phi_4281_: bool;
+    var phi_4282_: bool;
+    var local_26: f64;
+    var phi_4287_: type_42;
+    var phi_4288_: bool;
+    var phi_4289_: bool;
+    var phi_4294_: type_42;
+    var phi_4295_: bool;
+    var phi_4296_: bool;
+    var phi_4301_: type_42;
+    var phi_4302_: bool;
+    var phi_4306_: type_42;
+    var phi_4320_: type_19;
+    var phi_4321_: type_19;
+    var phi_4344_: type_19;
+    var phi_4365_: f64;
+    var phi_4495_: type_17;
+    var phi_4498_: f64;
+    var phi_4519_: bool;
+    var phi_4525_: type_18;
+    var phi_4496_: type_17;
+    var phi_4539_: type_18;
+    var phi_4499_: f64;
+    var local_27: f64;
+    var phi_4488_: f64;
+    var phi_4552_: f64;
+    var phi_4570_: f64;
+    var phi_4577_: f64;
+    var phi_4582_: f64;
+    var phi_4589_: f64;
+    var phi_4594_: f64;
+    var phi_4607_: f64;
+    var phi_4614_: f64;
+    var phi_4619_: f64;
+    var phi_4626_: f64;
+    var phi_4631_: f64;
+    var phi_4636_: f64;
+    var phi_4653_: f64;
+    var phi_4660_: f64;
+    var phi_4665_: f64;
+    var phi_4672_: f64;
+    var phi_4677_: f64;
+    var phi_4691_: f64;
+    var phi_4698_: f64;
+    var phi_4703_: f64;
+    var phi_4710_: f64;
+    var phi_4715_: f64;
+    var phi_4720_: f64;
+    var phi_4737_: f64;
+    var phi_4744_: f64;
+    var phi_4749_: f64;
+    var phi_4756_: f64;
+    var phi_4761_: f64;
+    var phi_4775_: f64;
+    var phi_4782_: f64;
+    var phi_4787_: f64;
+    var phi_4794_: f64;
+    var phi_4799_: f64;
+    var phi_4804_: f64;
+    var phi_4828_: bool;
+    var phi_4829_: bool;
+    var phi_4830_: bool;
+    var local_28: bool;
+    var phi_4835_: type_42;
+    var phi_4836_: bool;
+    var phi_4841_: type_42;
+    var phi_4842_: bool;
+    var phi_4844_: type_42;
+    var phi_4845_: type_42;
+    var phi_4846_: bool;
+    var phi_4850_: type_42;
+    var phi_8820_: type_42;
+    var phi_8821_: type_42;
+    var phi_8834_: type_30;
+    var phi_8857_: u32;
+    var phi_8861_: type_29;
+    var phi_8862_: bool;
+    var phi_8880_: u32;
+    var local_29: u32;
+    var local_30: f64;
     var local_31: f64;
-    var phi_2518_: f64;
-    var phi_2582_: f64;
-    var phi_2595_: type_19;
-    var phi_2598_: f64;
-    var phi_2596_: type_19;
-    var phi_2621_: type_19;
-    var phi_2672_: f64;
-    var phi_2678_: f64;
-    var phi_2692_: bool;
-    var phi_2693_: bool;
-    var phi_2727_: f64;
-    var phi_2728_: f64;
-    var phi_2729_: f64;
-    var phi_2730_: bool;
-    var phi_2734_: bool;
-    var phi_2735_: f64;
-    var phi_2736_: bool;
-    var phi_2737_: bool;
-    var phi_2738_: bool;
-    var phi_2739_: f64;
-    var phi_2740_: bool;
-    var phi_2741_: bool;
-    var phi_2742_: bool;
-    var phi_2599_: f64;
-    var phi_2743_: bool;
-    var phi_2744_: bool;
-    var phi_2745_: bool;
-    var phi_2746_: bool;
     var local_32: bool;
-    var local_33: f64;
+    var local_33: bool;
     var local_34: f64;
     var local_35: f64;
-    var phi_2764_: bool;
-    var phi_2765_: bool;
-    var phi_2766_: bool;
-    var phi_2767_: bool;
-    var phi_2768_: bool;
-    var phi_2769_: bool;
-    var phi_2770_: bool;
-    var phi_2771_: bool;
-    var phi_2772_: bool;
-    var phi_2773_: bool;
-    var phi_2774_: bool;
-    var phi_2775_: bool;
-    var phi_2776_: bool;
-    var phi_2777_: f64;
-    var phi_2778_: f64;
-    var phi_2779_: bool;
-    var phi_2780_: bool;
-    var phi_2781_: bool;
-    var phi_2782_: bool;
-    var phi_2783_: bool;
-    var phi_2784_: bool;
-    var phi_2785_: bool;
-    var phi_2786_: f64;
-    var phi_2787_: f64;
-    var phi_2788_: bool;
-    var phi_2789_: bool;
-    var phi_2790_: bool;
-    var phi_2791_: bool;
-    var phi_2792_: bool;
-    var phi_2793_: bool;
-    var phi_2794_: bool;
-    var phi_2795_: bool;
-    var phi_2796_: f64;
-    var phi_2332_: f64;
-    var phi_2797_: bool;
-    var phi_2798_: bool;
-    var phi_2799_: bool;
-    var phi_2800_: bool;
-    var phi_2801_: bool;
-    var phi_2802_: bool;
-    var phi_2803_: bool;
-    var phi_2804_: bool;
-    var phi_2805_: bool;
-    var local_36: bool;
-    var phi_2810_: type_40;
-    var phi_2811_: bool;
-    var phi_2812_: bool;
-    var phi_2813_: bool;
-    var phi_2814_: bool;
-    var phi_2815_: bool;
-    var phi_2816_: bool;
-    var phi_2817_: bool;
-    var phi_2821_: f64;
-    var phi_2822_: bool;
-    var phi_2823_: bool;
-    var phi_2824_: bool;
-    var phi_2825_: bool;
-    var phi_2826_: bool;
-    var phi_2827_: bool;
-    var phi_2828_: bool;
-    var phi_2833_: type_40;
-    var phi_2834_: bool;
-    var phi_2835_: bool;
-    var phi_2836_: bool;
-    var phi_2837_: bool;
-    var phi_2838_: bool;
-    var phi_2839_: bool;
-    var local_37: f64;
-    var phi_2844_: type_40;
-    var phi_2845_: bool;
-    var phi_2846_: bool;
-    var phi_2847_: bool;
-    var phi_2848_: bool;
-    var phi_2849_: bool;
-    var local_38: f64;
-    var phi_2854_: type_40;
-    var phi_2855_: bool;
-    var phi_2856_: bool;
-    var phi_2857_: bool;
-    var phi_2858_: bool;
-    var local_39: f64;
-    var phi_2863_: type_40;
-    var phi_2864_: bool;
-    var phi_2865_: bool;
-    var phi_2866_: bool;
-    var phi_2867_: bool;
-    var phi_2871_: type_40;
-    var phi_2872_: bool;
-    var phi_2873_: bool;
-    var phi_2874_: bool;
-    var phi_2878_: bool;
-    var phi_2879_: bool;
-    var phi_2883_: bool;
-    var phi_2884_: bool;
-    var phi_2888_: bool;
-    var phi_2889_: bool;
-    var local_40: f64;
-    var phi_2894_: type_40;
-    var phi_2895_: bool;
-    var phi_2899_: type_40;
-    var phi_2913_: type_19;
-    var phi_2914_: type_19;
-    var phi_2937_: type_19;
-    var phi_2958_: f64;
-    var phi_3088_: type_17;
-    var phi_3091_: f64;
-    var phi_3112_: bool;
-    var phi_3118_: type_18;
-    var phi_3089_: type_17;
-    var phi_3132_: type_18;
-    var phi_3092_: f64;
-    var local_41: f64;
-    var phi_3081_: f64;
-    var phi_3145_: f64;
-    var phi_3163_: f64;
-    var phi_3170_: f64;
-    var phi_3175_: f64;
-    var phi_3182_: f64;
-    var phi_3187_: f64;
-    var phi_3200_: f64;
-    var phi_3207_: f64;
-    var phi_3212_: f64;
-    var phi_3219_: f64;
-    var phi_3224_: f64;
-    var phi_3229_: f64;
-    var phi_3246_: f64;
-    var phi_3253_: f64;
-    var phi_3258_: f64;
-    var phi_3265_: f64;
-    var phi_3270_: f64;
-    var phi_3284_: f64;
-    var phi_3291_: f64;
-    var phi_3296_: f64;
-    var phi_3303_: f64;
-    var phi_3308_: f64;
-    var phi_3313_: f64;
-    var phi_3330_: f64;
-    var phi_3337_: f64;
-    var phi_3342_: f64;
-    var phi_3349_: f64;
-    var phi_3354_: f64;
-    var phi_3368_: f64;
-    var phi_3375_: f64;
-    var phi_3380_: f64;
-    var phi_3387_: f64;
-    var phi_3392_: f64;
-    var phi_3397_: f64;
-    var phi_3421_: bool;
-    var phi_3422_: bool;
-    var phi_3423_: bool;
+    var local_36: f64;
+    var local_37: bool;
+    var local_38: bool;
+    var local_39: bool;
+    var local_40: bool;
+    var local_41: bool;
     var local_42: bool;
-    var phi_3428_: type_40;
-    var phi_3429_: bool;
-    var phi_3434_: type_40;
-    var phi_3435_: bool;
-    var phi_3437_: type_40;
-    var phi_3438_: type_40;
-    var phi_3439_: bool;
-    var phi_3443_: type_40;
-    var phi_6327_: type_40;
-    var phi_6328_: type_40;
-    var phi_6341_: type_30;
-    var phi_6364_: u32;
-    var phi_6368_: type_29;
-    var phi_6369_: bool;
-    var phi_6387_: u32;
-    var local_43: u32;
+    var local_43: f64;
     var local_44: f64;
-    var local_45: f64;
+    var local_45: bool;
     var local_46: bool;
     var local_47: bool;
-    var local_48: f64;
-    var local_49: bool;
-    var local_50: bool;
-    var local_51: f64;
-    var local_52: f64;
-    var local_53: bool;
-    var local_54: bool;
-    var local_55: bool;
-    var local_56: bool;
-    var local_57: bool;
-    var local_58: bool;
-    var local_59: bool;
-    var local_60: f64;
-    var local_61: f64;
-    var local_62: bool;
-    var local_63: bool;
-    var local_64: bool;
-    var local_65: bool;
-    var local_66: bool;
-    var local_67: f64;
-    var local_68: f64;
-    var local_69: bool;
-    var local_70: bool;
-    var local_71: bool;
-    var local_72: bool;
-    var local_73: bool;
-    var local_74: bool;
-    var local_75: bool;
-    var local_76: f64;
-    var local_77: f64;
-    var local_78: bool;
+    var local_48: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -1171,3969 +1273,4950 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e99 = id_2;
-    let _e100 = n_2;
-    let _e101 = lane_2;
-    let _e113 = ((_e99.y * _e100.x) + _e99.x);
-    let _e116 = (_e100.x * _e100.y);
-    let _e118 = params.member.member_15;
-    let _e120 = input.member[0u];
-    if (_e118 < _e120) {
-        phi_789_ = _e118;
+    let _e108 = id_2;
+    let _e109 = n_2;
+    let _e110 = lane_2;
+    let _e122 = ((_e108.y * _e109.x) + _e108.x);
+    let _e125 = (_e109.x * _e109.y);
+    let _e127 = params.member.member_15;
+    let _e129 = input.member[0u];
+    if (_e127 < _e129) {
+        phi_798_ = _e127;
     } else {
-        phi_789_ = _e120;
+        phi_798_ = _e129;
     }
-    let _e123 = phi_789_;
-    let _e124 = (_e123 / 64u);
-    if ((_e123 % 64u) > 0u) {
-        phi_805_ = (_e124 + 1u);
+    let _e132 = phi_798_;
+    let _e133 = (_e132 / 64u);
+    if ((_e132 % 64u) > 0u) {
+        phi_814_ = (_e133 + 1u);
     } else {
-        phi_805_ = _e124;
+        phi_814_ = _e133;
     }
-    let _e129 = phi_805_;
-    if (_e129 > _e113) {
-        let _e131 = (_e129 - _e113);
-        if (_e116 == 0u) {
+    let _e138 = phi_814_;
+    if (_e138 > _e122) {
+        let _e140 = (_e138 - _e122);
+        if (_e125 == 0u) {
             return;
         }
-        let _e133 = (_e131 / _e116);
-        if (_e116 == 0u) {
+        let _e142 = (_e140 / _e125);
+        if (_e125 == 0u) {
             return;
         }
-        if ((_e131 % _e116) > 0u) {
-            phi_826_ = (_e133 + 1u);
+        if ((_e140 % _e125) > 0u) {
+            phi_835_ = (_e142 + 1u);
         } else {
-            phi_826_ = _e133;
+            phi_835_ = _e142;
         }
-        let _e139 = phi_826_;
-        phi_827_ = _e139;
+        let _e148 = phi_835_;
+        phi_836_ = _e148;
     } else {
-        phi_827_ = 0u;
+        phi_836_ = 0u;
     }
-    let _e141 = phi_827_;
-    phi_830_ = type_19(0u, _e141);
+    let _e150 = phi_836_;
+    phi_839_ = type_19(0u, _e150);
     loop {
-        let _e144 = phi_830_;
-        if (_e144.member < _e144.member_1) {
-            phi_831_ = type_19((_e144.member + 1u), _e144.member_1);
-            phi_854_ = type_19(1u, _e144.member);
+        let _e153 = phi_839_;
+        if (_e153.member < _e153.member_1) {
+            phi_840_ = type_19((_e153.member + 1u), _e153.member_1);
+            phi_863_ = type_19(1u, _e153.member);
         } else {
-            phi_831_ = _e144;
-            phi_854_ = type_19(0u, type_19().member_1);
+            phi_840_ = _e153;
+            phi_863_ = type_19(0u, type_19().member_1);
         }
-        let _e156 = phi_831_;
-        let _e158 = phi_854_;
-        let _e162 = (bitcast<i32>(_e158.member) != 0i);
-        if _e162 {
-            let _e166 = (((_e113 + (_e158.member_1 * _e116)) * 64u) + _e101);
-            let _e168 = params.member.member_8;
-            if (_e166 < _e123) {
-                let _e171 = (2u * _e166);
-                let _e174 = input.member[(4u + _e171)];
-                let _e177 = input.member[(_e171 + 5u)];
-                let _e179 = elements.member[_e177];
-                let _e184 = params.member.member_1;
-                if ((_e184 & 8u) != 0u) {
-                    let _e223 = paths.member[_e174];
-                    let _e225 = paths.member[_e179[0]];
-                    let _e231 = paths.member[_e179[1]];
-                    let _e233 = paths.member[_e179[2]];
-                    let _e270 = function_(array<f32, 3>(_e223.member[0], _e223.member[1], _e223.member[2]));
-                    let _e271 = function_(array<f32, 3>(_e225.member[0], _e225.member[1], _e225.member[2]));
-                    let _e272 = function_(array<f32, 3>(_e231.member[0], _e231.member[1], _e231.member[2]));
-                    let _e273 = function_(array<f32, 3>(_e233.member[0], _e233.member[1], _e233.member[2]));
-                    let _e275 = function_(array<f32, 3>(_e223.member_1[0], _e223.member_1[1], _e223.member_1[2]));
-                    let _e276 = function_(array<f32, 3>(_e225.member_1[0], _e225.member_1[1], _e225.member_1[2]));
-                    let _e277 = function_(array<f32, 3>(_e231.member_1[0], _e231.member_1[1], _e231.member_1[2]));
-                    let _e278 = function_(array<f32, 3>(_e233.member_1[0], _e233.member_1[1], _e233.member_1[2]));
-                    phi_1102_ = type_39(array<array<f64, 3>, 4>(_e270, _e271, _e272, _e273), array<array<f64, 3>, 4>(_e275, _e276, _e277, _e278));
+        let _e165 = phi_840_;
+        let _e167 = phi_863_;
+        let _e171 = (bitcast<i32>(_e167.member) != 0i);
+        if _e171 {
+            let _e175 = (((_e122 + (_e167.member_1 * _e125)) * 64u) + _e110);
+            let _e177 = params.member.member_8;
+            if (_e175 < _e132) {
+                let _e180 = (2u * _e175);
+                let _e183 = input.member[(4u + _e180)];
+                let _e186 = input.member[(_e180 + 5u)];
+                let _e188 = elements.member[_e186];
+                let _e193 = params.member.member_1;
+                if ((_e193 & 8u) != 0u) {
+                    let _e232 = paths.member[_e183];
+                    let _e234 = paths.member[_e188[0]];
+                    let _e240 = paths.member[_e188[1]];
+                    let _e242 = paths.member[_e188[2]];
+                    let _e279 = function_(array<f32, 3>(_e232.member[0], _e232.member[1], _e232.member[2]));
+                    let _e280 = function_(array<f32, 3>(_e234.member[0], _e234.member[1], _e234.member[2]));
+                    let _e281 = function_(array<f32, 3>(_e240.member[0], _e240.member[1], _e240.member[2]));
+                    let _e282 = function_(array<f32, 3>(_e242.member[0], _e242.member[1], _e242.member[2]));
+                    let _e284 = function_(array<f32, 3>(_e232.member_1[0], _e232.member_1[1], _e232.member_1[2]));
+                    let _e285 = function_(array<f32, 3>(_e234.member_1[0], _e234.member_1[1], _e234.member_1[2]));
+                    let _e286 = function_(array<f32, 3>(_e240.member_1[0], _e240.member_1[1], _e240.member_1[2]));
+                    let _e287 = function_(array<f32, 3>(_e242.member_1[0], _e242.member_1[1], _e242.member_1[2]));
+                    phi_1111_ = type_40(array<array<f64, 3>, 4>(_e279, _e280, _e281, _e282), array<array<f64, 3>, 4>(_e284, _e285, _e286, _e287));
                 } else {
-                    let _e188 = wide.member[_e174];
-                    let _e191 = params.member.member[0u];
-                    let _e194 = wide.member[(_e191 + _e174)];
-                    let _e196 = wide.member[_e179[0]];
-                    let _e199 = params.member.member[0u];
-                    let _e202 = wide.member[(_e199 + _e179[0])];
-                    let _e204 = wide.member[_e179[1]];
-                    let _e207 = params.member.member[0u];
-                    let _e210 = wide.member[(_e207 + _e179[1])];
-                    let _e212 = wide.member[_e179[2]];
-                    let _e215 = params.member.member[0u];
-                    let _e218 = wide.member[(_e215 + _e179[2])];
-                    phi_1102_ = type_39(array<array<f64, 3>, 4>(_e188, _e196, _e204, _e212), array<array<f64, 3>, 4>(_e194, _e202, _e210, _e218));
+                    let _e197 = wide.member[_e183];
+                    let _e200 = params.member.member[0u];
+                    let _e203 = wide.member[(_e200 + _e183)];
+                    let _e205 = wide.member[_e188[0]];
+                    let _e208 = params.member.member[0u];
+                    let _e211 = wide.member[(_e208 + _e188[0])];
+                    let _e213 = wide.member[_e188[1]];
+                    let _e216 = params.member.member[0u];
+                    let _e219 = wide.member[(_e216 + _e188[1])];
+                    let _e221 = wide.member[_e188[2]];
+                    let _e224 = params.member.member[0u];
+                    let _e227 = wide.member[(_e224 + _e188[2])];
+                    phi_1111_ = type_40(array<array<f64, 3>, 4>(_e197, _e205, _e213, _e221), array<array<f64, 3>, 4>(_e203, _e211, _e219, _e227));
                 }
-                let _e282 = phi_1102_;
-                local_12 = type_38(array<array<f64, 3>, 2>(array<f64, 3>((_e282.member[0][0] - _e282.member[1][0]), (_e282.member[0][1] - _e282.member[1][1]), (_e282.member[0][2] - _e282.member[1][2])), array<f64, 3>((_e282.member_1[0][0] - _e282.member_1[1][0]), (_e282.member_1[0][1] - _e282.member_1[1][1]), (_e282.member_1[0][2] - _e282.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e282.member[2][0] - _e282.member[1][0]), (_e282.member[2][1] - _e282.member[1][1]), (_e282.member[2][2] - _e282.member[1][2])), array<f64, 3>((_e282.member_1[2][0] - _e282.member_1[1][0]), (_e282.member_1[2][1] - _e282.member_1[1][1]), (_e282.member_1[2][2] - _e282.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e282.member[3][0] - _e282.member[1][0]), (_e282.member[3][1] - _e282.member[1][1]), (_e282.member[3][2] - _e282.member[1][2])), array<f64, 3>((_e282.member_1[3][0] - _e282.member_1[1][0]), (_e282.member_1[3][1] - _e282.member_1[1][1]), (_e282.member_1[3][2] - _e282.member_1[1][2]))), (0.0lf + 0.0lf));
-                let _e363 = params.member.member_7;
-                let _e370 = bitcast<f64>(((u64(_e363[1]) * 4294967296lu) + u64(_e363[0])));
-                let _e371 = f64(0f);
-                let _e374 = local_12.member_1[0u];
-                let _e380 = local_12.member_2[0u];
-                let _e386 = ((_e374[1] * _e380[2]) - (_e374[2] * _e380[1]));
-                let _e389 = ((_e374[2] * _e380[0]) - (_e374[0] * _e380[2]));
-                let _e392 = ((_e374[0] * _e380[1]) - (_e374[1] * _e380[0]));
-                let _e395 = local_12.member_1[1u];
-                let _e401 = local_12.member_2[1u];
-                let _e407 = ((_e395[1] * _e401[2]) - (_e395[2] * _e401[1]));
-                let _e410 = ((_e395[2] * _e401[0]) - (_e395[0] * _e401[2]));
-                let _e413 = ((_e395[0] * _e401[1]) - (_e395[1] * _e401[0]));
-                let _e416 = local_12.member_1[0u];
-                let _e422 = local_12.member_2[1u];
-                let _e437 = local_12.member_1[1u];
-                let _e443 = local_12.member_2[0u];
-                let _e456 = (((_e416[1] * _e422[2]) - (_e416[2] * _e422[1])) + ((_e437[1] * _e443[2]) - (_e437[2] * _e443[1])));
-                let _e457 = (((_e416[2] * _e422[0]) - (_e416[0] * _e422[2])) + ((_e437[2] * _e443[0]) - (_e437[0] * _e443[2])));
-                let _e458 = (((_e416[0] * _e422[1]) - (_e416[1] * _e422[0])) + ((_e437[0] * _e443[1]) - (_e437[1] * _e443[0])));
-                let _e461 = local_12.member[0u];
-                let _e469 = (((_e461[0] * _e386) + (_e461[1] * _e389)) + (_e461[2] * _e392));
-                let _e472 = local_12.member[1u];
-                let _e483 = local_12.member[0u];
-                let _e492 = ((((_e472[0] * _e386) + (_e472[1] * _e389)) + (_e472[2] * _e392)) + (((_e483[0] * _e456) + (_e483[1] * _e457)) + (_e483[2] * _e458)));
-                let _e495 = local_12.member[0u];
-                let _e506 = local_12.member[1u];
-                let _e515 = ((((_e495[0] * _e407) + (_e495[1] * _e410)) + (_e495[2] * _e413)) + (((_e506[0] * _e456) + (_e506[1] * _e457)) + (_e506[2] * _e458)));
-                let _e518 = local_12.member[1u];
-                let _e526 = (((_e518[0] * _e407) + (_e518[1] * _e410)) + (_e518[2] * _e413));
-                let _e529 = local_12.member[0u];
-                if (_e529[0] < 0.0lf) {
-                    phi_1471_ = -(_e529[0]);
+                let _e291 = phi_1111_;
+                let _e298 = (_e291.member[0][0] - _e291.member[1][0]);
+                let _e301 = (_e291.member[0][1] - _e291.member[1][1]);
+                let _e304 = (_e291.member[0][2] - _e291.member[1][2]);
+                let _e310 = (_e291.member_1[0][0] - _e291.member_1[1][0]);
+                let _e313 = (_e291.member_1[0][1] - _e291.member_1[1][1]);
+                let _e316 = (_e291.member_1[0][2] - _e291.member_1[1][2]);
+                let _e323 = (_e291.member[2][0] - _e291.member[1][0]);
+                let _e326 = (_e291.member[2][1] - _e291.member[1][1]);
+                let _e329 = (_e291.member[2][2] - _e291.member[1][2]);
+                let _e335 = (_e291.member_1[2][0] - _e291.member_1[1][0]);
+                let _e338 = (_e291.member_1[2][1] - _e291.member_1[1][1]);
+                let _e341 = (_e291.member_1[2][2] - _e291.member_1[1][2]);
+                let _e348 = (_e291.member[3][0] - _e291.member[1][0]);
+                let _e351 = (_e291.member[3][1] - _e291.member[1][1]);
+                let _e354 = (_e291.member[3][2] - _e291.member[1][2]);
+                let _e360 = (_e291.member_1[3][0] - _e291.member_1[1][0]);
+                let _e363 = (_e291.member_1[3][1] - _e291.member_1[1][1]);
+                let _e366 = (_e291.member_1[3][2] - _e291.member_1[1][2]);
+                let _e369 = (0.0lf + 0.0lf);
+                let _e372 = params.member.member_7;
+                let _e379 = bitcast<f64>(((u64(_e372[1]) * 4294967296lu) + u64(_e372[0])));
+                if (_e298 < 0.0lf) {
+                    phi_1205_ = -(_e298);
                 } else {
-                    phi_1471_ = _e529[0];
+                    phi_1205_ = _e298;
                 }
-                let _e536 = phi_1471_;
-                if (_e529[1] < 0.0lf) {
-                    phi_1478_ = -(_e529[1]);
+                let _e383 = phi_1205_;
+                if (_e301 < 0.0lf) {
+                    phi_1211_ = -(_e301);
                 } else {
-                    phi_1478_ = _e529[1];
+                    phi_1211_ = _e301;
                 }
-                let _e540 = phi_1478_;
-                if (_e536 > _e540) {
-                    phi_1483_ = _e536;
+                let _e387 = phi_1211_;
+                if (_e383 > _e387) {
+                    phi_1216_ = _e383;
                 } else {
-                    phi_1483_ = _e540;
+                    phi_1216_ = _e387;
                 }
-                let _e543 = phi_1483_;
-                if (_e529[2] < 0.0lf) {
-                    phi_1490_ = -(_e529[2]);
+                let _e390 = phi_1216_;
+                if (_e304 < 0.0lf) {
+                    phi_1222_ = -(_e304);
                 } else {
-                    phi_1490_ = _e529[2];
+                    phi_1222_ = _e304;
                 }
-                let _e547 = phi_1490_;
-                if (_e543 > _e547) {
-                    phi_1495_ = _e543;
+                let _e394 = phi_1222_;
+                if (_e390 > _e394) {
+                    phi_1227_ = _e390;
                 } else {
-                    phi_1495_ = _e547;
+                    phi_1227_ = _e394;
                 }
-                let _e550 = phi_1495_;
-                let _e553 = local_12.member[1u];
-                if (_e553[0] < 0.0lf) {
-                    phi_1508_ = -(_e553[0]);
+                let _e397 = phi_1227_;
+                if (_e310 < 0.0lf) {
+                    phi_1233_ = -(_e310);
                 } else {
-                    phi_1508_ = _e553[0];
+                    phi_1233_ = _e310;
                 }
-                let _e560 = phi_1508_;
-                if (_e553[1] < 0.0lf) {
-                    phi_1515_ = -(_e553[1]);
+                let _e401 = phi_1233_;
+                if (_e313 < 0.0lf) {
+                    phi_1239_ = -(_e313);
                 } else {
-                    phi_1515_ = _e553[1];
+                    phi_1239_ = _e313;
                 }
-                let _e564 = phi_1515_;
-                if (_e560 > _e564) {
-                    phi_1520_ = _e560;
+                let _e405 = phi_1239_;
+                if (_e401 > _e405) {
+                    phi_1244_ = _e401;
                 } else {
-                    phi_1520_ = _e564;
+                    phi_1244_ = _e405;
                 }
-                let _e567 = phi_1520_;
-                if (_e553[2] < 0.0lf) {
-                    phi_1527_ = -(_e553[2]);
+                let _e408 = phi_1244_;
+                if (_e316 < 0.0lf) {
+                    phi_1250_ = -(_e316);
                 } else {
-                    phi_1527_ = _e553[2];
+                    phi_1250_ = _e316;
                 }
-                let _e571 = phi_1527_;
-                if (_e567 > _e571) {
-                    phi_1532_ = _e567;
+                let _e412 = phi_1250_;
+                if (_e408 > _e412) {
+                    phi_1255_ = _e408;
                 } else {
-                    phi_1532_ = _e571;
+                    phi_1255_ = _e412;
                 }
-                let _e574 = phi_1532_;
-                if (_e550 > _e574) {
-                    phi_1537_ = _e550;
+                let _e415 = phi_1255_;
+                if (_e397 > _e415) {
+                    phi_1260_ = _e397;
                 } else {
-                    phi_1537_ = _e574;
+                    phi_1260_ = _e415;
                 }
-                let _e577 = phi_1537_;
-                let _e579 = local_12.member_3;
-                let _e580 = (_e577 + _e579);
-                let _e583 = local_12.member_1[0u];
-                if (_e583[0] < 0.0lf) {
-                    phi_1554_ = -(_e583[0]);
+                let _e418 = phi_1260_;
+                let _e419 = (_e418 + _e369);
+                if (_e323 < 0.0lf) {
+                    phi_1267_ = -(_e323);
                 } else {
-                    phi_1554_ = _e583[0];
+                    phi_1267_ = _e323;
                 }
-                let _e590 = phi_1554_;
-                if (_e583[1] < 0.0lf) {
-                    phi_1561_ = -(_e583[1]);
+                let _e423 = phi_1267_;
+                if (_e326 < 0.0lf) {
+                    phi_1273_ = -(_e326);
                 } else {
-                    phi_1561_ = _e583[1];
+                    phi_1273_ = _e326;
                 }
-                let _e594 = phi_1561_;
-                if (_e590 > _e594) {
-                    phi_1566_ = _e590;
+                let _e427 = phi_1273_;
+                if (_e423 > _e427) {
+                    phi_1278_ = _e423;
                 } else {
-                    phi_1566_ = _e594;
+                    phi_1278_ = _e427;
                 }
-                let _e597 = phi_1566_;
-                if (_e583[2] < 0.0lf) {
-                    phi_1573_ = -(_e583[2]);
+                let _e430 = phi_1278_;
+                if (_e329 < 0.0lf) {
+                    phi_1284_ = -(_e329);
                 } else {
-                    phi_1573_ = _e583[2];
+                    phi_1284_ = _e329;
                 }
-                let _e601 = phi_1573_;
-                if (_e597 > _e601) {
-                    phi_1578_ = _e597;
+                let _e434 = phi_1284_;
+                if (_e430 > _e434) {
+                    phi_1289_ = _e430;
                 } else {
-                    phi_1578_ = _e601;
+                    phi_1289_ = _e434;
                 }
-                let _e604 = phi_1578_;
-                let _e607 = local_12.member_1[1u];
-                if (_e607[0] < 0.0lf) {
-                    phi_1592_ = -(_e607[0]);
+                let _e437 = phi_1289_;
+                if (_e335 < 0.0lf) {
+                    phi_1295_ = -(_e335);
                 } else {
-                    phi_1592_ = _e607[0];
+                    phi_1295_ = _e335;
                 }
-                let _e614 = phi_1592_;
-                if (_e607[1] < 0.0lf) {
-                    phi_1599_ = -(_e607[1]);
+                let _e441 = phi_1295_;
+                if (_e338 < 0.0lf) {
+                    phi_1301_ = -(_e338);
                 } else {
-                    phi_1599_ = _e607[1];
+                    phi_1301_ = _e338;
                 }
-                let _e618 = phi_1599_;
-                if (_e614 > _e618) {
-                    phi_1604_ = _e614;
+                let _e445 = phi_1301_;
+                if (_e441 > _e445) {
+                    phi_1306_ = _e441;
                 } else {
-                    phi_1604_ = _e618;
+                    phi_1306_ = _e445;
                 }
-                let _e621 = phi_1604_;
-                if (_e607[2] < 0.0lf) {
-                    phi_1611_ = -(_e607[2]);
+                let _e448 = phi_1306_;
+                if (_e341 < 0.0lf) {
+                    phi_1312_ = -(_e341);
                 } else {
-                    phi_1611_ = _e607[2];
+                    phi_1312_ = _e341;
                 }
-                let _e625 = phi_1611_;
-                if (_e621 > _e625) {
-                    phi_1616_ = _e621;
+                let _e452 = phi_1312_;
+                if (_e448 > _e452) {
+                    phi_1317_ = _e448;
                 } else {
-                    phi_1616_ = _e625;
+                    phi_1317_ = _e452;
                 }
-                let _e628 = phi_1616_;
-                if (_e604 > _e628) {
-                    phi_1621_ = _e604;
+                let _e455 = phi_1317_;
+                if (_e437 > _e455) {
+                    phi_1322_ = _e437;
                 } else {
-                    phi_1621_ = _e628;
+                    phi_1322_ = _e455;
                 }
-                let _e631 = phi_1621_;
-                let _e633 = local_12.member_3;
-                let _e634 = (_e631 + _e633);
-                let _e637 = local_12.member_2[0u];
-                if (_e637[0] < 0.0lf) {
-                    phi_1638_ = -(_e637[0]);
+                let _e458 = phi_1322_;
+                let _e459 = (_e458 + _e369);
+                if (_e348 < 0.0lf) {
+                    phi_1329_ = -(_e348);
                 } else {
-                    phi_1638_ = _e637[0];
+                    phi_1329_ = _e348;
                 }
-                let _e644 = phi_1638_;
-                if (_e637[1] < 0.0lf) {
-                    phi_1645_ = -(_e637[1]);
+                let _e463 = phi_1329_;
+                if (_e351 < 0.0lf) {
+                    phi_1335_ = -(_e351);
                 } else {
-                    phi_1645_ = _e637[1];
+                    phi_1335_ = _e351;
                 }
-                let _e648 = phi_1645_;
-                if (_e644 > _e648) {
-                    phi_1650_ = _e644;
+                let _e467 = phi_1335_;
+                if (_e463 > _e467) {
+                    phi_1340_ = _e463;
                 } else {
-                    phi_1650_ = _e648;
+                    phi_1340_ = _e467;
                 }
-                let _e651 = phi_1650_;
-                if (_e637[2] < 0.0lf) {
-                    phi_1657_ = -(_e637[2]);
+                let _e470 = phi_1340_;
+                if (_e354 < 0.0lf) {
+                    phi_1346_ = -(_e354);
                 } else {
-                    phi_1657_ = _e637[2];
+                    phi_1346_ = _e354;
                 }
-                let _e655 = phi_1657_;
-                if (_e651 > _e655) {
-                    phi_1662_ = _e651;
+                let _e474 = phi_1346_;
+                if (_e470 > _e474) {
+                    phi_1351_ = _e470;
                 } else {
-                    phi_1662_ = _e655;
+                    phi_1351_ = _e474;
                 }
-                let _e658 = phi_1662_;
-                let _e661 = local_12.member_2[1u];
-                if (_e661[0] < 0.0lf) {
-                    phi_1676_ = -(_e661[0]);
+                let _e477 = phi_1351_;
+                if (_e360 < 0.0lf) {
+                    phi_1357_ = -(_e360);
                 } else {
-                    phi_1676_ = _e661[0];
+                    phi_1357_ = _e360;
                 }
-                let _e668 = phi_1676_;
-                if (_e661[1] < 0.0lf) {
-                    phi_1683_ = -(_e661[1]);
+                let _e481 = phi_1357_;
+                if (_e363 < 0.0lf) {
+                    phi_1363_ = -(_e363);
                 } else {
-                    phi_1683_ = _e661[1];
+                    phi_1363_ = _e363;
                 }
-                let _e672 = phi_1683_;
-                if (_e668 > _e672) {
-                    phi_1688_ = _e668;
+                let _e485 = phi_1363_;
+                if (_e481 > _e485) {
+                    phi_1368_ = _e481;
                 } else {
-                    phi_1688_ = _e672;
+                    phi_1368_ = _e485;
                 }
-                let _e675 = phi_1688_;
-                if (_e661[2] < 0.0lf) {
-                    phi_1695_ = -(_e661[2]);
+                let _e488 = phi_1368_;
+                if (_e366 < 0.0lf) {
+                    phi_1374_ = -(_e366);
                 } else {
-                    phi_1695_ = _e661[2];
+                    phi_1374_ = _e366;
                 }
-                let _e679 = phi_1695_;
-                if (_e675 > _e679) {
-                    phi_1700_ = _e675;
+                let _e492 = phi_1374_;
+                if (_e488 > _e492) {
+                    phi_1379_ = _e488;
                 } else {
-                    phi_1700_ = _e679;
+                    phi_1379_ = _e492;
                 }
-                let _e682 = phi_1700_;
-                if (_e658 > _e682) {
-                    phi_1705_ = _e658;
+                let _e495 = phi_1379_;
+                if (_e477 > _e495) {
+                    phi_1384_ = _e477;
                 } else {
-                    phi_1705_ = _e682;
+                    phi_1384_ = _e495;
                 }
-                let _e685 = phi_1705_;
-                let _e687 = local_12.member_3;
-                let _e688 = (_e685 + _e687);
-                let _e689 = f64(1f);
-                let _e690 = f64(8f);
-                let _e692 = ((_e634 * _e690) * _e688);
-                let _e700 = local_12.member_3;
-                if (_e386 < 0.0lf) {
-                    phi_1742_ = -(_e386);
+                let _e498 = phi_1384_;
+                let _e499 = (_e498 + _e369);
+                if (_e419 > _e459) {
+                    phi_1390_ = _e419;
                 } else {
-                    phi_1742_ = _e386;
+                    phi_1390_ = _e459;
                 }
-                let _e720 = phi_1742_;
-                if (_e389 < 0.0lf) {
-                    phi_1748_ = -(_e389);
+                let _e502 = phi_1390_;
+                if (_e502 > _e499) {
+                    phi_1395_ = _e502;
                 } else {
-                    phi_1748_ = _e389;
+                    phi_1395_ = _e499;
                 }
-                let _e724 = phi_1748_;
-                if (_e392 < 0.0lf) {
-                    phi_1755_ = -(_e392);
+                let _e505 = phi_1395_;
+                if (_e505 <= f64(65536f)) {
+                    phi_1404_ = (_e505 >= f64((1f / 65536f)));
                 } else {
-                    phi_1755_ = _e392;
+                    phi_1404_ = false;
                 }
-                let _e729 = phi_1755_;
-                let _e730 = ((_e720 + _e724) + _e729);
-                if (_e407 < 0.0lf) {
-                    phi_1762_ = -(_e407);
+                let _e512 = phi_1404_;
+                if _e512 {
+                    phi_1476_ = type_41();
+                    phi_1477_ = true;
                 } else {
-                    phi_1762_ = _e407;
-                }
-                let _e734 = phi_1762_;
-                if (_e410 < 0.0lf) {
-                    phi_1768_ = -(_e410);
-                } else {
-                    phi_1768_ = _e410;
-                }
-                let _e738 = phi_1768_;
-                if (_e413 < 0.0lf) {
-                    phi_1775_ = -(_e413);
-                } else {
-                    phi_1775_ = _e413;
-                }
-                let _e743 = phi_1775_;
-                let _e744 = ((_e734 + _e738) + _e743);
-                if (_e730 > _e744) {
-                    phi_1781_ = _e730;
-                } else {
-                    phi_1781_ = _e744;
-                }
-                let _e747 = phi_1781_;
-                if (_e456 < 0.0lf) {
-                    phi_1787_ = -(_e456);
-                } else {
-                    phi_1787_ = _e456;
-                }
-                let _e751 = phi_1787_;
-                if (_e457 < 0.0lf) {
-                    phi_1793_ = -(_e457);
-                } else {
-                    phi_1793_ = _e457;
-                }
-                let _e755 = phi_1793_;
-                if (_e458 < 0.0lf) {
-                    phi_1800_ = -(_e458);
-                } else {
-                    phi_1800_ = _e458;
-                }
-                let _e760 = phi_1800_;
-                let _e762 = (((_e751 + _e755) + _e760) * f64(0.5f));
-                if (_e747 > _e762) {
-                    phi_1807_ = _e747;
-                } else {
-                    phi_1807_ = _e762;
-                }
-                let _e765 = phi_1807_;
-                let _e771 = local_12.member_3;
-                let _e785 = (((((_e580 * _e690) * _e692) * (1.1102230246251565e-16lf * f64((490f / 64f)))) + ((_e700 * f64(19f)) * ((_e580 * (_e634 + _e688)) + (_e634 * _e688)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e689 + _e580) * ((_e689 + _e634) * (_e689 + _e688)))));
-                let _e786 = f64(3f);
-                let _e787 = (_e469 * _e786);
-                let _e788 = (_e526 * _e786);
-                if (_e787 < _e788) {
-                    phi_1835_ = _e787;
-                } else {
-                    phi_1835_ = _e788;
-                }
-                let _e791 = phi_1835_;
-                if (_e492 < _e515) {
-                    phi_1840_ = _e492;
-                } else {
-                    phi_1840_ = _e515;
-                }
-                let _e794 = phi_1840_;
-                if (_e791 < _e794) {
-                    phi_1845_ = _e791;
-                } else {
-                    phi_1845_ = _e794;
-                }
-                let _e797 = phi_1845_;
-                if (_e787 > _e788) {
-                    phi_1850_ = _e787;
-                } else {
-                    phi_1850_ = _e788;
-                }
-                let _e800 = phi_1850_;
-                if (_e492 > _e515) {
-                    phi_1855_ = _e492;
-                } else {
-                    phi_1855_ = _e515;
-                }
-                let _e803 = phi_1855_;
-                if (_e800 > _e803) {
-                    phi_1860_ = _e800;
-                } else {
-                    phi_1860_ = _e803;
-                }
-                let _e806 = phi_1860_;
-                let _e812 = -(_e806);
-                if (_e797 > _e812) {
-                    phi_1871_ = _e797;
-                } else {
-                    phi_1871_ = _e812;
-                }
-                let _e815 = phi_1871_;
-                if ((_e815 - (_e785 + ((_e370 * (((_e765 + (_e692 * (1.1102230246251565e-16lf * f64(4f)))) + ((_e771 * f64(6f)) * (_e634 + _e688))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e689 + _e634) * (_e689 + _e688))))) * f64((3f * 1.0001f))))) > _e371) {
-                    phi_6328_ = type_40(0u, type_40().member_1);
-                } else {
-                    if (_e370 > _e371) {
-                        let _e2904 = f64(1f);
-                        let _e2908 = local_12.member[0u];
-                        let _e2914 = local_12.member_1[0u];
-                        let _e2920 = local_12.member_2[0u];
-                        local_9 = array<array<f64, 3>, 4>(_e2908, array<f64, 3>((_e2908[0] - _e2914[0]), (_e2908[1] - _e2914[1]), (_e2908[2] - _e2914[2])), array<f64, 3>((_e2908[0] - _e2920[0]), (_e2908[1] - _e2920[1]), (_e2908[2] - _e2920[2])), _e2908);
-                        let _e2935 = local_12.member[1u];
-                        let _e2941 = local_12.member_1[1u];
-                        let _e2947 = local_12.member_2[1u];
-                        local_10 = array<array<f64, 3>, 4>(_e2935, array<f64, 3>((_e2935[0] - _e2941[0]), (_e2935[1] - _e2941[1]), (_e2935[2] - _e2941[2])), array<f64, 3>((_e2935[0] - _e2947[0]), (_e2935[1] - _e2947[1]), (_e2935[2] - _e2947[2])), _e2935);
-                        let _e2962 = local_12.member[0u];
-                        if (_e2962[0] < 0.0lf) {
-                            phi_2074_ = -(_e2962[0]);
-                        } else {
-                            phi_2074_ = _e2962[0];
-                        }
-                        let _e2969 = phi_2074_;
-                        if (_e2962[1] < 0.0lf) {
-                            phi_2081_ = -(_e2962[1]);
-                        } else {
-                            phi_2081_ = _e2962[1];
-                        }
-                        let _e2973 = phi_2081_;
-                        if (_e2969 > _e2973) {
-                            phi_2086_ = _e2969;
-                        } else {
-                            phi_2086_ = _e2973;
-                        }
-                        let _e2976 = phi_2086_;
-                        if (_e2962[2] < 0.0lf) {
-                            phi_2093_ = -(_e2962[2]);
-                        } else {
-                            phi_2093_ = _e2962[2];
-                        }
-                        let _e2980 = phi_2093_;
-                        if (_e2976 > _e2980) {
-                            phi_2098_ = _e2976;
-                        } else {
-                            phi_2098_ = _e2980;
-                        }
-                        let _e2983 = phi_2098_;
-                        let _e2986 = local_12.member[1u];
-                        if (_e2986[0] < 0.0lf) {
-                            phi_2111_ = -(_e2986[0]);
-                        } else {
-                            phi_2111_ = _e2986[0];
-                        }
-                        let _e2993 = phi_2111_;
-                        if (_e2986[1] < 0.0lf) {
-                            phi_2118_ = -(_e2986[1]);
-                        } else {
-                            phi_2118_ = _e2986[1];
-                        }
-                        let _e2997 = phi_2118_;
-                        if (_e2993 > _e2997) {
-                            phi_2123_ = _e2993;
-                        } else {
-                            phi_2123_ = _e2997;
-                        }
-                        let _e3000 = phi_2123_;
-                        if (_e2986[2] < 0.0lf) {
-                            phi_2130_ = -(_e2986[2]);
-                        } else {
-                            phi_2130_ = _e2986[2];
-                        }
-                        let _e3004 = phi_2130_;
-                        if (_e3000 > _e3004) {
-                            phi_2135_ = _e3000;
-                        } else {
-                            phi_2135_ = _e3004;
-                        }
-                        let _e3007 = phi_2135_;
-                        if (_e2983 > _e3007) {
-                            phi_2140_ = _e2983;
-                        } else {
-                            phi_2140_ = _e3007;
-                        }
-                        let _e3010 = phi_2140_;
-                        let _e3012 = local_12.member_3;
-                        let _e3016 = local_12.member_1[0u];
-                        if (_e3016[0] < 0.0lf) {
-                            phi_2157_ = -(_e3016[0]);
-                        } else {
-                            phi_2157_ = _e3016[0];
-                        }
-                        let _e3023 = phi_2157_;
-                        if (_e3016[1] < 0.0lf) {
-                            phi_2164_ = -(_e3016[1]);
-                        } else {
-                            phi_2164_ = _e3016[1];
-                        }
-                        let _e3027 = phi_2164_;
-                        if (_e3023 > _e3027) {
-                            phi_2169_ = _e3023;
-                        } else {
-                            phi_2169_ = _e3027;
-                        }
-                        let _e3030 = phi_2169_;
-                        if (_e3016[2] < 0.0lf) {
-                            phi_2176_ = -(_e3016[2]);
-                        } else {
-                            phi_2176_ = _e3016[2];
-                        }
-                        let _e3034 = phi_2176_;
-                        if (_e3030 > _e3034) {
-                            phi_2181_ = _e3030;
-                        } else {
-                            phi_2181_ = _e3034;
-                        }
-                        let _e3037 = phi_2181_;
-                        let _e3040 = local_12.member_1[1u];
-                        if (_e3040[0] < 0.0lf) {
-                            phi_2195_ = -(_e3040[0]);
-                        } else {
-                            phi_2195_ = _e3040[0];
-                        }
-                        let _e3047 = phi_2195_;
-                        if (_e3040[1] < 0.0lf) {
-                            phi_2202_ = -(_e3040[1]);
-                        } else {
-                            phi_2202_ = _e3040[1];
-                        }
-                        let _e3051 = phi_2202_;
-                        if (_e3047 > _e3051) {
-                            phi_2207_ = _e3047;
-                        } else {
-                            phi_2207_ = _e3051;
-                        }
-                        let _e3054 = phi_2207_;
-                        if (_e3040[2] < 0.0lf) {
-                            phi_2214_ = -(_e3040[2]);
-                        } else {
-                            phi_2214_ = _e3040[2];
-                        }
-                        let _e3058 = phi_2214_;
-                        if (_e3054 > _e3058) {
-                            phi_2219_ = _e3054;
-                        } else {
-                            phi_2219_ = _e3058;
-                        }
-                        let _e3061 = phi_2219_;
-                        if (_e3037 > _e3061) {
-                            phi_2224_ = _e3037;
-                        } else {
-                            phi_2224_ = _e3061;
-                        }
-                        let _e3064 = phi_2224_;
-                        let _e3066 = local_12.member_3;
-                        let _e3070 = local_12.member_2[0u];
-                        if (_e3070[0] < 0.0lf) {
-                            phi_2241_ = -(_e3070[0]);
-                        } else {
-                            phi_2241_ = _e3070[0];
-                        }
-                        let _e3077 = phi_2241_;
-                        if (_e3070[1] < 0.0lf) {
-                            phi_2248_ = -(_e3070[1]);
-                        } else {
-                            phi_2248_ = _e3070[1];
-                        }
-                        let _e3081 = phi_2248_;
-                        if (_e3077 > _e3081) {
-                            phi_2253_ = _e3077;
-                        } else {
-                            phi_2253_ = _e3081;
-                        }
-                        let _e3084 = phi_2253_;
-                        if (_e3070[2] < 0.0lf) {
-                            phi_2260_ = -(_e3070[2]);
-                        } else {
-                            phi_2260_ = _e3070[2];
-                        }
-                        let _e3088 = phi_2260_;
-                        if (_e3084 > _e3088) {
-                            phi_2265_ = _e3084;
-                        } else {
-                            phi_2265_ = _e3088;
-                        }
-                        let _e3091 = phi_2265_;
-                        let _e3094 = local_12.member_2[1u];
-                        if (_e3094[0] < 0.0lf) {
-                            phi_2279_ = -(_e3094[0]);
-                        } else {
-                            phi_2279_ = _e3094[0];
-                        }
-                        let _e3101 = phi_2279_;
-                        if (_e3094[1] < 0.0lf) {
-                            phi_2286_ = -(_e3094[1]);
-                        } else {
-                            phi_2286_ = _e3094[1];
-                        }
-                        let _e3105 = phi_2286_;
-                        if (_e3101 > _e3105) {
-                            phi_2291_ = _e3101;
-                        } else {
-                            phi_2291_ = _e3105;
-                        }
-                        let _e3108 = phi_2291_;
-                        if (_e3094[2] < 0.0lf) {
-                            phi_2298_ = -(_e3094[2]);
-                        } else {
-                            phi_2298_ = _e3094[2];
-                        }
-                        let _e3112 = phi_2298_;
-                        if (_e3108 > _e3112) {
-                            phi_2303_ = _e3108;
-                        } else {
-                            phi_2303_ = _e3112;
-                        }
-                        let _e3115 = phi_2303_;
-                        if (_e3091 > _e3115) {
-                            phi_2308_ = _e3091;
-                        } else {
-                            phi_2308_ = _e3115;
-                        }
-                        let _e3118 = phi_2308_;
-                        let _e3120 = local_12.member_3;
-                        let _e3128 = local_12.member_3;
-                        phi_2328_ = type_19(0u, 48u);
-                        phi_2331_ = f64(0f);
-                        loop {
-                            let _e3137 = phi_2328_;
-                            let _e3139 = phi_2331_;
-                            local_77 = _e3139;
-                            local_37 = _e3139;
-                            local_38 = _e3139;
-                            local_39 = _e3139;
-                            local_40 = _e3139;
-                            if (_e3137.member < _e3137.member_1) {
-                                phi_2329_ = type_19((_e3137.member + 1u), _e3137.member_1);
-                                phi_2354_ = type_19(1u, _e3137.member);
+                    if (_e505 >= 2.2250738585072014e-308lf) {
+                        if ((bitcast<u64>(_e505) & 9218868437227405312lu) != 9218868437227405312lu) {
+                            let _e519 = (9214364837600034816lu - (bitcast<u64>(_e505) & 9218868437227405312lu));
+                            if (_e519 > 4503599627370496lu) {
+                                phi_1428_ = _e519;
                             } else {
-                                phi_2329_ = _e3137;
-                                phi_2354_ = type_19(0u, type_19().member_1);
+                                phi_1428_ = 4503599627370496lu;
                             }
-                            let _e3151 = phi_2329_;
-                            let _e3153 = phi_2354_;
-                            if (bitcast<i32>(_e3153.member) != 0i) {
-                                let _e3159 = local_12.member[0u];
-                                let _e3165 = local_12.member[1u];
-                                let _e3181 = local_12.member_1[0u];
-                                let _e3187 = local_12.member_1[1u];
-                                let _e3203 = local_12.member_2[0u];
-                                let _e3209 = local_12.member_2[1u];
-                                let _e3223 = function_2(array<f64, 3>((_e3159[0] + ((_e3165[0] - _e3159[0]) * _e3139)), (_e3159[1] + ((_e3165[1] - _e3159[1]) * _e3139)), (_e3159[2] + ((_e3165[2] - _e3159[2]) * _e3139))), array<f64, 3>((_e3181[0] + ((_e3187[0] - _e3181[0]) * _e3139)), (_e3181[1] + ((_e3187[1] - _e3181[1]) * _e3139)), (_e3181[2] + ((_e3187[2] - _e3181[2]) * _e3139))), array<f64, 3>((_e3203[0] + ((_e3209[0] - _e3203[0]) * _e3139)), (_e3203[1] + ((_e3209[1] - _e3203[1]) * _e3139)), (_e3203[2] + ((_e3209[2] - _e3203[2]) * _e3139))), 0u);
-                                if (_e3223[0] < 0.0lf) {
-                                    phi_2465_ = -(_e3223[0]);
+                            let _e522 = phi_1428_;
+                            let _e523 = bitcast<f64>(_e522);
+                            let _e524 = (_e379 * _e523);
+                            if (_e379 > f64(0f)) {
+                                if (_e524 > 2.2250738585072014e-308lf) {
+                                    phi_1440_ = _e524;
                                 } else {
-                                    phi_2465_ = _e3223[0];
+                                    phi_1440_ = 2.2250738585072014e-308lf;
                                 }
-                                let _e3228 = phi_2465_;
-                                if (_e3223[1] < 0.0lf) {
-                                    phi_2472_ = -(_e3223[1]);
+                                let _e529 = phi_1440_;
+                                phi_1441_ = _e529;
+                            } else {
+                                phi_1441_ = _e524;
+                            }
+                            let _e531 = phi_1441_;
+                            phi_1472_ = type_41(type_38(array<array<f64, 3>, 2>(array<f64, 3>((_e298 * _e523), (_e301 * _e523), (_e304 * _e523)), array<f64, 3>((_e310 * _e523), (_e313 * _e523), (_e316 * _e523))), array<array<f64, 3>, 2>(array<f64, 3>((_e323 * _e523), (_e326 * _e523), (_e329 * _e523)), array<f64, 3>((_e335 * _e523), (_e338 * _e523), (_e341 * _e523))), array<array<f64, 3>, 2>(array<f64, 3>((_e348 * _e523), (_e351 * _e523), (_e354 * _e523)), array<f64, 3>((_e360 * _e523), (_e363 * _e523), (_e366 * _e523))), (_e369 * _e523)), _e531);
+                            phi_1473_ = false;
+                        } else {
+                            phi_1472_ = type_41();
+                            phi_1473_ = true;
+                        }
+                        let _e563 = phi_1472_;
+                        let _e565 = phi_1473_;
+                        phi_1474_ = _e563;
+                        phi_1475_ = _e565;
+                    } else {
+                        phi_1474_ = type_41();
+                        phi_1475_ = true;
+                    }
+                    let _e567 = phi_1474_;
+                    let _e569 = phi_1475_;
+                    phi_1476_ = _e567;
+                    phi_1477_ = _e569;
+                }
+                let _e571 = phi_1476_;
+                let _e573 = phi_1477_;
+                if _e573 {
+                    phi_1482_ = type_41(type_38(array<array<f64, 3>, 2>(array<f64, 3>(_e298, _e301, _e304), array<f64, 3>(_e310, _e313, _e316)), array<array<f64, 3>, 2>(array<f64, 3>(_e323, _e326, _e329), array<f64, 3>(_e335, _e338, _e341)), array<array<f64, 3>, 2>(array<f64, 3>(_e348, _e351, _e354), array<f64, 3>(_e360, _e363, _e366)), _e369), _e379);
+                } else {
+                    phi_1482_ = _e571;
+                }
+                let _e576 = phi_1482_;
+                local_12 = type_38(array<array<f64, 3>, 2>(array<f64, 3>(_e576.member.member[0][0], _e576.member.member[0][1], _e576.member.member[0][2]), array<f64, 3>(_e576.member.member[1][0], _e576.member.member[1][1], _e576.member.member[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e576.member.member_1[0][0], _e576.member.member_1[0][1], _e576.member.member_1[0][2]), array<f64, 3>(_e576.member.member_1[1][0], _e576.member.member_1[1][1], _e576.member.member_1[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e576.member.member_2[0][0], _e576.member.member_2[0][1], _e576.member.member_2[0][2]), array<f64, 3>(_e576.member.member_2[1][0], _e576.member.member_2[1][1], _e576.member.member_2[1][2])), _e576.member.member_3);
+                let _e619 = local_12.member_1[0u];
+                let _e625 = local_12.member_2[0u];
+                let _e631 = ((_e619[1] * _e625[2]) - (_e619[2] * _e625[1]));
+                let _e634 = ((_e619[2] * _e625[0]) - (_e619[0] * _e625[2]));
+                let _e637 = ((_e619[0] * _e625[1]) - (_e619[1] * _e625[0]));
+                let _e640 = local_12.member_1[1u];
+                let _e646 = local_12.member_2[1u];
+                let _e652 = ((_e640[1] * _e646[2]) - (_e640[2] * _e646[1]));
+                let _e655 = ((_e640[2] * _e646[0]) - (_e640[0] * _e646[2]));
+                let _e658 = ((_e640[0] * _e646[1]) - (_e640[1] * _e646[0]));
+                let _e661 = local_12.member_1[0u];
+                let _e667 = local_12.member_2[1u];
+                let _e682 = local_12.member_1[1u];
+                let _e688 = local_12.member_2[0u];
+                let _e701 = (((_e661[1] * _e667[2]) - (_e661[2] * _e667[1])) + ((_e682[1] * _e688[2]) - (_e682[2] * _e688[1])));
+                let _e702 = (((_e661[2] * _e667[0]) - (_e661[0] * _e667[2])) + ((_e682[2] * _e688[0]) - (_e682[0] * _e688[2])));
+                let _e703 = (((_e661[0] * _e667[1]) - (_e661[1] * _e667[0])) + ((_e682[0] * _e688[1]) - (_e682[1] * _e688[0])));
+                let _e706 = local_12.member[0u];
+                let _e714 = (((_e706[0] * _e631) + (_e706[1] * _e634)) + (_e706[2] * _e637));
+                let _e717 = local_12.member[1u];
+                let _e728 = local_12.member[0u];
+                let _e737 = ((((_e717[0] * _e631) + (_e717[1] * _e634)) + (_e717[2] * _e637)) + (((_e728[0] * _e701) + (_e728[1] * _e702)) + (_e728[2] * _e703)));
+                let _e740 = local_12.member[0u];
+                let _e751 = local_12.member[1u];
+                let _e760 = ((((_e740[0] * _e652) + (_e740[1] * _e655)) + (_e740[2] * _e658)) + (((_e751[0] * _e701) + (_e751[1] * _e702)) + (_e751[2] * _e703)));
+                let _e763 = local_12.member[1u];
+                let _e771 = (((_e763[0] * _e652) + (_e763[1] * _e655)) + (_e763[2] * _e658));
+                let _e774 = local_12.member[0u];
+                if (_e774[0] < 0.0lf) {
+                    phi_1764_ = -(_e774[0]);
+                } else {
+                    phi_1764_ = _e774[0];
+                }
+                let _e781 = phi_1764_;
+                if (_e774[1] < 0.0lf) {
+                    phi_1771_ = -(_e774[1]);
+                } else {
+                    phi_1771_ = _e774[1];
+                }
+                let _e785 = phi_1771_;
+                if (_e781 > _e785) {
+                    phi_1776_ = _e781;
+                } else {
+                    phi_1776_ = _e785;
+                }
+                let _e788 = phi_1776_;
+                if (_e774[2] < 0.0lf) {
+                    phi_1783_ = -(_e774[2]);
+                } else {
+                    phi_1783_ = _e774[2];
+                }
+                let _e792 = phi_1783_;
+                if (_e788 > _e792) {
+                    phi_1788_ = _e788;
+                } else {
+                    phi_1788_ = _e792;
+                }
+                let _e795 = phi_1788_;
+                let _e798 = local_12.member[1u];
+                if (_e798[0] < 0.0lf) {
+                    phi_1801_ = -(_e798[0]);
+                } else {
+                    phi_1801_ = _e798[0];
+                }
+                let _e805 = phi_1801_;
+                if (_e798[1] < 0.0lf) {
+                    phi_1808_ = -(_e798[1]);
+                } else {
+                    phi_1808_ = _e798[1];
+                }
+                let _e809 = phi_1808_;
+                if (_e805 > _e809) {
+                    phi_1813_ = _e805;
+                } else {
+                    phi_1813_ = _e809;
+                }
+                let _e812 = phi_1813_;
+                if (_e798[2] < 0.0lf) {
+                    phi_1820_ = -(_e798[2]);
+                } else {
+                    phi_1820_ = _e798[2];
+                }
+                let _e816 = phi_1820_;
+                if (_e812 > _e816) {
+                    phi_1825_ = _e812;
+                } else {
+                    phi_1825_ = _e816;
+                }
+                let _e819 = phi_1825_;
+                if (_e795 > _e819) {
+                    phi_1830_ = _e795;
+                } else {
+                    phi_1830_ = _e819;
+                }
+                let _e822 = phi_1830_;
+                let _e824 = local_12.member_3;
+                let _e825 = (_e822 + _e824);
+                let _e828 = local_12.member_1[0u];
+                if (_e828[0] < 0.0lf) {
+                    phi_1847_ = -(_e828[0]);
+                } else {
+                    phi_1847_ = _e828[0];
+                }
+                let _e835 = phi_1847_;
+                if (_e828[1] < 0.0lf) {
+                    phi_1854_ = -(_e828[1]);
+                } else {
+                    phi_1854_ = _e828[1];
+                }
+                let _e839 = phi_1854_;
+                if (_e835 > _e839) {
+                    phi_1859_ = _e835;
+                } else {
+                    phi_1859_ = _e839;
+                }
+                let _e842 = phi_1859_;
+                if (_e828[2] < 0.0lf) {
+                    phi_1866_ = -(_e828[2]);
+                } else {
+                    phi_1866_ = _e828[2];
+                }
+                let _e846 = phi_1866_;
+                if (_e842 > _e846) {
+                    phi_1871_ = _e842;
+                } else {
+                    phi_1871_ = _e846;
+                }
+                let _e849 = phi_1871_;
+                let _e852 = local_12.member_1[1u];
+                if (_e852[0] < 0.0lf) {
+                    phi_1885_ = -(_e852[0]);
+                } else {
+                    phi_1885_ = _e852[0];
+                }
+                let _e859 = phi_1885_;
+                if (_e852[1] < 0.0lf) {
+                    phi_1892_ = -(_e852[1]);
+                } else {
+                    phi_1892_ = _e852[1];
+                }
+                let _e863 = phi_1892_;
+                if (_e859 > _e863) {
+                    phi_1897_ = _e859;
+                } else {
+                    phi_1897_ = _e863;
+                }
+                let _e866 = phi_1897_;
+                if (_e852[2] < 0.0lf) {
+                    phi_1904_ = -(_e852[2]);
+                } else {
+                    phi_1904_ = _e852[2];
+                }
+                let _e870 = phi_1904_;
+                if (_e866 > _e870) {
+                    phi_1909_ = _e866;
+                } else {
+                    phi_1909_ = _e870;
+                }
+                let _e873 = phi_1909_;
+                if (_e849 > _e873) {
+                    phi_1914_ = _e849;
+                } else {
+                    phi_1914_ = _e873;
+                }
+                let _e876 = phi_1914_;
+                let _e878 = local_12.member_3;
+                let _e879 = (_e876 + _e878);
+                let _e882 = local_12.member_2[0u];
+                if (_e882[0] < 0.0lf) {
+                    phi_1931_ = -(_e882[0]);
+                } else {
+                    phi_1931_ = _e882[0];
+                }
+                let _e889 = phi_1931_;
+                if (_e882[1] < 0.0lf) {
+                    phi_1938_ = -(_e882[1]);
+                } else {
+                    phi_1938_ = _e882[1];
+                }
+                let _e893 = phi_1938_;
+                if (_e889 > _e893) {
+                    phi_1943_ = _e889;
+                } else {
+                    phi_1943_ = _e893;
+                }
+                let _e896 = phi_1943_;
+                if (_e882[2] < 0.0lf) {
+                    phi_1950_ = -(_e882[2]);
+                } else {
+                    phi_1950_ = _e882[2];
+                }
+                let _e900 = phi_1950_;
+                if (_e896 > _e900) {
+                    phi_1955_ = _e896;
+                } else {
+                    phi_1955_ = _e900;
+                }
+                let _e903 = phi_1955_;
+                let _e906 = local_12.member_2[1u];
+                if (_e906[0] < 0.0lf) {
+                    phi_1969_ = -(_e906[0]);
+                } else {
+                    phi_1969_ = _e906[0];
+                }
+                let _e913 = phi_1969_;
+                if (_e906[1] < 0.0lf) {
+                    phi_1976_ = -(_e906[1]);
+                } else {
+                    phi_1976_ = _e906[1];
+                }
+                let _e917 = phi_1976_;
+                if (_e913 > _e917) {
+                    phi_1981_ = _e913;
+                } else {
+                    phi_1981_ = _e917;
+                }
+                let _e920 = phi_1981_;
+                if (_e906[2] < 0.0lf) {
+                    phi_1988_ = -(_e906[2]);
+                } else {
+                    phi_1988_ = _e906[2];
+                }
+                let _e924 = phi_1988_;
+                if (_e920 > _e924) {
+                    phi_1993_ = _e920;
+                } else {
+                    phi_1993_ = _e924;
+                }
+                let _e927 = phi_1993_;
+                if (_e903 > _e927) {
+                    phi_1998_ = _e903;
+                } else {
+                    phi_1998_ = _e927;
+                }
+                let _e930 = phi_1998_;
+                let _e932 = local_12.member_3;
+                let _e933 = (_e930 + _e932);
+                let _e934 = f64(1f);
+                let _e935 = f64(8f);
+                let _e937 = ((_e879 * _e935) * _e933);
+                let _e945 = local_12.member_3;
+                if (_e631 < 0.0lf) {
+                    phi_2035_ = -(_e631);
+                } else {
+                    phi_2035_ = _e631;
+                }
+                let _e965 = phi_2035_;
+                if (_e634 < 0.0lf) {
+                    phi_2041_ = -(_e634);
+                } else {
+                    phi_2041_ = _e634;
+                }
+                let _e969 = phi_2041_;
+                if (_e637 < 0.0lf) {
+                    phi_2048_ = -(_e637);
+                } else {
+                    phi_2048_ = _e637;
+                }
+                let _e974 = phi_2048_;
+                let _e975 = ((_e965 + _e969) + _e974);
+                if (_e652 < 0.0lf) {
+                    phi_2055_ = -(_e652);
+                } else {
+                    phi_2055_ = _e652;
+                }
+                let _e979 = phi_2055_;
+                if (_e655 < 0.0lf) {
+                    phi_2061_ = -(_e655);
+                } else {
+                    phi_2061_ = _e655;
+                }
+                let _e983 = phi_2061_;
+                if (_e658 < 0.0lf) {
+                    phi_2068_ = -(_e658);
+                } else {
+                    phi_2068_ = _e658;
+                }
+                let _e988 = phi_2068_;
+                let _e989 = ((_e979 + _e983) + _e988);
+                if (_e975 > _e989) {
+                    phi_2074_ = _e975;
+                } else {
+                    phi_2074_ = _e989;
+                }
+                let _e992 = phi_2074_;
+                if (_e701 < 0.0lf) {
+                    phi_2080_ = -(_e701);
+                } else {
+                    phi_2080_ = _e701;
+                }
+                let _e996 = phi_2080_;
+                if (_e702 < 0.0lf) {
+                    phi_2086_ = -(_e702);
+                } else {
+                    phi_2086_ = _e702;
+                }
+                let _e1000 = phi_2086_;
+                if (_e703 < 0.0lf) {
+                    phi_2093_ = -(_e703);
+                } else {
+                    phi_2093_ = _e703;
+                }
+                let _e1005 = phi_2093_;
+                let _e1007 = (((_e996 + _e1000) + _e1005) * f64(0.5f));
+                if (_e992 > _e1007) {
+                    phi_2100_ = _e992;
+                } else {
+                    phi_2100_ = _e1007;
+                }
+                let _e1010 = phi_2100_;
+                let _e1016 = local_12.member_3;
+                let _e1030 = (((((_e825 * _e935) * _e937) * (1.1102230246251565e-16lf * f64((524f / 64f)))) + ((_e945 * f64(19f)) * ((_e825 * (_e879 + _e933)) + (_e879 * _e933)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e934 + _e825) * ((_e934 + _e879) * (_e934 + _e933)))));
+                let _e1031 = f64(3f);
+                let _e1032 = (_e714 * _e1031);
+                let _e1033 = (_e771 * _e1031);
+                if (_e1032 < _e1033) {
+                    phi_2128_ = _e1032;
+                } else {
+                    phi_2128_ = _e1033;
+                }
+                let _e1036 = phi_2128_;
+                if (_e737 < _e760) {
+                    phi_2133_ = _e737;
+                } else {
+                    phi_2133_ = _e760;
+                }
+                let _e1039 = phi_2133_;
+                if (_e1036 < _e1039) {
+                    phi_2138_ = _e1036;
+                } else {
+                    phi_2138_ = _e1039;
+                }
+                let _e1042 = phi_2138_;
+                if (_e1032 > _e1033) {
+                    phi_2143_ = _e1032;
+                } else {
+                    phi_2143_ = _e1033;
+                }
+                let _e1045 = phi_2143_;
+                if (_e737 > _e760) {
+                    phi_2148_ = _e737;
+                } else {
+                    phi_2148_ = _e760;
+                }
+                let _e1048 = phi_2148_;
+                if (_e1045 > _e1048) {
+                    phi_2153_ = _e1045;
+                } else {
+                    phi_2153_ = _e1048;
+                }
+                let _e1051 = phi_2153_;
+                let _e1057 = -(_e1051);
+                if (_e1042 > _e1057) {
+                    phi_2164_ = _e1042;
+                } else {
+                    phi_2164_ = _e1057;
+                }
+                let _e1060 = phi_2164_;
+                if ((_e1060 - (_e1030 + ((_e576.member_1 * (((_e1010 + (_e937 * (1.1102230246251565e-16lf * f64(8f)))) + ((_e1016 * f64(6f)) * (_e879 + _e933))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e934 + _e879) * (_e934 + _e933))))) * f64((3f * 1.0001f))))) > f64(0f)) {
+                    phi_8821_ = type_42(0u, type_42().member_1);
+                } else {
+                    if (_e576.member_1 > f64(0f)) {
+                        let _e3713 = f64(1f);
+                        let _e3714 = f64(0f);
+                        let _e3717 = local_12.member[0u];
+                        let _e3723 = local_12.member_1[0u];
+                        let _e3729 = local_12.member_2[0u];
+                        let _e3741 = local_12.member[1u];
+                        let _e3747 = local_12.member_1[1u];
+                        let _e3753 = local_12.member_2[1u];
+                        let _e3765 = local_12.member[0u];
+                        if (_e3765[0] < 0.0lf) {
+                            phi_2321_ = -(_e3765[0]);
+                        } else {
+                            phi_2321_ = _e3765[0];
+                        }
+                        let _e3772 = phi_2321_;
+                        if (_e3765[1] < 0.0lf) {
+                            phi_2328_ = -(_e3765[1]);
+                        } else {
+                            phi_2328_ = _e3765[1];
+                        }
+                        let _e3776 = phi_2328_;
+                        if (_e3772 > _e3776) {
+                            phi_2333_ = _e3772;
+                        } else {
+                            phi_2333_ = _e3776;
+                        }
+                        let _e3779 = phi_2333_;
+                        if (_e3765[2] < 0.0lf) {
+                            phi_2340_ = -(_e3765[2]);
+                        } else {
+                            phi_2340_ = _e3765[2];
+                        }
+                        let _e3783 = phi_2340_;
+                        if (_e3779 > _e3783) {
+                            phi_2345_ = _e3779;
+                        } else {
+                            phi_2345_ = _e3783;
+                        }
+                        let _e3786 = phi_2345_;
+                        let _e3789 = local_12.member[1u];
+                        if (_e3789[0] < 0.0lf) {
+                            phi_2358_ = -(_e3789[0]);
+                        } else {
+                            phi_2358_ = _e3789[0];
+                        }
+                        let _e3796 = phi_2358_;
+                        if (_e3789[1] < 0.0lf) {
+                            phi_2365_ = -(_e3789[1]);
+                        } else {
+                            phi_2365_ = _e3789[1];
+                        }
+                        let _e3800 = phi_2365_;
+                        if (_e3796 > _e3800) {
+                            phi_2370_ = _e3796;
+                        } else {
+                            phi_2370_ = _e3800;
+                        }
+                        let _e3803 = phi_2370_;
+                        if (_e3789[2] < 0.0lf) {
+                            phi_2377_ = -(_e3789[2]);
+                        } else {
+                            phi_2377_ = _e3789[2];
+                        }
+                        let _e3807 = phi_2377_;
+                        if (_e3803 > _e3807) {
+                            phi_2382_ = _e3803;
+                        } else {
+                            phi_2382_ = _e3807;
+                        }
+                        let _e3810 = phi_2382_;
+                        if (_e3786 > _e3810) {
+                            phi_2387_ = _e3786;
+                        } else {
+                            phi_2387_ = _e3810;
+                        }
+                        let _e3813 = phi_2387_;
+                        let _e3815 = local_12.member_3;
+                        let _e3819 = local_12.member_1[0u];
+                        if (_e3819[0] < 0.0lf) {
+                            phi_2404_ = -(_e3819[0]);
+                        } else {
+                            phi_2404_ = _e3819[0];
+                        }
+                        let _e3826 = phi_2404_;
+                        if (_e3819[1] < 0.0lf) {
+                            phi_2411_ = -(_e3819[1]);
+                        } else {
+                            phi_2411_ = _e3819[1];
+                        }
+                        let _e3830 = phi_2411_;
+                        if (_e3826 > _e3830) {
+                            phi_2416_ = _e3826;
+                        } else {
+                            phi_2416_ = _e3830;
+                        }
+                        let _e3833 = phi_2416_;
+                        if (_e3819[2] < 0.0lf) {
+                            phi_2423_ = -(_e3819[2]);
+                        } else {
+                            phi_2423_ = _e3819[2];
+                        }
+                        let _e3837 = phi_2423_;
+                        if (_e3833 > _e3837) {
+                            phi_2428_ = _e3833;
+                        } else {
+                            phi_2428_ = _e3837;
+                        }
+                        let _e3840 = phi_2428_;
+                        let _e3843 = local_12.member_1[1u];
+                        if (_e3843[0] < 0.0lf) {
+                            phi_2442_ = -(_e3843[0]);
+                        } else {
+                            phi_2442_ = _e3843[0];
+                        }
+                        let _e3850 = phi_2442_;
+                        if (_e3843[1] < 0.0lf) {
+                            phi_2449_ = -(_e3843[1]);
+                        } else {
+                            phi_2449_ = _e3843[1];
+                        }
+                        let _e3854 = phi_2449_;
+                        if (_e3850 > _e3854) {
+                            phi_2454_ = _e3850;
+                        } else {
+                            phi_2454_ = _e3854;
+                        }
+                        let _e3857 = phi_2454_;
+                        if (_e3843[2] < 0.0lf) {
+                            phi_2461_ = -(_e3843[2]);
+                        } else {
+                            phi_2461_ = _e3843[2];
+                        }
+                        let _e3861 = phi_2461_;
+                        if (_e3857 > _e3861) {
+                            phi_2466_ = _e3857;
+                        } else {
+                            phi_2466_ = _e3861;
+                        }
+                        let _e3864 = phi_2466_;
+                        if (_e3840 > _e3864) {
+                            phi_2471_ = _e3840;
+                        } else {
+                            phi_2471_ = _e3864;
+                        }
+                        let _e3867 = phi_2471_;
+                        let _e3869 = local_12.member_3;
+                        let _e3873 = local_12.member_2[0u];
+                        if (_e3873[0] < 0.0lf) {
+                            phi_2488_ = -(_e3873[0]);
+                        } else {
+                            phi_2488_ = _e3873[0];
+                        }
+                        let _e3880 = phi_2488_;
+                        if (_e3873[1] < 0.0lf) {
+                            phi_2495_ = -(_e3873[1]);
+                        } else {
+                            phi_2495_ = _e3873[1];
+                        }
+                        let _e3884 = phi_2495_;
+                        if (_e3880 > _e3884) {
+                            phi_2500_ = _e3880;
+                        } else {
+                            phi_2500_ = _e3884;
+                        }
+                        let _e3887 = phi_2500_;
+                        if (_e3873[2] < 0.0lf) {
+                            phi_2507_ = -(_e3873[2]);
+                        } else {
+                            phi_2507_ = _e3873[2];
+                        }
+                        let _e3891 = phi_2507_;
+                        if (_e3887 > _e3891) {
+                            phi_2512_ = _e3887;
+                        } else {
+                            phi_2512_ = _e3891;
+                        }
+                        let _e3894 = phi_2512_;
+                        let _e3897 = local_12.member_2[1u];
+                        if (_e3897[0] < 0.0lf) {
+                            phi_2526_ = -(_e3897[0]);
+                        } else {
+                            phi_2526_ = _e3897[0];
+                        }
+                        let _e3904 = phi_2526_;
+                        if (_e3897[1] < 0.0lf) {
+                            phi_2533_ = -(_e3897[1]);
+                        } else {
+                            phi_2533_ = _e3897[1];
+                        }
+                        let _e3908 = phi_2533_;
+                        if (_e3904 > _e3908) {
+                            phi_2538_ = _e3904;
+                        } else {
+                            phi_2538_ = _e3908;
+                        }
+                        let _e3911 = phi_2538_;
+                        if (_e3897[2] < 0.0lf) {
+                            phi_2545_ = -(_e3897[2]);
+                        } else {
+                            phi_2545_ = _e3897[2];
+                        }
+                        let _e3915 = phi_2545_;
+                        if (_e3911 > _e3915) {
+                            phi_2550_ = _e3911;
+                        } else {
+                            phi_2550_ = _e3915;
+                        }
+                        let _e3918 = phi_2550_;
+                        if (_e3894 > _e3918) {
+                            phi_2555_ = _e3894;
+                        } else {
+                            phi_2555_ = _e3918;
+                        }
+                        let _e3921 = phi_2555_;
+                        let _e3923 = local_12.member_3;
+                        let _e3931 = local_12.member_3;
+                        let _e3938 = f64(0f);
+                        let _e3939 = f64(1f);
+                        local_9 = type_32(array<f64, 4>(_e3938, _e3938, _e3938, _e3938), array<f64, 4>(_e3938, _e3938, _e3938, _e3938), array<f64, 4>(_e3939, _e3939, _e3939, _e3939));
+                        phi_2599_ = type_19(0u, 96u);
+                        phi_2602_ = _e3714;
+                        phi_2604_ = _e3714;
+                        phi_2606_ = _e3714;
+                        loop {
+                            let _e3945 = phi_2599_;
+                            let _e3947 = phi_2602_;
+                            let _e3949 = phi_2604_;
+                            let _e3951 = phi_2606_;
+                            local_44 = _e3949;
+                            local_26 = _e3947;
+                            if (_e3945.member < _e3945.member_1) {
+                                phi_2600_ = type_19((_e3945.member + 1u), _e3945.member_1);
+                                phi_2629_ = type_19(1u, _e3945.member);
+                            } else {
+                                phi_2600_ = _e3945;
+                                phi_2629_ = type_19(0u, type_19().member_1);
+                            }
+                            let _e3963 = phi_2600_;
+                            let _e3965 = phi_2629_;
+                            if (bitcast<i32>(_e3965.member) != 0i) {
+                                let _e3972 = local_12.member[0u];
+                                let _e3978 = local_12.member[1u];
+                                let _e3994 = local_12.member_1[0u];
+                                let _e4000 = local_12.member_1[1u];
+                                let _e4016 = local_12.member_2[0u];
+                                let _e4022 = local_12.member_2[1u];
+                                let _e4036 = function_2(array<f64, 3>((_e3972[0] + ((_e3978[0] - _e3972[0]) * _e3947)), (_e3972[1] + ((_e3978[1] - _e3972[1]) * _e3947)), (_e3972[2] + ((_e3978[2] - _e3972[2]) * _e3947))), array<f64, 3>((_e3994[0] + ((_e4000[0] - _e3994[0]) * _e3947)), (_e3994[1] + ((_e4000[1] - _e3994[1]) * _e3947)), (_e3994[2] + ((_e4000[2] - _e3994[2]) * _e3947))), array<f64, 3>((_e4016[0] + ((_e4022[0] - _e4016[0]) * _e3947)), (_e4016[1] + ((_e4022[1] - _e4016[1]) * _e3947)), (_e4016[2] + ((_e4022[2] - _e4016[2]) * _e3947))), 0u);
+                                if (_e4036[0] < 0.0lf) {
+                                    phi_2741_ = -(_e4036[0]);
                                 } else {
-                                    phi_2472_ = _e3223[1];
+                                    phi_2741_ = _e4036[0];
                                 }
-                                let _e3233 = phi_2472_;
-                                if (_e3223[2] < 0.0lf) {
-                                    phi_2480_ = -(_e3223[2]);
+                                let _e4041 = phi_2741_;
+                                if (_e4036[1] < 0.0lf) {
+                                    phi_2748_ = -(_e4036[1]);
                                 } else {
-                                    phi_2480_ = _e3223[2];
+                                    phi_2748_ = _e4036[1];
                                 }
-                                let _e3239 = phi_2480_;
-                                let _e3240 = ((_e3228 + _e3233) + _e3239);
-                                if (_e3240 > f64(0f)) {
-                                    if ((bitcast<u64>(_e3240) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                        let _e3246 = (f64(1f) / _e3240);
-                                        let _e3248 = (_e3223[0] * _e3246);
-                                        let _e3250 = (_e3223[1] * _e3246);
-                                        let _e3252 = (_e3223[2] * _e3246);
-                                        let _e3257 = (((_e3248 * _e3248) + (_e3250 * _e3250)) + (_e3252 * _e3252));
-                                        if (_e3257 <= 2.2250738585072014e-308lf) {
-                                            if (_e3257 > 0.0lf) {
-                                                phi_2518_ = (1.464336215552873e-154lf * 2.0lf);
+                                let _e4046 = phi_2748_;
+                                if (_e4036[2] < 0.0lf) {
+                                    phi_2756_ = -(_e4036[2]);
+                                } else {
+                                    phi_2756_ = _e4036[2];
+                                }
+                                let _e4052 = phi_2756_;
+                                let _e4053 = ((_e4041 + _e4046) + _e4052);
+                                if (_e4053 > f64(0f)) {
+                                    if ((bitcast<u64>(_e4053) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                        let _e4060 = (f64(1f) / _e4053);
+                                        let _e4062 = (_e4036[0] * _e4060);
+                                        let _e4064 = (_e4036[1] * _e4060);
+                                        let _e4066 = (_e4036[2] * _e4060);
+                                        let _e4071 = (((_e4062 * _e4062) + (_e4064 * _e4064)) + (_e4066 * _e4066));
+                                        if (_e4071 <= 2.2250738585072014e-308lf) {
+                                            if (_e4071 > 0.0lf) {
+                                                phi_2795_ = (1.464336215552873e-154lf * 2.0lf);
                                             } else {
-                                                phi_2518_ = 0.0lf;
+                                                phi_2795_ = 0.0lf;
                                             }
-                                            let _e3309 = phi_2518_;
-                                            phi_2582_ = _e3309;
+                                            let _e4123 = phi_2795_;
+                                            phi_2859_ = _e4123;
                                         } else {
-                                            phi_2525_ = type_17(0i, 5i);
-                                            phi_2528_ = bitcast<f64>(((bitcast<u64>(_e3257) / 2lu) + 2303426169912950784lu));
+                                            phi_2802_ = type_17(0i, 5i);
+                                            phi_2805_ = bitcast<f64>(((bitcast<u64>(_e4071) / 2lu) + 2303426169912950784lu));
                                             loop {
-                                                let _e3264 = phi_2525_;
-                                                let _e3266 = phi_2528_;
-                                                local_31 = _e3266;
-                                                if (_e3264.member < _e3264.member_1) {
-                                                    let _e3273 = (_e3264.member + 1i);
-                                                    if ((false == (_e3273 > _e3264.member)) != false) {
-                                                        phi_2549_ = true;
+                                                let _e4078 = phi_2802_;
+                                                let _e4080 = phi_2805_;
+                                                local_24 = _e4080;
+                                                if (_e4078.member < _e4078.member_1) {
+                                                    let _e4087 = (_e4078.member + 1i);
+                                                    if ((false == (_e4087 > _e4078.member)) != false) {
+                                                        phi_2826_ = true;
                                                     } else {
-                                                        phi_2549_ = false;
+                                                        phi_2826_ = false;
                                                     }
-                                                    let _e3278 = phi_2549_;
-                                                    if _e3278 {
-                                                        phi_2555_ = type_18(0u, type_18().member_1);
+                                                    let _e4092 = phi_2826_;
+                                                    if _e4092 {
+                                                        phi_2832_ = type_18(0u, type_18().member_1);
                                                     } else {
-                                                        phi_2555_ = type_18(1u, _e3273);
+                                                        phi_2832_ = type_18(1u, _e4087);
                                                     }
-                                                    let _e3283 = phi_2555_;
-                                                    phi_2526_ = type_17(_e3283.member_1, _e3264.member_1);
-                                                    phi_2569_ = type_18(1u, _e3264.member);
+                                                    let _e4097 = phi_2832_;
+                                                    phi_2803_ = type_17(_e4097.member_1, _e4078.member_1);
+                                                    phi_2846_ = type_18(1u, _e4078.member);
                                                 } else {
-                                                    phi_2526_ = _e3264;
-                                                    phi_2569_ = type_18(0u, type_18().member_1);
+                                                    phi_2803_ = _e4078;
+                                                    phi_2846_ = type_18(0u, type_18().member_1);
                                                 }
-                                                let _e3289 = phi_2526_;
-                                                let _e3291 = phi_2569_;
-                                                let _e3294 = (bitcast<i32>(_e3291.member) != 0i);
-                                                if _e3294 {
-                                                    phi_2529_ = (0.5lf * (_e3266 + (_e3257 / _e3266)));
+                                                let _e4103 = phi_2803_;
+                                                let _e4105 = phi_2846_;
+                                                let _e4108 = (bitcast<i32>(_e4105.member) != 0i);
+                                                if _e4108 {
+                                                    phi_2806_ = (0.5lf * (_e4080 + (_e4071 / _e4080)));
                                                 } else {
-                                                    phi_2529_ = f64();
+                                                    phi_2806_ = f64();
                                                 }
-                                                let _e3299 = phi_2529_;
+                                                let _e4113 = phi_2806_;
                                                 continue;
                                                 continuing {
-                                                    phi_2525_ = _e3289;
-                                                    phi_2528_ = _e3299;
-                                                    break if !(_e3294);
+                                                    phi_2802_ = _e4103;
+                                                    phi_2805_ = _e4113;
+                                                    break if !(_e4108);
                                                 }
                                             }
-                                            let _e3304 = local_31;
-                                            phi_2582_ = (_e3304 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                            let _e4118 = local_24;
+                                            phi_2859_ = (_e4118 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                         }
-                                        let _e3311 = phi_2582_;
-                                        phi_2595_ = type_19(0u, 4u);
-                                        phi_2598_ = f64(2f);
-                                        loop {
-                                            let _e3323 = phi_2595_;
-                                            let _e3325 = phi_2598_;
-                                            local_33 = _e3325;
-                                            local_34 = _e3325;
-                                            local_35 = _e3325;
-                                            local_67 = _e3325;
-                                            local_68 = _e3325;
-                                            if (_e3323.member < _e3323.member_1) {
-                                                phi_2596_ = type_19((_e3323.member + 1u), _e3323.member_1);
-                                                phi_2621_ = type_19(1u, _e3323.member);
-                                            } else {
-                                                phi_2596_ = _e3323;
-                                                phi_2621_ = type_19(0u, type_19().member_1);
-                                            }
-                                            let _e3337 = phi_2596_;
-                                            let _e3339 = phi_2621_;
-                                            if (bitcast<i32>(_e3339.member) != 0i) {
-                                                let _e3345 = local_9[_e3339.member_1];
-                                                let _e3353 = (((_e3248 * _e3345[0]) + (_e3250 * _e3345[1])) + (_e3252 * _e3345[2]));
-                                                let _e3355 = local_10[_e3339.member_1];
-                                                let _e3363 = (((_e3248 * _e3355[0]) + (_e3250 * _e3355[1])) + (_e3252 * _e3355[2]));
-                                                if (_e3353 < 0.0lf) {
-                                                    phi_2672_ = -(_e3353);
-                                                } else {
-                                                    phi_2672_ = _e3353;
-                                                }
-                                                let _e3367 = phi_2672_;
-                                                if (_e3363 < 0.0lf) {
-                                                    phi_2678_ = -(_e3363);
-                                                } else {
-                                                    phi_2678_ = _e3363;
-                                                }
-                                                let _e3371 = phi_2678_;
-                                                let _e3376 = (((((((((_e3010 + _e3012) + (_e3064 + _e3066)) + (_e3118 + _e3120)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3128 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e370 * _e3311) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e3367 + _e3371) * (1.1102230246251565e-16lf * f64(8f))));
-                                                if (_e3353 > _e3376) {
-                                                    if (_e3363 > _e3376) {
-                                                        phi_2692_ = false;
-                                                    } else {
-                                                        phi_2692_ = true;
-                                                    }
-                                                    let _e3380 = phi_2692_;
-                                                    phi_2693_ = _e3380;
-                                                } else {
-                                                    phi_2693_ = true;
-                                                }
-                                                let _e3382 = phi_2693_;
-                                                if _e3382 {
-                                                    if ((_e3353 + ((_e3363 - _e3353) * _e3139)) > _e3376) {
-                                                        if (_e3363 < _e3353) {
-                                                            let _e3391 = ((_e3353 - _e3363) <= (f64(0.25f) / 2.2250738585072014e-308lf));
-                                                            if _e3391 {
-                                                                let _e3399 = (((_e3353 - _e3376) / (_e3353 - _e3363)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                if (_e3325 < _e3399) {
-                                                                    phi_2727_ = _e3325;
-                                                                } else {
-                                                                    phi_2727_ = _e3399;
-                                                                }
-                                                                let _e3402 = phi_2727_;
-                                                                phi_2728_ = _e3402;
-                                                            } else {
-                                                                phi_2728_ = f64();
-                                                            }
-                                                            let _e3404 = phi_2728_;
-                                                            phi_2729_ = _e3404;
-                                                            phi_2730_ = _e3391;
-                                                        } else {
-                                                            phi_2729_ = _e3325;
-                                                            phi_2730_ = true;
-                                                        }
-                                                        let _e3406 = phi_2729_;
-                                                        let _e3408 = phi_2730_;
-                                                        if _e3408 {
-                                                            phi_2734_ = false;
-                                                        } else {
-                                                            phi_2734_ = true;
-                                                        }
-                                                        let _e3410 = phi_2734_;
-                                                        phi_2735_ = _e3406;
-                                                        phi_2736_ = _e3408;
-                                                        phi_2737_ = _e3410;
-                                                        phi_2738_ = false;
-                                                    } else {
-                                                        phi_2735_ = f64();
-                                                        phi_2736_ = false;
-                                                        phi_2737_ = false;
-                                                        phi_2738_ = true;
-                                                    }
-                                                    let _e3412 = phi_2735_;
-                                                    let _e3414 = phi_2736_;
-                                                    let _e3416 = phi_2737_;
-                                                    let _e3418 = phi_2738_;
-                                                    phi_2739_ = _e3412;
-                                                    phi_2740_ = _e3414;
-                                                    phi_2741_ = _e3416;
-                                                    phi_2742_ = _e3418;
-                                                } else {
-                                                    phi_2739_ = _e3325;
-                                                    phi_2740_ = true;
-                                                    phi_2741_ = false;
-                                                    phi_2742_ = false;
-                                                }
-                                                let _e3420 = phi_2739_;
-                                                let _e3422 = phi_2740_;
-                                                let _e3424 = phi_2741_;
-                                                let _e3426 = phi_2742_;
-                                                phi_2599_ = _e3420;
-                                                phi_2743_ = _e3422;
-                                                phi_2744_ = false;
-                                                phi_2745_ = _e3424;
-                                                phi_2746_ = _e3426;
-                                            } else {
-                                                phi_2599_ = f64();
-                                                phi_2743_ = false;
-                                                phi_2744_ = true;
-                                                phi_2745_ = false;
-                                                phi_2746_ = false;
-                                            }
-                                            let _e3428 = phi_2599_;
-                                            let _e3430 = phi_2743_;
-                                            let _e3432 = phi_2744_;
-                                            let _e3434 = phi_2745_;
-                                            let _e3436 = phi_2746_;
-                                            local_32 = _e3432;
-                                            local_65 = _e3434;
-                                            local_66 = _e3436;
-                                            continue;
-                                            continuing {
-                                                phi_2595_ = _e3337;
-                                                phi_2598_ = _e3428;
-                                                break if !(_e3430);
-                                            }
-                                        }
-                                        let _e3439 = local_32;
-                                        if _e3439 {
-                                            let _e3441 = local_33;
-                                            let _e3442 = (_e3441 > _e2904);
-                                            if _e3442 {
-                                                phi_2768_ = false;
-                                                phi_2769_ = false;
-                                                phi_2770_ = false;
-                                            } else {
-                                                let _e3444 = local_34;
-                                                if (_e3444 > _e3139) {
-                                                    let _e3447 = local_35;
-                                                    let _e3450 = ((_e3447 - _e3139) < f64(0.00000000023283064f));
-                                                    if _e3450 {
-                                                        phi_2764_ = false;
-                                                    } else {
-                                                        phi_2764_ = true;
-                                                    }
-                                                    let _e3452 = phi_2764_;
-                                                    phi_2765_ = _e3452;
-                                                    phi_2766_ = _e3450;
-                                                    phi_2767_ = false;
-                                                } else {
-                                                    phi_2765_ = false;
-                                                    phi_2766_ = false;
-                                                    phi_2767_ = true;
-                                                }
-                                                let _e3454 = phi_2765_;
-                                                let _e3456 = phi_2766_;
-                                                let _e3458 = phi_2767_;
-                                                phi_2768_ = _e3454;
-                                                phi_2769_ = _e3456;
-                                                phi_2770_ = _e3458;
-                                            }
-                                            let _e3460 = phi_2768_;
-                                            let _e3462 = phi_2769_;
-                                            let _e3464 = phi_2770_;
-                                            phi_2771_ = _e3460;
-                                            phi_2772_ = _e3442;
-                                            phi_2773_ = _e3462;
-                                            phi_2774_ = _e3464;
-                                            phi_2775_ = false;
-                                            phi_2776_ = false;
+                                        let _e4125 = phi_2859_;
+                                        let _e4127 = (1.1102230246251565e-16lf * f64(12f));
+                                        let _e4134 = ((((((((_e3813 + _e3815) + (_e3867 + _e3869)) + (_e3921 + _e3923)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3931 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e576.member_1 * _e4125) * (f64(1f) + _e4127)));
+                                        let _e4139 = (((_e4062 * _e3717[0]) + (_e4064 * _e3717[1])) + (_e4066 * _e3717[2]));
+                                        let _e4144 = (((_e4062 * (_e3717[0] - _e3723[0])) + (_e4064 * (_e3717[1] - _e3723[1]))) + (_e4066 * (_e3717[2] - _e3723[2])));
+                                        let _e4149 = (((_e4062 * (_e3717[0] - _e3729[0])) + (_e4064 * (_e3717[1] - _e3729[1]))) + (_e4066 * (_e3717[2] - _e3729[2])));
+                                        let _e4154 = (((_e4062 * _e3717[0]) + (_e4064 * _e3717[1])) + (_e4066 * _e3717[2]));
+                                        let _e4160 = (((_e4062 * _e3741[0]) + (_e4064 * _e3741[1])) + (_e4066 * _e3741[2]));
+                                        let _e4165 = (((_e4062 * (_e3741[0] - _e3747[0])) + (_e4064 * (_e3741[1] - _e3747[1]))) + (_e4066 * (_e3741[2] - _e3747[2])));
+                                        let _e4170 = (((_e4062 * (_e3741[0] - _e3753[0])) + (_e4064 * (_e3741[1] - _e3753[1]))) + (_e4066 * (_e3741[2] - _e3753[2])));
+                                        let _e4175 = (((_e4062 * _e3741[0]) + (_e4064 * _e3741[1])) + (_e4066 * _e3741[2]));
+                                        if (_e4139 < 0.0lf) {
+                                            phi_2928_ = -(_e4139);
                                         } else {
-                                            phi_2771_ = false;
-                                            phi_2772_ = false;
-                                            phi_2773_ = false;
-                                            phi_2774_ = false;
-                                            let _e4736 = local_65;
-                                            phi_2775_ = _e4736;
-                                            let _e4739 = local_66;
-                                            phi_2776_ = _e4739;
+                                            phi_2928_ = _e4139;
                                         }
-                                        let _e3466 = phi_2771_;
-                                        let _e3468 = phi_2772_;
-                                        let _e3470 = phi_2773_;
-                                        let _e3472 = phi_2774_;
-                                        let _e3474 = phi_2775_;
-                                        let _e3476 = phi_2776_;
-                                        let _e4742 = local_67;
-                                        phi_2777_ = _e4742;
-                                        let _e4745 = local_68;
-                                        phi_2778_ = _e4745;
-                                        phi_2779_ = _e3466;
-                                        phi_2780_ = _e3468;
-                                        phi_2781_ = _e3470;
-                                        phi_2782_ = _e3472;
-                                        phi_2783_ = _e3474;
-                                        phi_2784_ = _e3476;
-                                        phi_2785_ = false;
+                                        let _e4180 = phi_2928_;
+                                        if (_e4160 < 0.0lf) {
+                                            phi_2934_ = -(_e4160);
+                                        } else {
+                                            phi_2934_ = _e4160;
+                                        }
+                                        let _e4184 = phi_2934_;
+                                        if (_e4144 < 0.0lf) {
+                                            phi_2943_ = -(_e4144);
+                                        } else {
+                                            phi_2943_ = _e4144;
+                                        }
+                                        let _e4191 = phi_2943_;
+                                        if (_e4165 < 0.0lf) {
+                                            phi_2949_ = -(_e4165);
+                                        } else {
+                                            phi_2949_ = _e4165;
+                                        }
+                                        let _e4195 = phi_2949_;
+                                        if (_e4149 < 0.0lf) {
+                                            phi_2958_ = -(_e4149);
+                                        } else {
+                                            phi_2958_ = _e4149;
+                                        }
+                                        let _e4202 = phi_2958_;
+                                        if (_e4170 < 0.0lf) {
+                                            phi_2964_ = -(_e4170);
+                                        } else {
+                                            phi_2964_ = _e4170;
+                                        }
+                                        let _e4206 = phi_2964_;
+                                        if (_e4154 < 0.0lf) {
+                                            phi_2973_ = -(_e4154);
+                                        } else {
+                                            phi_2973_ = _e4154;
+                                        }
+                                        let _e4213 = phi_2973_;
+                                        if (_e4175 < 0.0lf) {
+                                            phi_2979_ = -(_e4175);
+                                        } else {
+                                            phi_2979_ = _e4175;
+                                        }
+                                        let _e4217 = phi_2979_;
+                                        phi_2985_ = type_32(array<f64, 4>(_e4139, _e4144, _e4149, _e4154), array<f64, 4>(_e4160, _e4165, _e4170, _e4175), array<f64, 4>((_e4134 + ((_e4180 + _e4184) * _e4127)), (_e4134 + ((_e4191 + _e4195) * _e4127)), (_e4134 + ((_e4202 + _e4206) * _e4127)), (_e4134 + ((_e4213 + _e4217) * _e4127))));
+                                        phi_2986_ = false;
                                     } else {
-                                        phi_2777_ = f64();
-                                        phi_2778_ = f64();
-                                        phi_2779_ = false;
-                                        phi_2780_ = false;
-                                        phi_2781_ = false;
-                                        phi_2782_ = false;
-                                        phi_2783_ = false;
-                                        phi_2784_ = false;
-                                        phi_2785_ = true;
+                                        phi_2985_ = type_32();
+                                        phi_2986_ = true;
                                     }
-                                    let _e3478 = phi_2777_;
-                                    let _e3480 = phi_2778_;
-                                    let _e3482 = phi_2779_;
-                                    let _e3484 = phi_2780_;
-                                    let _e3486 = phi_2781_;
-                                    let _e3488 = phi_2782_;
-                                    let _e3490 = phi_2783_;
-                                    let _e3492 = phi_2784_;
-                                    let _e3494 = phi_2785_;
-                                    phi_2786_ = _e3478;
-                                    phi_2787_ = _e3480;
-                                    phi_2788_ = _e3482;
-                                    phi_2789_ = _e3484;
-                                    phi_2790_ = _e3486;
-                                    phi_2791_ = _e3488;
-                                    phi_2792_ = _e3490;
-                                    phi_2793_ = _e3492;
-                                    phi_2794_ = _e3494;
-                                    phi_2795_ = false;
+                                    let _e4224 = phi_2985_;
+                                    let _e4226 = phi_2986_;
+                                    phi_2987_ = _e4224;
+                                    phi_2988_ = _e4226;
                                 } else {
-                                    phi_2786_ = f64();
-                                    phi_2787_ = f64();
-                                    phi_2788_ = false;
-                                    phi_2789_ = false;
-                                    phi_2790_ = false;
-                                    phi_2791_ = false;
-                                    phi_2792_ = false;
-                                    phi_2793_ = false;
-                                    phi_2794_ = false;
-                                    phi_2795_ = true;
+                                    phi_2987_ = type_32();
+                                    phi_2988_ = true;
                                 }
-                                let _e3496 = phi_2786_;
-                                let _e3498 = phi_2787_;
-                                let _e3500 = phi_2788_;
-                                let _e3502 = phi_2789_;
-                                let _e3504 = phi_2790_;
-                                let _e3506 = phi_2791_;
-                                let _e3508 = phi_2792_;
-                                let _e3510 = phi_2793_;
-                                let _e3512 = phi_2794_;
-                                let _e3514 = phi_2795_;
-                                phi_2796_ = _e3496;
-                                phi_2332_ = _e3498;
-                                phi_2797_ = _e3500;
-                                phi_2798_ = _e3502;
-                                phi_2799_ = _e3504;
-                                phi_2800_ = false;
-                                phi_2801_ = _e3506;
-                                phi_2802_ = _e3508;
-                                phi_2803_ = _e3510;
-                                phi_2804_ = _e3512;
-                                phi_2805_ = _e3514;
+                                let _e4228 = phi_2987_;
+                                let _e4230 = phi_2988_;
+                                if _e4230 {
+                                    let _e4231 = f64(0f);
+                                    let _e4232 = f64(1f);
+                                    phi_2998_ = type_32(array<f64, 4>(_e4231, _e4231, _e4231, _e4231), array<f64, 4>(_e4231, _e4231, _e4231, _e4231), array<f64, 4>(_e4232, _e4232, _e4232, _e4232));
+                                } else {
+                                    phi_2998_ = _e4228;
+                                }
+                                let _e4238 = phi_2998_;
+                                local_10 = type_32(array<f64, 4>(_e4238.member[0], _e4238.member[1], _e4238.member[2], _e4238.member[3]), array<f64, 4>(_e4238.member_1[0], _e4238.member_1[1], _e4238.member_1[2], _e4238.member_1[3]), array<f64, 4>(_e4238.member_2[0], _e4238.member_2[1], _e4238.member_2[2], _e4238.member_2[3]));
+                                let _e4258 = (_e3947 - _e3951);
+                                let _e4259 = f64(0f);
+                                let _e4262 = local_10.member[0u];
+                                let _e4265 = local_10.member_1[0u];
+                                let _e4268 = local_10.member[0u];
+                                let _e4274 = local_10.member_2[0u];
+                                if (((_e4262 + ((_e4265 - _e4268) * _e3947)) - _e4274) > _e4259) {
+                                    let _e4279 = local_10.member[1u];
+                                    let _e4282 = local_10.member_1[1u];
+                                    let _e4285 = local_10.member[1u];
+                                    let _e4291 = local_10.member_2[1u];
+                                    if (((_e4279 + ((_e4282 - _e4285) * _e3947)) - _e4291) > _e4259) {
+                                        let _e4296 = local_10.member[2u];
+                                        let _e4299 = local_10.member_1[2u];
+                                        let _e4302 = local_10.member[2u];
+                                        let _e4308 = local_10.member_2[2u];
+                                        if (((_e4296 + ((_e4299 - _e4302) * _e3947)) - _e4308) > _e4259) {
+                                            let _e4313 = local_10.member[3u];
+                                            let _e4316 = local_10.member_1[3u];
+                                            let _e4319 = local_10.member[3u];
+                                            let _e4325 = local_10.member_2[3u];
+                                            phi_3169_ = (((_e4313 + ((_e4316 - _e4319) * _e3947)) - _e4325) > _e4259);
+                                            phi_3170_ = false;
+                                        } else {
+                                            phi_3169_ = bool();
+                                            phi_3170_ = true;
+                                        }
+                                        let _e4329 = phi_3169_;
+                                        let _e4331 = phi_3170_;
+                                        phi_3171_ = _e4329;
+                                        phi_3172_ = _e4331;
+                                    } else {
+                                        phi_3171_ = bool();
+                                        phi_3172_ = true;
+                                    }
+                                    let _e4333 = phi_3171_;
+                                    let _e4335 = phi_3172_;
+                                    phi_3173_ = _e4333;
+                                    phi_3174_ = _e4335;
+                                } else {
+                                    phi_3173_ = bool();
+                                    phi_3174_ = true;
+                                }
+                                let _e4337 = phi_3173_;
+                                let _e4339 = phi_3174_;
+                                if _e4339 {
+                                    phi_3178_ = false;
+                                } else {
+                                    phi_3178_ = _e4337;
+                                }
+                                let _e4341 = phi_3178_;
+                                if _e4341 {
+                                    if (_e3947 <= _e3949) {
+                                        phi_3489_ = true;
+                                    } else {
+                                        let _e4343 = f64(0f);
+                                        let _e4346 = local_9.member[0u];
+                                        let _e4349 = local_9.member_1[0u];
+                                        let _e4352 = local_9.member[0u];
+                                        let _e4358 = local_9.member_2[0u];
+                                        let _e4362 = local_10.member[0u];
+                                        let _e4365 = local_10.member_1[0u];
+                                        let _e4368 = local_10.member[0u];
+                                        let _e4374 = local_10.member_2[0u];
+                                        if ((((_e4346 + ((_e4349 - _e4352) * _e3947)) - _e4358) + ((_e4362 + ((_e4365 - _e4368) * _e3951)) - _e4374)) > _e4343) {
+                                            let _e4380 = local_9.member[1u];
+                                            let _e4383 = local_9.member_1[1u];
+                                            let _e4386 = local_9.member[1u];
+                                            let _e4392 = local_9.member_2[1u];
+                                            let _e4396 = local_10.member[1u];
+                                            let _e4399 = local_10.member_1[1u];
+                                            let _e4402 = local_10.member[1u];
+                                            let _e4408 = local_10.member_2[1u];
+                                            if ((((_e4380 + ((_e4383 - _e4386) * _e3947)) - _e4392) + ((_e4396 + ((_e4399 - _e4402) * _e3951)) - _e4408)) > _e4343) {
+                                                let _e4414 = local_9.member[2u];
+                                                let _e4417 = local_9.member_1[2u];
+                                                let _e4420 = local_9.member[2u];
+                                                let _e4426 = local_9.member_2[2u];
+                                                let _e4430 = local_10.member[2u];
+                                                let _e4433 = local_10.member_1[2u];
+                                                let _e4436 = local_10.member[2u];
+                                                let _e4442 = local_10.member_2[2u];
+                                                if ((((_e4414 + ((_e4417 - _e4420) * _e3947)) - _e4426) + ((_e4430 + ((_e4433 - _e4436) * _e3951)) - _e4442)) > _e4343) {
+                                                    let _e4448 = local_9.member[3u];
+                                                    let _e4451 = local_9.member_1[3u];
+                                                    let _e4454 = local_9.member[3u];
+                                                    let _e4460 = local_9.member_2[3u];
+                                                    let _e4464 = local_10.member[3u];
+                                                    let _e4467 = local_10.member_1[3u];
+                                                    let _e4470 = local_10.member[3u];
+                                                    let _e4476 = local_10.member_2[3u];
+                                                    phi_3476_ = ((((_e4448 + ((_e4451 - _e4454) * _e3947)) - _e4460) + ((_e4464 + ((_e4467 - _e4470) * _e3951)) - _e4476)) > _e4343);
+                                                    phi_3477_ = false;
+                                                } else {
+                                                    phi_3476_ = bool();
+                                                    phi_3477_ = true;
+                                                }
+                                                let _e4481 = phi_3476_;
+                                                let _e4483 = phi_3477_;
+                                                phi_3478_ = _e4481;
+                                                phi_3479_ = _e4483;
+                                            } else {
+                                                phi_3478_ = bool();
+                                                phi_3479_ = true;
+                                            }
+                                            let _e4485 = phi_3478_;
+                                            let _e4487 = phi_3479_;
+                                            phi_3480_ = _e4485;
+                                            phi_3481_ = _e4487;
+                                        } else {
+                                            phi_3480_ = bool();
+                                            phi_3481_ = true;
+                                        }
+                                        let _e4489 = phi_3480_;
+                                        let _e4491 = phi_3481_;
+                                        if _e4491 {
+                                            phi_3485_ = false;
+                                        } else {
+                                            phi_3485_ = _e4489;
+                                        }
+                                        let _e4493 = phi_3485_;
+                                        phi_3489_ = _e4493;
+                                    }
+                                    let _e4495 = phi_3489_;
+                                    if _e4495 {
+                                        if (_e3965.member_1 > 0u) {
+                                            if (_e3947 >= _e3713) {
+                                                phi_3501_ = false;
+                                            } else {
+                                                phi_3501_ = true;
+                                            }
+                                            let _e4499 = phi_3501_;
+                                            phi_3502_ = _e4499;
+                                        } else {
+                                            phi_3502_ = true;
+                                        }
+                                        let _e4501 = phi_3502_;
+                                        if _e4501 {
+                                            local_9 = type_32(array<f64, 4>(_e4238.member[0], _e4238.member[1], _e4238.member[2], _e4238.member[3]), array<f64, 4>(_e4238.member_1[0], _e4238.member_1[1], _e4238.member_1[2], _e4238.member_1[3]), array<f64, 4>(_e4238.member_2[0], _e4238.member_2[1], _e4238.member_2[2], _e4238.member_2[3]));
+                                            let _e4523 = local_9.member[0u];
+                                            let _e4526 = local_9.member_1[0u];
+                                            let _e4529 = local_9.member_2[0u];
+                                            if (_e4523 > _e4529) {
+                                                if (_e4526 > _e4529) {
+                                                    phi_3576_ = false;
+                                                } else {
+                                                    phi_3576_ = true;
+                                                }
+                                                let _e4533 = phi_3576_;
+                                                phi_3577_ = _e4533;
+                                            } else {
+                                                phi_3577_ = true;
+                                            }
+                                            let _e4535 = phi_3577_;
+                                            if _e4535 {
+                                                let _e4536 = (_e4526 >= _e4523);
+                                                if _e4536 {
+                                                    phi_3602_ = f64();
+                                                    phi_3603_ = false;
+                                                } else {
+                                                    if ((_e4523 - _e4526) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                        phi_3600_ = (((_e4523 - _e4529) / (_e4523 - _e4526)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                        phi_3601_ = false;
+                                                    } else {
+                                                        phi_3600_ = f64();
+                                                        phi_3601_ = true;
+                                                    }
+                                                    let _e4550 = phi_3600_;
+                                                    let _e4552 = phi_3601_;
+                                                    phi_3602_ = _e4550;
+                                                    phi_3603_ = _e4552;
+                                                }
+                                                let _e4554 = phi_3602_;
+                                                let _e4556 = phi_3603_;
+                                                phi_3604_ = _e4554;
+                                                phi_3605_ = _e4536;
+                                                phi_3606_ = _e4556;
+                                            } else {
+                                                phi_3604_ = f64();
+                                                phi_3605_ = true;
+                                                phi_3606_ = false;
+                                            }
+                                            let _e4558 = phi_3604_;
+                                            let _e4560 = phi_3605_;
+                                            let _e4562 = phi_3606_;
+                                            if _e4560 {
+                                                phi_3611_ = f64(2f);
+                                                phi_3612_ = true;
+                                            } else {
+                                                phi_3611_ = _e3947;
+                                                phi_3612_ = _e4562;
+                                            }
+                                            let _e4565 = phi_3611_;
+                                            let _e4567 = phi_3612_;
+                                            if _e4567 {
+                                                phi_3616_ = _e4565;
+                                            } else {
+                                                phi_3616_ = _e4558;
+                                            }
+                                            let _e4569 = phi_3616_;
+                                            let _e4572 = local_9.member[1u];
+                                            let _e4575 = local_9.member_1[1u];
+                                            let _e4578 = local_9.member_2[1u];
+                                            if (_e4572 > _e4578) {
+                                                if (_e4575 > _e4578) {
+                                                    phi_3648_ = false;
+                                                } else {
+                                                    phi_3648_ = true;
+                                                }
+                                                let _e4582 = phi_3648_;
+                                                phi_3649_ = _e4582;
+                                            } else {
+                                                phi_3649_ = true;
+                                            }
+                                            let _e4584 = phi_3649_;
+                                            if _e4584 {
+                                                let _e4585 = (_e4575 >= _e4572);
+                                                if _e4585 {
+                                                    phi_3674_ = f64();
+                                                    phi_3675_ = false;
+                                                } else {
+                                                    if ((_e4572 - _e4575) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                        phi_3672_ = (((_e4572 - _e4578) / (_e4572 - _e4575)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                        phi_3673_ = false;
+                                                    } else {
+                                                        phi_3672_ = f64();
+                                                        phi_3673_ = true;
+                                                    }
+                                                    let _e4599 = phi_3672_;
+                                                    let _e4601 = phi_3673_;
+                                                    phi_3674_ = _e4599;
+                                                    phi_3675_ = _e4601;
+                                                }
+                                                let _e4603 = phi_3674_;
+                                                let _e4605 = phi_3675_;
+                                                phi_3676_ = _e4603;
+                                                phi_3677_ = _e4585;
+                                                phi_3678_ = _e4605;
+                                            } else {
+                                                phi_3676_ = f64();
+                                                phi_3677_ = true;
+                                                phi_3678_ = false;
+                                            }
+                                            let _e4607 = phi_3676_;
+                                            let _e4609 = phi_3677_;
+                                            let _e4611 = phi_3678_;
+                                            if _e4609 {
+                                                phi_3683_ = f64(2f);
+                                                phi_3684_ = true;
+                                            } else {
+                                                phi_3683_ = _e3947;
+                                                phi_3684_ = _e4611;
+                                            }
+                                            let _e4614 = phi_3683_;
+                                            let _e4616 = phi_3684_;
+                                            if _e4616 {
+                                                phi_3688_ = _e4614;
+                                            } else {
+                                                phi_3688_ = _e4607;
+                                            }
+                                            let _e4618 = phi_3688_;
+                                            if (_e4569 < _e4618) {
+                                                phi_3693_ = _e4569;
+                                            } else {
+                                                phi_3693_ = _e4618;
+                                            }
+                                            let _e4621 = phi_3693_;
+                                            let _e4624 = local_9.member[2u];
+                                            let _e4627 = local_9.member_1[2u];
+                                            let _e4630 = local_9.member_2[2u];
+                                            if (_e4624 > _e4630) {
+                                                if (_e4627 > _e4630) {
+                                                    phi_3725_ = false;
+                                                } else {
+                                                    phi_3725_ = true;
+                                                }
+                                                let _e4634 = phi_3725_;
+                                                phi_3726_ = _e4634;
+                                            } else {
+                                                phi_3726_ = true;
+                                            }
+                                            let _e4636 = phi_3726_;
+                                            if _e4636 {
+                                                let _e4637 = (_e4627 >= _e4624);
+                                                if _e4637 {
+                                                    phi_3751_ = f64();
+                                                    phi_3752_ = false;
+                                                } else {
+                                                    if ((_e4624 - _e4627) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                        phi_3749_ = (((_e4624 - _e4630) / (_e4624 - _e4627)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                        phi_3750_ = false;
+                                                    } else {
+                                                        phi_3749_ = f64();
+                                                        phi_3750_ = true;
+                                                    }
+                                                    let _e4651 = phi_3749_;
+                                                    let _e4653 = phi_3750_;
+                                                    phi_3751_ = _e4651;
+                                                    phi_3752_ = _e4653;
+                                                }
+                                                let _e4655 = phi_3751_;
+                                                let _e4657 = phi_3752_;
+                                                phi_3753_ = _e4655;
+                                                phi_3754_ = _e4637;
+                                                phi_3755_ = _e4657;
+                                            } else {
+                                                phi_3753_ = f64();
+                                                phi_3754_ = true;
+                                                phi_3755_ = false;
+                                            }
+                                            let _e4659 = phi_3753_;
+                                            let _e4661 = phi_3754_;
+                                            let _e4663 = phi_3755_;
+                                            if _e4661 {
+                                                phi_3760_ = f64(2f);
+                                                phi_3761_ = true;
+                                            } else {
+                                                phi_3760_ = _e3947;
+                                                phi_3761_ = _e4663;
+                                            }
+                                            let _e4666 = phi_3760_;
+                                            let _e4668 = phi_3761_;
+                                            if _e4668 {
+                                                phi_3765_ = _e4666;
+                                            } else {
+                                                phi_3765_ = _e4659;
+                                            }
+                                            let _e4670 = phi_3765_;
+                                            let _e4673 = local_9.member[3u];
+                                            let _e4676 = local_9.member_1[3u];
+                                            let _e4679 = local_9.member_2[3u];
+                                            if (_e4673 > _e4679) {
+                                                if (_e4676 > _e4679) {
+                                                    phi_3797_ = false;
+                                                } else {
+                                                    phi_3797_ = true;
+                                                }
+                                                let _e4683 = phi_3797_;
+                                                phi_3798_ = _e4683;
+                                            } else {
+                                                phi_3798_ = true;
+                                            }
+                                            let _e4685 = phi_3798_;
+                                            if _e4685 {
+                                                let _e4686 = (_e4676 >= _e4673);
+                                                if _e4686 {
+                                                    phi_3823_ = f64();
+                                                    phi_3824_ = false;
+                                                } else {
+                                                    if ((_e4673 - _e4676) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                        phi_3821_ = (((_e4673 - _e4679) / (_e4673 - _e4676)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                        phi_3822_ = false;
+                                                    } else {
+                                                        phi_3821_ = f64();
+                                                        phi_3822_ = true;
+                                                    }
+                                                    let _e4700 = phi_3821_;
+                                                    let _e4702 = phi_3822_;
+                                                    phi_3823_ = _e4700;
+                                                    phi_3824_ = _e4702;
+                                                }
+                                                let _e4704 = phi_3823_;
+                                                let _e4706 = phi_3824_;
+                                                phi_3825_ = _e4704;
+                                                phi_3826_ = _e4686;
+                                                phi_3827_ = _e4706;
+                                            } else {
+                                                phi_3825_ = f64();
+                                                phi_3826_ = true;
+                                                phi_3827_ = false;
+                                            }
+                                            let _e4708 = phi_3825_;
+                                            let _e4710 = phi_3826_;
+                                            let _e4712 = phi_3827_;
+                                            if _e4710 {
+                                                phi_3832_ = f64(2f);
+                                                phi_3833_ = true;
+                                            } else {
+                                                phi_3832_ = _e3947;
+                                                phi_3833_ = _e4712;
+                                            }
+                                            let _e4715 = phi_3832_;
+                                            let _e4717 = phi_3833_;
+                                            if _e4717 {
+                                                phi_3837_ = _e4715;
+                                            } else {
+                                                phi_3837_ = _e4708;
+                                            }
+                                            let _e4719 = phi_3837_;
+                                            if (_e4670 < _e4719) {
+                                                phi_3842_ = _e4670;
+                                            } else {
+                                                phi_3842_ = _e4719;
+                                            }
+                                            let _e4722 = phi_3842_;
+                                            if (_e4621 < _e4722) {
+                                                phi_3847_ = _e4621;
+                                            } else {
+                                                phi_3847_ = _e4722;
+                                            }
+                                            let _e4725 = phi_3847_;
+                                            if (_e4725 > _e3947) {
+                                                phi_3852_ = _e4725;
+                                            } else {
+                                                phi_3852_ = _e3947;
+                                            }
+                                            let _e4728 = phi_3852_;
+                                            let _e4729 = (_e4728 > _e3713);
+                                            if _e4729 {
+                                                phi_3864_ = f64();
+                                                phi_3865_ = false;
+                                            } else {
+                                                if (_e3965.member_1 == 0u) {
+                                                    phi_3863_ = (_e3713 - _e3947);
+                                                } else {
+                                                    phi_3863_ = (_e4258 + _e4258);
+                                                }
+                                                let _e4734 = phi_3863_;
+                                                phi_3864_ = _e4734;
+                                                phi_3865_ = true;
+                                            }
+                                            let _e4736 = phi_3864_;
+                                            let _e4738 = phi_3865_;
+                                            phi_3866_ = _e4728;
+                                            phi_3867_ = _e4736;
+                                            phi_3868_ = _e4738;
+                                            phi_3869_ = _e4729;
+                                            phi_3870_ = false;
+                                        } else {
+                                            phi_3866_ = f64();
+                                            phi_3867_ = f64();
+                                            phi_3868_ = false;
+                                            phi_3869_ = false;
+                                            phi_3870_ = true;
+                                        }
+                                        let _e4740 = phi_3866_;
+                                        let _e4742 = phi_3867_;
+                                        let _e4744 = phi_3868_;
+                                        let _e4746 = phi_3869_;
+                                        let _e4748 = phi_3870_;
+                                        phi_3871_ = _e4740;
+                                        phi_3872_ = _e4742;
+                                        phi_3873_ = false;
+                                        phi_3874_ = _e4744;
+                                        phi_3875_ = _e4746;
+                                        phi_3876_ = _e4748;
+                                    } else {
+                                        phi_3871_ = f64();
+                                        phi_3872_ = f64();
+                                        phi_3873_ = true;
+                                        phi_3874_ = false;
+                                        phi_3875_ = false;
+                                        phi_3876_ = false;
+                                    }
+                                    let _e4750 = phi_3871_;
+                                    let _e4752 = phi_3872_;
+                                    let _e4754 = phi_3873_;
+                                    let _e4756 = phi_3874_;
+                                    let _e4758 = phi_3875_;
+                                    let _e4760 = phi_3876_;
+                                    phi_3877_ = _e4750;
+                                    phi_3878_ = _e4752;
+                                    phi_3879_ = _e4754;
+                                    phi_3880_ = _e4756;
+                                    phi_3881_ = _e4758;
+                                    phi_3882_ = _e4760;
+                                } else {
+                                    phi_3877_ = f64();
+                                    phi_3878_ = f64();
+                                    phi_3879_ = true;
+                                    phi_3880_ = false;
+                                    phi_3881_ = false;
+                                    phi_3882_ = false;
+                                }
+                                let _e4762 = phi_3877_;
+                                let _e4764 = phi_3878_;
+                                let _e4766 = phi_3879_;
+                                let _e4768 = phi_3880_;
+                                let _e4770 = phi_3881_;
+                                let _e4772 = phi_3882_;
+                                if _e4766 {
+                                    let _e4773 = (_e3947 <= _e3949);
+                                    if _e4773 {
+                                        phi_4216_ = f64();
+                                        phi_4217_ = false;
+                                    } else {
+                                        let _e4776 = local_9.member[0u];
+                                        let _e4779 = local_9.member_1[0u];
+                                        let _e4782 = local_9.member[0u];
+                                        let _e4788 = local_9.member_2[0u];
+                                        let _e4789 = ((_e4776 + ((_e4779 - _e4782) * _e3951)) - _e4788);
+                                        let _e4792 = local_9.member[1u];
+                                        let _e4795 = local_9.member_1[1u];
+                                        let _e4798 = local_9.member[1u];
+                                        let _e4804 = local_9.member_2[1u];
+                                        let _e4805 = ((_e4792 + ((_e4795 - _e4798) * _e3951)) - _e4804);
+                                        if (_e4789 < _e4805) {
+                                            phi_3962_ = _e4789;
+                                        } else {
+                                            phi_3962_ = _e4805;
+                                        }
+                                        let _e4808 = phi_3962_;
+                                        let _e4811 = local_9.member[2u];
+                                        let _e4814 = local_9.member_1[2u];
+                                        let _e4817 = local_9.member[2u];
+                                        let _e4823 = local_9.member_2[2u];
+                                        let _e4824 = ((_e4811 + ((_e4814 - _e4817) * _e3951)) - _e4823);
+                                        let _e4827 = local_9.member[3u];
+                                        let _e4830 = local_9.member_1[3u];
+                                        let _e4833 = local_9.member[3u];
+                                        let _e4839 = local_9.member_2[3u];
+                                        let _e4840 = ((_e4827 + ((_e4830 - _e4833) * _e3951)) - _e4839);
+                                        if (_e4824 < _e4840) {
+                                            phi_4035_ = _e4824;
+                                        } else {
+                                            phi_4035_ = _e4840;
+                                        }
+                                        let _e4843 = phi_4035_;
+                                        if (_e4808 < _e4843) {
+                                            phi_4040_ = _e4808;
+                                        } else {
+                                            phi_4040_ = _e4843;
+                                        }
+                                        let _e4846 = phi_4040_;
+                                        let _e4849 = local_10.member[0u];
+                                        let _e4852 = local_10.member_1[0u];
+                                        let _e4855 = local_10.member[0u];
+                                        let _e4861 = local_10.member_2[0u];
+                                        let _e4862 = ((_e4849 + ((_e4852 - _e4855) * _e3947)) - _e4861);
+                                        let _e4865 = local_10.member[1u];
+                                        let _e4868 = local_10.member_1[1u];
+                                        let _e4871 = local_10.member[1u];
+                                        let _e4877 = local_10.member_2[1u];
+                                        let _e4878 = ((_e4865 + ((_e4868 - _e4871) * _e3947)) - _e4877);
+                                        if (_e4862 < _e4878) {
+                                            phi_4113_ = _e4862;
+                                        } else {
+                                            phi_4113_ = _e4878;
+                                        }
+                                        let _e4881 = phi_4113_;
+                                        let _e4884 = local_10.member[2u];
+                                        let _e4887 = local_10.member_1[2u];
+                                        let _e4890 = local_10.member[2u];
+                                        let _e4896 = local_10.member_2[2u];
+                                        let _e4897 = ((_e4884 + ((_e4887 - _e4890) * _e3947)) - _e4896);
+                                        let _e4900 = local_10.member[3u];
+                                        let _e4903 = local_10.member_1[3u];
+                                        let _e4906 = local_10.member[3u];
+                                        let _e4912 = local_10.member_2[3u];
+                                        let _e4913 = ((_e4900 + ((_e4903 - _e4906) * _e3947)) - _e4912);
+                                        if (_e4897 < _e4913) {
+                                            phi_4186_ = _e4897;
+                                        } else {
+                                            phi_4186_ = _e4913;
+                                        }
+                                        let _e4916 = phi_4186_;
+                                        if (_e4881 < _e4916) {
+                                            phi_4191_ = _e4881;
+                                        } else {
+                                            phi_4191_ = _e4916;
+                                        }
+                                        let _e4919 = phi_4191_;
+                                        let _e4920 = f64(0.0625f);
+                                        let _e4922 = f64(0.9f);
+                                        if (_e4919 > f64(0f)) {
+                                            phi_4214_ = f64(0.5f);
+                                        } else {
+                                            let _e4928 = (f64(0.95f) * (_e4846 / (_e4846 - _e4919)));
+                                            if (_e4928 > _e4920) {
+                                                if (_e4928 < _e4922) {
+                                                    phi_4212_ = _e4928;
+                                                } else {
+                                                    phi_4212_ = _e4922;
+                                                }
+                                                let _e4932 = phi_4212_;
+                                                phi_4213_ = _e4932;
+                                            } else {
+                                                phi_4213_ = _e4920;
+                                            }
+                                            let _e4934 = phi_4213_;
+                                            phi_4214_ = _e4934;
+                                        }
+                                        let _e4936 = phi_4214_;
+                                        phi_4216_ = (_e4258 * _e4936);
+                                        phi_4217_ = true;
+                                    }
+                                    let _e4939 = phi_4216_;
+                                    let _e4941 = phi_4217_;
+                                    phi_4218_ = _e3949;
+                                    phi_4219_ = _e4939;
+                                    phi_4220_ = _e3951;
+                                    phi_4221_ = _e4941;
+                                    phi_4222_ = _e4773;
+                                    phi_4223_ = false;
+                                    phi_4224_ = false;
+                                } else {
+                                    phi_4218_ = _e4762;
+                                    phi_4219_ = _e4764;
+                                    phi_4220_ = _e3947;
+                                    phi_4221_ = _e4768;
+                                    phi_4222_ = false;
+                                    phi_4223_ = _e4770;
+                                    phi_4224_ = _e4772;
+                                }
+                                let _e4943 = phi_4218_;
+                                let _e4945 = phi_4219_;
+                                let _e4947 = phi_4220_;
+                                let _e4949 = phi_4221_;
+                                let _e4951 = phi_4222_;
+                                let _e4953 = phi_4223_;
+                                let _e4955 = phi_4224_;
+                                if _e4949 {
+                                    let _e4956 = (_e4947 + _e4945);
+                                    if (_e4956 > _e4943) {
+                                        phi_4233_ = _e4956;
+                                    } else {
+                                        phi_4233_ = _e4943;
+                                    }
+                                    let _e4959 = phi_4233_;
+                                    if (_e4959 < _e3713) {
+                                        phi_4238_ = _e4959;
+                                    } else {
+                                        phi_4238_ = _e3713;
+                                    }
+                                    let _e4962 = phi_4238_;
+                                    if (_e3965.member_1 > 0u) {
+                                        phi_4249_ = ((_e4962 - _e4947) > f64(0.0000000037252903f));
+                                    } else {
+                                        phi_4249_ = true;
+                                    }
+                                    let _e4968 = phi_4249_;
+                                    if _e4968 {
+                                        phi_4253_ = false;
+                                    } else {
+                                        phi_4253_ = true;
+                                    }
+                                    let _e4970 = phi_4253_;
+                                    phi_4254_ = _e4962;
+                                    phi_4255_ = _e4968;
+                                    phi_4256_ = _e4970;
+                                    phi_4257_ = false;
+                                    phi_4258_ = false;
+                                    phi_4259_ = false;
+                                } else {
+                                    phi_4254_ = f64();
+                                    phi_4255_ = false;
+                                    phi_4256_ = false;
+                                    phi_4257_ = _e4951;
+                                    phi_4258_ = _e4953;
+                                    phi_4259_ = _e4955;
+                                }
+                                let _e4972 = phi_4254_;
+                                let _e4974 = phi_4255_;
+                                let _e4976 = phi_4256_;
+                                let _e4978 = phi_4257_;
+                                let _e4980 = phi_4258_;
+                                let _e4982 = phi_4259_;
+                                phi_2603_ = _e4972;
+                                phi_2605_ = _e4943;
+                                phi_2607_ = _e4947;
+                                phi_4260_ = _e4943;
+                                phi_4261_ = _e4974;
+                                phi_4262_ = _e4976;
+                                phi_4263_ = false;
+                                phi_4264_ = _e4978;
+                                phi_4265_ = _e4980;
+                                phi_4266_ = _e4982;
                             } else {
-                                phi_2796_ = f64();
-                                phi_2332_ = f64();
-                                phi_2797_ = false;
-                                phi_2798_ = false;
-                                phi_2799_ = false;
-                                phi_2800_ = true;
-                                phi_2801_ = false;
-                                phi_2802_ = false;
-                                phi_2803_ = false;
-                                phi_2804_ = false;
-                                phi_2805_ = false;
+                                phi_2603_ = f64();
+                                phi_2605_ = f64();
+                                phi_2607_ = f64();
+                                phi_4260_ = f64();
+                                phi_4261_ = false;
+                                phi_4262_ = false;
+                                phi_4263_ = true;
+                                phi_4264_ = false;
+                                phi_4265_ = false;
+                                phi_4266_ = false;
                             }
-                            let _e3516 = phi_2796_;
-                            let _e3518 = phi_2332_;
-                            let _e3520 = phi_2797_;
-                            let _e3522 = phi_2798_;
-                            let _e3524 = phi_2799_;
-                            let _e3526 = phi_2800_;
-                            let _e3528 = phi_2801_;
-                            let _e3530 = phi_2802_;
-                            let _e3532 = phi_2803_;
-                            let _e3534 = phi_2804_;
-                            let _e3536 = phi_2805_;
-                            local_36 = _e3522;
-                            local_69 = _e3524;
-                            local_70 = _e3526;
-                            local_71 = _e3528;
-                            local_72 = _e3530;
-                            local_73 = _e3532;
-                            local_74 = _e3534;
-                            local_75 = _e3536;
-                            local_76 = _e3516;
-                            local_78 = _e3522;
+                            let _e4984 = phi_2603_;
+                            let _e4986 = phi_2605_;
+                            let _e4988 = phi_2607_;
+                            let _e4990 = phi_4260_;
+                            let _e4992 = phi_4261_;
+                            let _e4994 = phi_4262_;
+                            let _e4996 = phi_4263_;
+                            let _e4998 = phi_4264_;
+                            let _e5000 = phi_4265_;
+                            let _e5002 = phi_4266_;
+                            local_25 = _e4994;
+                            local_43 = _e4990;
+                            local_45 = _e4996;
+                            local_46 = _e4998;
+                            local_47 = _e5000;
+                            local_48 = _e5002;
                             continue;
                             continuing {
-                                phi_2328_ = _e3151;
-                                phi_2331_ = _e3518;
-                                break if !(_e3520);
+                                phi_2599_ = _e3963;
+                                phi_2602_ = _e4984;
+                                phi_2604_ = _e4986;
+                                phi_2606_ = _e4988;
+                                break if !(_e4992);
                             }
                         }
-                        let _e3539 = local_36;
-                        if _e3539 {
-                            phi_2810_ = type_40(0u, type_40().member_1);
-                            phi_2811_ = false;
-                            phi_2812_ = false;
-                            phi_2813_ = false;
-                            phi_2814_ = false;
-                            phi_2815_ = false;
-                            phi_2816_ = false;
-                            phi_2817_ = false;
+                        let _e5005 = local_25;
+                        if _e5005 {
+                            let _e6288 = local_43;
+                            phi_4270_ = _e6288;
+                            phi_4271_ = true;
+                            phi_4272_ = false;
+                            phi_4273_ = false;
+                            phi_4274_ = false;
                         } else {
-                            phi_2810_ = type_40();
-                            let _e4778 = local_69;
-                            phi_2811_ = _e4778;
-                            let _e4781 = local_70;
-                            phi_2812_ = _e4781;
-                            let _e4784 = local_71;
-                            phi_2813_ = _e4784;
-                            let _e4787 = local_72;
-                            phi_2814_ = _e4787;
-                            let _e4790 = local_73;
-                            phi_2815_ = _e4790;
-                            let _e4793 = local_74;
-                            phi_2816_ = _e4793;
-                            let _e4796 = local_75;
-                            phi_2817_ = _e4796;
+                            let _e6290 = local_44;
+                            phi_4270_ = _e6290;
+                            let _e6293 = local_45;
+                            phi_4271_ = _e6293;
+                            let _e6296 = local_46;
+                            phi_4272_ = _e6296;
+                            let _e6299 = local_47;
+                            phi_4273_ = _e6299;
+                            let _e6302 = local_48;
+                            phi_4274_ = _e6302;
                         }
-                        let _e3543 = phi_2810_;
-                        let _e3545 = phi_2811_;
-                        let _e3547 = phi_2812_;
-                        let _e3549 = phi_2813_;
-                        let _e3551 = phi_2814_;
-                        let _e3553 = phi_2815_;
-                        let _e3555 = phi_2816_;
-                        let _e3557 = phi_2817_;
-                        if _e3545 {
-                            let _e4799 = local_76;
-                            phi_2821_ = _e4799;
-                            phi_2822_ = true;
-                            phi_2823_ = false;
-                            phi_2824_ = false;
-                            phi_2825_ = false;
-                            phi_2826_ = false;
-                            phi_2827_ = false;
-                            phi_2828_ = false;
+                        let _e5007 = phi_4270_;
+                        let _e5009 = phi_4271_;
+                        let _e5011 = phi_4272_;
+                        let _e5013 = phi_4273_;
+                        let _e5015 = phi_4274_;
+                        if _e5009 {
+                            phi_4279_ = type_42(1u, _e5007);
+                            phi_4280_ = false;
+                            phi_4281_ = false;
+                            phi_4282_ = false;
                         } else {
-                            let _e4801 = local_77;
-                            phi_2821_ = _e4801;
-                            phi_2822_ = _e3547;
-                            phi_2823_ = _e3549;
-                            phi_2824_ = _e3551;
-                            phi_2825_ = _e3553;
-                            let _e4808 = local_78;
-                            phi_2826_ = _e4808;
-                            phi_2827_ = _e3555;
-                            phi_2828_ = _e3557;
+                            phi_4279_ = type_42();
+                            phi_4280_ = _e5011;
+                            phi_4281_ = _e5013;
+                            phi_4282_ = _e5015;
                         }
-                        let _e3559 = phi_2821_;
-                        let _e3561 = phi_2822_;
-                        let _e3563 = phi_2823_;
-                        let _e3565 = phi_2824_;
-                        let _e3567 = phi_2825_;
-                        let _e3569 = phi_2826_;
-                        let _e3571 = phi_2827_;
-                        let _e3573 = phi_2828_;
-                        if _e3561 {
-                            phi_2833_ = type_40(1u, _e3559);
-                            phi_2834_ = false;
-                            phi_2835_ = false;
-                            phi_2836_ = false;
-                            phi_2837_ = false;
-                            phi_2838_ = false;
-                            phi_2839_ = false;
+                        let _e5018 = phi_4279_;
+                        let _e5020 = phi_4280_;
+                        let _e5022 = phi_4281_;
+                        let _e5024 = phi_4282_;
+                        if _e5020 {
+                            let _e5026 = local_26;
+                            phi_4287_ = type_42(1u, _e5026);
+                            phi_4288_ = false;
+                            phi_4289_ = false;
                         } else {
-                            phi_2833_ = type_40();
-                            phi_2834_ = _e3563;
-                            phi_2835_ = _e3565;
-                            phi_2836_ = _e3567;
-                            phi_2837_ = _e3569;
-                            phi_2838_ = _e3571;
-                            phi_2839_ = _e3573;
+                            phi_4287_ = type_42();
+                            phi_4288_ = _e5022;
+                            phi_4289_ = _e5024;
                         }
-                        let _e3576 = phi_2833_;
-                        let _e3578 = phi_2834_;
-                        let _e3580 = phi_2835_;
-                        let _e3582 = phi_2836_;
-                        let _e3584 = phi_2837_;
-                        let _e3586 = phi_2838_;
-                        let _e3588 = phi_2839_;
-                        if _e3578 {
-                            let _e3590 = local_37;
-                            phi_2844_ = type_40(1u, _e3590);
-                            phi_2845_ = false;
-                            phi_2846_ = false;
-                            phi_2847_ = true;
-                            phi_2848_ = false;
-                            phi_2849_ = false;
+                        let _e5029 = phi_4287_;
+                        let _e5031 = phi_4288_;
+                        let _e5033 = phi_4289_;
+                        if _e5031 {
+                            phi_4294_ = type_42(0u, type_42().member_1);
+                            phi_4295_ = false;
+                            phi_4296_ = true;
                         } else {
-                            phi_2844_ = _e3543;
-                            phi_2845_ = _e3580;
-                            phi_2846_ = _e3582;
-                            phi_2847_ = _e3584;
-                            phi_2848_ = _e3586;
-                            phi_2849_ = _e3588;
+                            phi_4294_ = _e5029;
+                            phi_4295_ = _e5033;
+                            phi_4296_ = _e5020;
                         }
-                        let _e3593 = phi_2844_;
-                        let _e3595 = phi_2845_;
-                        let _e3597 = phi_2846_;
-                        let _e3599 = phi_2847_;
-                        let _e3601 = phi_2848_;
-                        let _e3603 = phi_2849_;
-                        if _e3595 {
-                            let _e3605 = local_38;
-                            phi_2854_ = type_40(1u, _e3605);
-                            phi_2855_ = false;
-                            phi_2856_ = false;
-                            phi_2857_ = false;
-                            phi_2858_ = false;
+                        let _e5037 = phi_4294_;
+                        let _e5039 = phi_4295_;
+                        let _e5041 = phi_4296_;
+                        if _e5039 {
+                            phi_4301_ = type_42(0u, type_42().member_1);
+                            phi_4302_ = true;
                         } else {
-                            phi_2854_ = type_40();
-                            phi_2855_ = _e3597;
-                            phi_2856_ = _e3599;
-                            phi_2857_ = _e3601;
-                            phi_2858_ = _e3603;
+                            phi_4301_ = _e5037;
+                            phi_4302_ = _e5041;
                         }
-                        let _e3608 = phi_2854_;
-                        let _e3610 = phi_2855_;
-                        let _e3612 = phi_2856_;
-                        let _e3614 = phi_2857_;
-                        let _e3616 = phi_2858_;
-                        if _e3610 {
-                            let _e3618 = local_39;
-                            phi_2863_ = type_40(1u, _e3618);
-                            phi_2864_ = true;
-                            phi_2865_ = false;
-                            phi_2866_ = false;
-                            phi_2867_ = false;
+                        let _e5045 = phi_4301_;
+                        let _e5047 = phi_4302_;
+                        if _e5047 {
+                            phi_4306_ = _e5045;
                         } else {
-                            phi_2863_ = _e3608;
-                            phi_2864_ = _e3595;
-                            phi_2865_ = _e3612;
-                            phi_2866_ = _e3614;
-                            phi_2867_ = _e3616;
+                            phi_4306_ = _e5018;
                         }
-                        let _e3621 = phi_2863_;
-                        let _e3623 = phi_2864_;
-                        let _e3625 = phi_2865_;
-                        let _e3627 = phi_2866_;
-                        let _e3629 = phi_2867_;
-                        if _e3623 {
-                            phi_2871_ = _e3621;
-                            phi_2872_ = true;
-                            phi_2873_ = false;
-                            phi_2874_ = false;
-                        } else {
-                            phi_2871_ = _e3593;
-                            phi_2872_ = _e3625;
-                            phi_2873_ = _e3627;
-                            phi_2874_ = _e3629;
-                        }
-                        let _e3631 = phi_2871_;
-                        let _e3633 = phi_2872_;
-                        let _e3635 = phi_2873_;
-                        let _e3637 = phi_2874_;
-                        if _e3633 {
-                            phi_2878_ = false;
-                            phi_2879_ = false;
-                        } else {
-                            phi_2878_ = _e3635;
-                            phi_2879_ = _e3637;
-                        }
-                        let _e3639 = phi_2878_;
-                        let _e3641 = phi_2879_;
-                        if _e3639 {
-                            phi_2883_ = false;
-                            phi_2884_ = false;
-                        } else {
-                            phi_2883_ = _e3641;
-                            phi_2884_ = _e3633;
-                        }
-                        let _e3643 = phi_2883_;
-                        let _e3645 = phi_2884_;
-                        if _e3643 {
-                            phi_2888_ = true;
-                            phi_2889_ = false;
-                        } else {
-                            phi_2888_ = _e3639;
-                            phi_2889_ = _e3645;
-                        }
-                        let _e3647 = phi_2888_;
-                        let _e3649 = phi_2889_;
-                        if _e3647 {
-                            let _e3651 = local_40;
-                            phi_2894_ = type_40(1u, _e3651);
-                            phi_2895_ = true;
-                        } else {
-                            phi_2894_ = _e3631;
-                            phi_2895_ = _e3649;
-                        }
-                        let _e3654 = phi_2894_;
-                        let _e3656 = phi_2895_;
-                        if _e3656 {
-                            phi_2899_ = _e3654;
-                        } else {
-                            phi_2899_ = _e3576;
-                        }
-                        let _e3658 = phi_2899_;
-                        if (_e3658.member != 0u) {
+                        let _e5049 = phi_4306_;
+                        if (_e5049.member != 0u) {
                             local_11[0u] = 0f;
                             local_11[1u] = (0.02f * 0.0000005f);
                             local_11[2u] = (1.8f * 0.0000005f);
-                            phi_2913_ = type_19(0u, 3u);
+                            phi_4320_ = type_19(0u, 3u);
                             loop {
-                                let _e3670 = phi_2913_;
-                                if (_e3670.member < _e3670.member_1) {
-                                    phi_2914_ = type_19((_e3670.member + 1u), _e3670.member_1);
-                                    phi_2937_ = type_19(1u, _e3670.member);
+                                let _e5061 = phi_4320_;
+                                if (_e5061.member < _e5061.member_1) {
+                                    phi_4321_ = type_19((_e5061.member + 1u), _e5061.member_1);
+                                    phi_4344_ = type_19(1u, _e5061.member);
                                 } else {
-                                    phi_2914_ = _e3670;
-                                    phi_2937_ = type_19(0u, type_19().member_1);
+                                    phi_4321_ = _e5061;
+                                    phi_4344_ = type_19(0u, type_19().member_1);
                                 }
-                                let _e3682 = phi_2914_;
-                                let _e3684 = phi_2937_;
-                                if (bitcast<i32>(_e3684.member) != 0i) {
-                                    let _e3690 = local_11[_e3684.member_1];
-                                    let _e3692 = (_e3658.member_1 + f64(_e3690));
-                                    if (_e3692 < _e2904) {
-                                        phi_2958_ = _e3692;
+                                let _e5073 = phi_4321_;
+                                let _e5075 = phi_4344_;
+                                if (bitcast<i32>(_e5075.member) != 0i) {
+                                    let _e5081 = local_11[_e5075.member_1];
+                                    let _e5083 = (_e5049.member_1 + f64(_e5081));
+                                    if (_e5083 < _e3713) {
+                                        phi_4365_ = _e5083;
                                     } else {
-                                        phi_2958_ = _e2904;
+                                        phi_4365_ = _e3713;
                                     }
-                                    let _e3695 = phi_2958_;
-                                    let _e3698 = local_12.member[0u];
-                                    let _e3704 = local_12.member[1u];
-                                    let _e3720 = local_12.member_1[0u];
-                                    let _e3726 = local_12.member_1[1u];
-                                    let _e3742 = local_12.member_2[0u];
-                                    let _e3748 = local_12.member_2[1u];
-                                    let _e3762 = function_2(array<f64, 3>((_e3698[0] + ((_e3704[0] - _e3698[0]) * _e3695)), (_e3698[1] + ((_e3704[1] - _e3698[1]) * _e3695)), (_e3698[2] + ((_e3704[2] - _e3698[2]) * _e3695))), array<f64, 3>((_e3720[0] + ((_e3726[0] - _e3720[0]) * _e3695)), (_e3720[1] + ((_e3726[1] - _e3720[1]) * _e3695)), (_e3720[2] + ((_e3726[2] - _e3720[2]) * _e3695))), array<f64, 3>((_e3742[0] + ((_e3748[0] - _e3742[0]) * _e3695)), (_e3742[1] + ((_e3748[1] - _e3742[1]) * _e3695)), (_e3742[2] + ((_e3748[2] - _e3742[2]) * _e3695))), 0u);
-                                    let _e3773 = (((_e3762[0] * _e3762[0]) + (_e3762[1] * _e3762[1])) + (_e3762[2] * _e3762[2]));
-                                    if (_e3773 <= 2.2250738585072014e-308lf) {
-                                        if (_e3773 > 0.0lf) {
-                                            phi_3081_ = (1.464336215552873e-154lf * 2.0lf);
+                                    let _e5086 = phi_4365_;
+                                    let _e5089 = local_12.member[0u];
+                                    let _e5095 = local_12.member[1u];
+                                    let _e5111 = local_12.member_1[0u];
+                                    let _e5117 = local_12.member_1[1u];
+                                    let _e5133 = local_12.member_2[0u];
+                                    let _e5139 = local_12.member_2[1u];
+                                    let _e5153 = function_2(array<f64, 3>((_e5089[0] + ((_e5095[0] - _e5089[0]) * _e5086)), (_e5089[1] + ((_e5095[1] - _e5089[1]) * _e5086)), (_e5089[2] + ((_e5095[2] - _e5089[2]) * _e5086))), array<f64, 3>((_e5111[0] + ((_e5117[0] - _e5111[0]) * _e5086)), (_e5111[1] + ((_e5117[1] - _e5111[1]) * _e5086)), (_e5111[2] + ((_e5117[2] - _e5111[2]) * _e5086))), array<f64, 3>((_e5133[0] + ((_e5139[0] - _e5133[0]) * _e5086)), (_e5133[1] + ((_e5139[1] - _e5133[1]) * _e5086)), (_e5133[2] + ((_e5139[2] - _e5133[2]) * _e5086))), 0u);
+                                    let _e5164 = (((_e5153[0] * _e5153[0]) + (_e5153[1] * _e5153[1])) + (_e5153[2] * _e5153[2]));
+                                    if (_e5164 <= 2.2250738585072014e-308lf) {
+                                        if (_e5164 > 0.0lf) {
+                                            phi_4488_ = (1.464336215552873e-154lf * 2.0lf);
                                         } else {
-                                            phi_3081_ = 0.0lf;
+                                            phi_4488_ = 0.0lf;
                                         }
-                                        let _e3825 = phi_3081_;
-                                        phi_3145_ = _e3825;
+                                        let _e5216 = phi_4488_;
+                                        phi_4552_ = _e5216;
                                     } else {
-                                        phi_3088_ = type_17(0i, 5i);
-                                        phi_3091_ = bitcast<f64>(((bitcast<u64>(_e3773) / 2lu) + 2303426169912950784lu));
+                                        phi_4495_ = type_17(0i, 5i);
+                                        phi_4498_ = bitcast<f64>(((bitcast<u64>(_e5164) / 2lu) + 2303426169912950784lu));
                                         loop {
-                                            let _e3780 = phi_3088_;
-                                            let _e3782 = phi_3091_;
-                                            local_41 = _e3782;
-                                            if (_e3780.member < _e3780.member_1) {
-                                                let _e3789 = (_e3780.member + 1i);
-                                                if ((false == (_e3789 > _e3780.member)) != false) {
-                                                    phi_3112_ = true;
+                                            let _e5171 = phi_4495_;
+                                            let _e5173 = phi_4498_;
+                                            local_27 = _e5173;
+                                            if (_e5171.member < _e5171.member_1) {
+                                                let _e5180 = (_e5171.member + 1i);
+                                                if ((false == (_e5180 > _e5171.member)) != false) {
+                                                    phi_4519_ = true;
                                                 } else {
-                                                    phi_3112_ = false;
+                                                    phi_4519_ = false;
                                                 }
-                                                let _e3794 = phi_3112_;
-                                                if _e3794 {
-                                                    phi_3118_ = type_18(0u, type_18().member_1);
+                                                let _e5185 = phi_4519_;
+                                                if _e5185 {
+                                                    phi_4525_ = type_18(0u, type_18().member_1);
                                                 } else {
-                                                    phi_3118_ = type_18(1u, _e3789);
+                                                    phi_4525_ = type_18(1u, _e5180);
                                                 }
-                                                let _e3799 = phi_3118_;
-                                                phi_3089_ = type_17(_e3799.member_1, _e3780.member_1);
-                                                phi_3132_ = type_18(1u, _e3780.member);
+                                                let _e5190 = phi_4525_;
+                                                phi_4496_ = type_17(_e5190.member_1, _e5171.member_1);
+                                                phi_4539_ = type_18(1u, _e5171.member);
                                             } else {
-                                                phi_3089_ = _e3780;
-                                                phi_3132_ = type_18(0u, type_18().member_1);
+                                                phi_4496_ = _e5171;
+                                                phi_4539_ = type_18(0u, type_18().member_1);
                                             }
-                                            let _e3805 = phi_3089_;
-                                            let _e3807 = phi_3132_;
-                                            let _e3810 = (bitcast<i32>(_e3807.member) != 0i);
-                                            if _e3810 {
-                                                phi_3092_ = (0.5lf * (_e3782 + (_e3773 / _e3782)));
+                                            let _e5196 = phi_4496_;
+                                            let _e5198 = phi_4539_;
+                                            let _e5201 = (bitcast<i32>(_e5198.member) != 0i);
+                                            if _e5201 {
+                                                phi_4499_ = (0.5lf * (_e5173 + (_e5164 / _e5173)));
                                             } else {
-                                                phi_3092_ = f64();
+                                                phi_4499_ = f64();
                                             }
-                                            let _e3815 = phi_3092_;
+                                            let _e5206 = phi_4499_;
                                             continue;
                                             continuing {
-                                                phi_3088_ = _e3805;
-                                                phi_3091_ = _e3815;
-                                                break if !(_e3810);
+                                                phi_4495_ = _e5196;
+                                                phi_4498_ = _e5206;
+                                                break if !(_e5201);
                                             }
                                         }
-                                        let _e3820 = local_41;
-                                        phi_3145_ = (_e3820 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                        let _e5211 = local_27;
+                                        phi_4552_ = (_e5211 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                     }
-                                    let _e3827 = phi_3145_;
-                                    let _e3835 = local_12.member[0u];
-                                    if (_e3835[0] < 0.0lf) {
-                                        phi_3163_ = -(_e3835[0]);
+                                    let _e5218 = phi_4552_;
+                                    let _e5226 = local_12.member[0u];
+                                    if (_e5226[0] < 0.0lf) {
+                                        phi_4570_ = -(_e5226[0]);
                                     } else {
-                                        phi_3163_ = _e3835[0];
+                                        phi_4570_ = _e5226[0];
                                     }
-                                    let _e3842 = phi_3163_;
-                                    if (_e3835[1] < 0.0lf) {
-                                        phi_3170_ = -(_e3835[1]);
+                                    let _e5233 = phi_4570_;
+                                    if (_e5226[1] < 0.0lf) {
+                                        phi_4577_ = -(_e5226[1]);
                                     } else {
-                                        phi_3170_ = _e3835[1];
+                                        phi_4577_ = _e5226[1];
                                     }
-                                    let _e3846 = phi_3170_;
-                                    if (_e3842 > _e3846) {
-                                        phi_3175_ = _e3842;
+                                    let _e5237 = phi_4577_;
+                                    if (_e5233 > _e5237) {
+                                        phi_4582_ = _e5233;
                                     } else {
-                                        phi_3175_ = _e3846;
+                                        phi_4582_ = _e5237;
                                     }
-                                    let _e3849 = phi_3175_;
-                                    if (_e3835[2] < 0.0lf) {
-                                        phi_3182_ = -(_e3835[2]);
+                                    let _e5240 = phi_4582_;
+                                    if (_e5226[2] < 0.0lf) {
+                                        phi_4589_ = -(_e5226[2]);
                                     } else {
-                                        phi_3182_ = _e3835[2];
+                                        phi_4589_ = _e5226[2];
                                     }
-                                    let _e3853 = phi_3182_;
-                                    if (_e3849 > _e3853) {
-                                        phi_3187_ = _e3849;
+                                    let _e5244 = phi_4589_;
+                                    if (_e5240 > _e5244) {
+                                        phi_4594_ = _e5240;
                                     } else {
-                                        phi_3187_ = _e3853;
+                                        phi_4594_ = _e5244;
                                     }
-                                    let _e3856 = phi_3187_;
-                                    let _e3859 = local_12.member[1u];
-                                    if (_e3859[0] < 0.0lf) {
-                                        phi_3200_ = -(_e3859[0]);
+                                    let _e5247 = phi_4594_;
+                                    let _e5250 = local_12.member[1u];
+                                    if (_e5250[0] < 0.0lf) {
+                                        phi_4607_ = -(_e5250[0]);
                                     } else {
-                                        phi_3200_ = _e3859[0];
+                                        phi_4607_ = _e5250[0];
                                     }
-                                    let _e3866 = phi_3200_;
-                                    if (_e3859[1] < 0.0lf) {
-                                        phi_3207_ = -(_e3859[1]);
+                                    let _e5257 = phi_4607_;
+                                    if (_e5250[1] < 0.0lf) {
+                                        phi_4614_ = -(_e5250[1]);
                                     } else {
-                                        phi_3207_ = _e3859[1];
+                                        phi_4614_ = _e5250[1];
                                     }
-                                    let _e3870 = phi_3207_;
-                                    if (_e3866 > _e3870) {
-                                        phi_3212_ = _e3866;
+                                    let _e5261 = phi_4614_;
+                                    if (_e5257 > _e5261) {
+                                        phi_4619_ = _e5257;
                                     } else {
-                                        phi_3212_ = _e3870;
+                                        phi_4619_ = _e5261;
                                     }
-                                    let _e3873 = phi_3212_;
-                                    if (_e3859[2] < 0.0lf) {
-                                        phi_3219_ = -(_e3859[2]);
+                                    let _e5264 = phi_4619_;
+                                    if (_e5250[2] < 0.0lf) {
+                                        phi_4626_ = -(_e5250[2]);
                                     } else {
-                                        phi_3219_ = _e3859[2];
+                                        phi_4626_ = _e5250[2];
                                     }
-                                    let _e3877 = phi_3219_;
-                                    if (_e3873 > _e3877) {
-                                        phi_3224_ = _e3873;
+                                    let _e5268 = phi_4626_;
+                                    if (_e5264 > _e5268) {
+                                        phi_4631_ = _e5264;
                                     } else {
-                                        phi_3224_ = _e3877;
+                                        phi_4631_ = _e5268;
                                     }
-                                    let _e3880 = phi_3224_;
-                                    if (_e3856 > _e3880) {
-                                        phi_3229_ = _e3856;
+                                    let _e5271 = phi_4631_;
+                                    if (_e5247 > _e5271) {
+                                        phi_4636_ = _e5247;
                                     } else {
-                                        phi_3229_ = _e3880;
+                                        phi_4636_ = _e5271;
                                     }
-                                    let _e3883 = phi_3229_;
-                                    let _e3885 = local_12.member_3;
-                                    let _e3889 = local_12.member_1[0u];
-                                    if (_e3889[0] < 0.0lf) {
-                                        phi_3246_ = -(_e3889[0]);
+                                    let _e5274 = phi_4636_;
+                                    let _e5276 = local_12.member_3;
+                                    let _e5280 = local_12.member_1[0u];
+                                    if (_e5280[0] < 0.0lf) {
+                                        phi_4653_ = -(_e5280[0]);
                                     } else {
-                                        phi_3246_ = _e3889[0];
+                                        phi_4653_ = _e5280[0];
                                     }
-                                    let _e3896 = phi_3246_;
-                                    if (_e3889[1] < 0.0lf) {
-                                        phi_3253_ = -(_e3889[1]);
+                                    let _e5287 = phi_4653_;
+                                    if (_e5280[1] < 0.0lf) {
+                                        phi_4660_ = -(_e5280[1]);
                                     } else {
-                                        phi_3253_ = _e3889[1];
+                                        phi_4660_ = _e5280[1];
                                     }
-                                    let _e3900 = phi_3253_;
-                                    if (_e3896 > _e3900) {
-                                        phi_3258_ = _e3896;
+                                    let _e5291 = phi_4660_;
+                                    if (_e5287 > _e5291) {
+                                        phi_4665_ = _e5287;
                                     } else {
-                                        phi_3258_ = _e3900;
+                                        phi_4665_ = _e5291;
                                     }
-                                    let _e3903 = phi_3258_;
-                                    if (_e3889[2] < 0.0lf) {
-                                        phi_3265_ = -(_e3889[2]);
+                                    let _e5294 = phi_4665_;
+                                    if (_e5280[2] < 0.0lf) {
+                                        phi_4672_ = -(_e5280[2]);
                                     } else {
-                                        phi_3265_ = _e3889[2];
+                                        phi_4672_ = _e5280[2];
                                     }
-                                    let _e3907 = phi_3265_;
-                                    if (_e3903 > _e3907) {
-                                        phi_3270_ = _e3903;
+                                    let _e5298 = phi_4672_;
+                                    if (_e5294 > _e5298) {
+                                        phi_4677_ = _e5294;
                                     } else {
-                                        phi_3270_ = _e3907;
+                                        phi_4677_ = _e5298;
                                     }
-                                    let _e3910 = phi_3270_;
-                                    let _e3913 = local_12.member_1[1u];
-                                    if (_e3913[0] < 0.0lf) {
-                                        phi_3284_ = -(_e3913[0]);
+                                    let _e5301 = phi_4677_;
+                                    let _e5304 = local_12.member_1[1u];
+                                    if (_e5304[0] < 0.0lf) {
+                                        phi_4691_ = -(_e5304[0]);
                                     } else {
-                                        phi_3284_ = _e3913[0];
+                                        phi_4691_ = _e5304[0];
                                     }
-                                    let _e3920 = phi_3284_;
-                                    if (_e3913[1] < 0.0lf) {
-                                        phi_3291_ = -(_e3913[1]);
+                                    let _e5311 = phi_4691_;
+                                    if (_e5304[1] < 0.0lf) {
+                                        phi_4698_ = -(_e5304[1]);
                                     } else {
-                                        phi_3291_ = _e3913[1];
+                                        phi_4698_ = _e5304[1];
                                     }
-                                    let _e3924 = phi_3291_;
-                                    if (_e3920 > _e3924) {
-                                        phi_3296_ = _e3920;
+                                    let _e5315 = phi_4698_;
+                                    if (_e5311 > _e5315) {
+                                        phi_4703_ = _e5311;
                                     } else {
-                                        phi_3296_ = _e3924;
+                                        phi_4703_ = _e5315;
                                     }
-                                    let _e3927 = phi_3296_;
-                                    if (_e3913[2] < 0.0lf) {
-                                        phi_3303_ = -(_e3913[2]);
+                                    let _e5318 = phi_4703_;
+                                    if (_e5304[2] < 0.0lf) {
+                                        phi_4710_ = -(_e5304[2]);
                                     } else {
-                                        phi_3303_ = _e3913[2];
+                                        phi_4710_ = _e5304[2];
                                     }
-                                    let _e3931 = phi_3303_;
-                                    if (_e3927 > _e3931) {
-                                        phi_3308_ = _e3927;
+                                    let _e5322 = phi_4710_;
+                                    if (_e5318 > _e5322) {
+                                        phi_4715_ = _e5318;
                                     } else {
-                                        phi_3308_ = _e3931;
+                                        phi_4715_ = _e5322;
                                     }
-                                    let _e3934 = phi_3308_;
-                                    if (_e3910 > _e3934) {
-                                        phi_3313_ = _e3910;
+                                    let _e5325 = phi_4715_;
+                                    if (_e5301 > _e5325) {
+                                        phi_4720_ = _e5301;
                                     } else {
-                                        phi_3313_ = _e3934;
+                                        phi_4720_ = _e5325;
                                     }
-                                    let _e3937 = phi_3313_;
-                                    let _e3939 = local_12.member_3;
-                                    let _e3943 = local_12.member_2[0u];
-                                    if (_e3943[0] < 0.0lf) {
-                                        phi_3330_ = -(_e3943[0]);
+                                    let _e5328 = phi_4720_;
+                                    let _e5330 = local_12.member_3;
+                                    let _e5334 = local_12.member_2[0u];
+                                    if (_e5334[0] < 0.0lf) {
+                                        phi_4737_ = -(_e5334[0]);
                                     } else {
-                                        phi_3330_ = _e3943[0];
+                                        phi_4737_ = _e5334[0];
                                     }
-                                    let _e3950 = phi_3330_;
-                                    if (_e3943[1] < 0.0lf) {
-                                        phi_3337_ = -(_e3943[1]);
+                                    let _e5341 = phi_4737_;
+                                    if (_e5334[1] < 0.0lf) {
+                                        phi_4744_ = -(_e5334[1]);
                                     } else {
-                                        phi_3337_ = _e3943[1];
+                                        phi_4744_ = _e5334[1];
                                     }
-                                    let _e3954 = phi_3337_;
-                                    if (_e3950 > _e3954) {
-                                        phi_3342_ = _e3950;
+                                    let _e5345 = phi_4744_;
+                                    if (_e5341 > _e5345) {
+                                        phi_4749_ = _e5341;
                                     } else {
-                                        phi_3342_ = _e3954;
+                                        phi_4749_ = _e5345;
                                     }
-                                    let _e3957 = phi_3342_;
-                                    if (_e3943[2] < 0.0lf) {
-                                        phi_3349_ = -(_e3943[2]);
+                                    let _e5348 = phi_4749_;
+                                    if (_e5334[2] < 0.0lf) {
+                                        phi_4756_ = -(_e5334[2]);
                                     } else {
-                                        phi_3349_ = _e3943[2];
+                                        phi_4756_ = _e5334[2];
                                     }
-                                    let _e3961 = phi_3349_;
-                                    if (_e3957 > _e3961) {
-                                        phi_3354_ = _e3957;
+                                    let _e5352 = phi_4756_;
+                                    if (_e5348 > _e5352) {
+                                        phi_4761_ = _e5348;
                                     } else {
-                                        phi_3354_ = _e3961;
+                                        phi_4761_ = _e5352;
                                     }
-                                    let _e3964 = phi_3354_;
-                                    let _e3967 = local_12.member_2[1u];
-                                    if (_e3967[0] < 0.0lf) {
-                                        phi_3368_ = -(_e3967[0]);
+                                    let _e5355 = phi_4761_;
+                                    let _e5358 = local_12.member_2[1u];
+                                    if (_e5358[0] < 0.0lf) {
+                                        phi_4775_ = -(_e5358[0]);
                                     } else {
-                                        phi_3368_ = _e3967[0];
+                                        phi_4775_ = _e5358[0];
                                     }
-                                    let _e3974 = phi_3368_;
-                                    if (_e3967[1] < 0.0lf) {
-                                        phi_3375_ = -(_e3967[1]);
+                                    let _e5365 = phi_4775_;
+                                    if (_e5358[1] < 0.0lf) {
+                                        phi_4782_ = -(_e5358[1]);
                                     } else {
-                                        phi_3375_ = _e3967[1];
+                                        phi_4782_ = _e5358[1];
                                     }
-                                    let _e3978 = phi_3375_;
-                                    if (_e3974 > _e3978) {
-                                        phi_3380_ = _e3974;
+                                    let _e5369 = phi_4782_;
+                                    if (_e5365 > _e5369) {
+                                        phi_4787_ = _e5365;
                                     } else {
-                                        phi_3380_ = _e3978;
+                                        phi_4787_ = _e5369;
                                     }
-                                    let _e3981 = phi_3380_;
-                                    if (_e3967[2] < 0.0lf) {
-                                        phi_3387_ = -(_e3967[2]);
+                                    let _e5372 = phi_4787_;
+                                    if (_e5358[2] < 0.0lf) {
+                                        phi_4794_ = -(_e5358[2]);
                                     } else {
-                                        phi_3387_ = _e3967[2];
+                                        phi_4794_ = _e5358[2];
                                     }
-                                    let _e3985 = phi_3387_;
-                                    if (_e3981 > _e3985) {
-                                        phi_3392_ = _e3981;
+                                    let _e5376 = phi_4794_;
+                                    if (_e5372 > _e5376) {
+                                        phi_4799_ = _e5372;
                                     } else {
-                                        phi_3392_ = _e3985;
+                                        phi_4799_ = _e5376;
                                     }
-                                    let _e3988 = phi_3392_;
-                                    if (_e3964 > _e3988) {
-                                        phi_3397_ = _e3964;
+                                    let _e5379 = phi_4799_;
+                                    if (_e5355 > _e5379) {
+                                        phi_4804_ = _e5355;
                                     } else {
-                                        phi_3397_ = _e3988;
+                                        phi_4804_ = _e5379;
                                     }
-                                    let _e3991 = phi_3397_;
-                                    let _e3993 = local_12.member_3;
-                                    let _e4001 = local_12.member_3;
-                                    let _e4011 = (((_e3827 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e3883 + _e3885) + (_e3937 + _e3939)) + (_e3991 + _e3993)) * (1.1102230246251565e-16lf * f64(16f))) + (_e4001 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e370);
-                                    if _e4011 {
-                                        phi_3421_ = false;
+                                    let _e5382 = phi_4804_;
+                                    let _e5384 = local_12.member_3;
+                                    let _e5392 = local_12.member_3;
+                                    let _e5402 = (((_e5218 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e5274 + _e5276) + (_e5328 + _e5330)) + (_e5382 + _e5384)) * (1.1102230246251565e-16lf * f64(16f))) + (_e5392 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e576.member_1);
+                                    if _e5402 {
+                                        phi_4828_ = false;
                                     } else {
-                                        phi_3421_ = true;
+                                        phi_4828_ = true;
                                     }
-                                    let _e4013 = phi_3421_;
-                                    phi_3422_ = _e4013;
-                                    phi_3423_ = _e4011;
+                                    let _e5404 = phi_4828_;
+                                    phi_4829_ = _e5404;
+                                    phi_4830_ = _e5402;
                                 } else {
-                                    phi_3422_ = false;
-                                    phi_3423_ = false;
+                                    phi_4829_ = false;
+                                    phi_4830_ = false;
                                 }
-                                let _e4015 = phi_3422_;
-                                let _e4017 = phi_3423_;
-                                local_42 = _e4017;
+                                let _e5406 = phi_4829_;
+                                let _e5408 = phi_4830_;
+                                local_28 = _e5408;
                                 continue;
                                 continuing {
-                                    phi_2913_ = _e3682;
-                                    break if !(_e4015);
+                                    phi_4320_ = _e5073;
+                                    break if !(_e5406);
                                 }
                             }
-                            let _e4020 = local_42;
-                            if _e4020 {
-                                phi_3428_ = type_40(1u, _e3658.member_1);
-                                phi_3429_ = false;
+                            let _e5411 = local_28;
+                            if _e5411 {
+                                phi_4835_ = type_42(1u, _e5049.member_1);
+                                phi_4836_ = false;
                             } else {
-                                phi_3428_ = type_40();
-                                phi_3429_ = true;
+                                phi_4835_ = type_42();
+                                phi_4836_ = true;
                             }
-                            let _e4023 = phi_3428_;
-                            let _e4025 = phi_3429_;
-                            if _e4025 {
-                                phi_3434_ = type_40(2u, _e3658.member_1);
-                                phi_3435_ = false;
+                            let _e5414 = phi_4835_;
+                            let _e5416 = phi_4836_;
+                            if _e5416 {
+                                phi_4841_ = type_42(2u, _e5049.member_1);
+                                phi_4842_ = false;
                             } else {
-                                phi_3434_ = type_40();
-                                phi_3435_ = true;
+                                phi_4841_ = type_42();
+                                phi_4842_ = true;
                             }
-                            let _e4028 = phi_3434_;
-                            let _e4030 = phi_3435_;
-                            phi_3437_ = _e4028;
-                            phi_3438_ = _e4023;
-                            phi_3439_ = _e4030;
+                            let _e5419 = phi_4841_;
+                            let _e5421 = phi_4842_;
+                            phi_4844_ = _e5419;
+                            phi_4845_ = _e5414;
+                            phi_4846_ = _e5421;
                         } else {
-                            phi_3437_ = type_40();
-                            phi_3438_ = type_40(0u, type_40().member_1);
-                            phi_3439_ = true;
+                            phi_4844_ = type_42();
+                            phi_4845_ = type_42(0u, type_42().member_1);
+                            phi_4846_ = true;
                         }
-                        let _e4032 = phi_3437_;
-                        let _e4034 = phi_3438_;
-                        let _e4036 = phi_3439_;
-                        if _e4036 {
-                            phi_3443_ = _e4034;
+                        let _e5423 = phi_4844_;
+                        let _e5425 = phi_4845_;
+                        let _e5427 = phi_4846_;
+                        if _e5427 {
+                            phi_4850_ = _e5425;
                         } else {
-                            phi_3443_ = _e4032;
+                            phi_4850_ = _e5423;
                         }
-                        let _e4038 = phi_3443_;
-                        phi_6327_ = _e4038;
+                        let _e5429 = phi_4850_;
+                        phi_8820_ = _e5429;
                     } else {
-                        if (_e469 < 0.0lf) {
-                            phi_3454_ = -(_e469);
+                        if (_e714 < 0.0lf) {
+                            phi_4861_ = -(_e714);
                         } else {
-                            phi_3454_ = _e469;
+                            phi_4861_ = _e714;
                         }
-                        let _e824 = phi_3454_;
-                        if (_e492 < 0.0lf) {
-                            phi_3460_ = -(_e492);
+                        let _e1071 = phi_4861_;
+                        if (_e737 < 0.0lf) {
+                            phi_4867_ = -(_e737);
                         } else {
-                            phi_3460_ = _e492;
+                            phi_4867_ = _e737;
                         }
-                        let _e828 = phi_3460_;
-                        if (_e824 > _e828) {
-                            phi_3465_ = _e824;
+                        let _e1075 = phi_4867_;
+                        if (_e1071 > _e1075) {
+                            phi_4872_ = _e1071;
                         } else {
-                            phi_3465_ = _e828;
+                            phi_4872_ = _e1075;
                         }
-                        let _e831 = phi_3465_;
-                        if (_e515 < 0.0lf) {
-                            phi_3471_ = -(_e515);
+                        let _e1078 = phi_4872_;
+                        if (_e760 < 0.0lf) {
+                            phi_4878_ = -(_e760);
                         } else {
-                            phi_3471_ = _e515;
+                            phi_4878_ = _e760;
                         }
-                        let _e835 = phi_3471_;
-                        if (_e526 < 0.0lf) {
-                            phi_3477_ = -(_e526);
+                        let _e1082 = phi_4878_;
+                        if (_e771 < 0.0lf) {
+                            phi_4884_ = -(_e771);
                         } else {
-                            phi_3477_ = _e526;
+                            phi_4884_ = _e771;
                         }
-                        let _e839 = phi_3477_;
-                        if (_e835 > _e839) {
-                            phi_3482_ = _e835;
+                        let _e1086 = phi_4884_;
+                        if (_e1082 > _e1086) {
+                            phi_4889_ = _e1082;
                         } else {
-                            phi_3482_ = _e839;
+                            phi_4889_ = _e1086;
                         }
-                        let _e842 = phi_3482_;
-                        if (_e831 > _e842) {
-                            phi_3487_ = _e831;
+                        let _e1089 = phi_4889_;
+                        if (_e1078 > _e1089) {
+                            phi_4894_ = _e1078;
                         } else {
-                            phi_3487_ = _e842;
+                            phi_4894_ = _e1089;
                         }
-                        let _e845 = phi_3487_;
-                        let _e847 = (2.2250738585072014e-308lf * f64(67108864f));
-                        let _e848 = f64(1f);
-                        if (_e845 >= _e847) {
-                            phi_3497_ = (_e845 <= (_e848 / _e847));
+                        let _e1092 = phi_4894_;
+                        let _e1094 = (2.2250738585072014e-308lf * f64(67108864f));
+                        let _e1095 = f64(1f);
+                        if (_e1092 >= _e1094) {
+                            phi_4904_ = (_e1092 <= (_e1095 / _e1094));
                         } else {
-                            phi_3497_ = false;
+                            phi_4904_ = false;
                         }
-                        let _e853 = phi_3497_;
-                        if _e853 {
-                            phi_3504_ = (1.1102230246251565e-16lf * f64(256f));
+                        let _e1100 = phi_4904_;
+                        if _e1100 {
+                            phi_4911_ = (1.1102230246251565e-16lf * f64(256f));
                         } else {
-                            phi_3504_ = f64(2f);
+                            phi_4911_ = f64(2f);
                         }
-                        let _e858 = phi_3504_;
-                        let _e860 = ((_e785 * f64(0.34f)) + (_e845 * _e858));
-                        if _e853 {
-                            phi_3512_ = (_e848 / _e845);
+                        let _e1105 = phi_4911_;
+                        let _e1107 = ((_e1030 * f64(0.34f)) + (_e1092 * _e1105));
+                        if _e1100 {
+                            phi_4919_ = (_e1095 / _e1092);
                         } else {
-                            phi_3512_ = f64(0f);
+                            phi_4919_ = f64(0f);
                         }
-                        let _e864 = phi_3512_;
-                        let _e865 = f64(0f);
-                        let _e866 = f64(1f);
-                        let _e867 = f64(3f);
-                        let _e873 = ((_e492 - (_e867 * _e469)) * _e864);
-                        let _e874 = ((_e515 - _e492) * _e864);
-                        let _e875 = (((_e867 * _e526) - _e515) * _e864);
-                        local_6[0u] = _e865;
-                        local_6[1u] = _e866;
-                        local_6[2u] = _e866;
-                        local_6[3u] = _e866;
-                        let _e882 = ((_e874 * _e874) - (_e873 * _e875));
-                        if (_e882 > _e865) {
-                            if (_e882 <= 2.2250738585072014e-308lf) {
-                                if (_e882 > 0.0lf) {
-                                    phi_3548_ = (1.464336215552873e-154lf * 2.0lf);
+                        let _e1111 = phi_4919_;
+                        let _e1112 = f64(0f);
+                        let _e1113 = f64(1f);
+                        let _e1114 = f64(3f);
+                        let _e1120 = ((_e737 - (_e1114 * _e714)) * _e1111);
+                        let _e1121 = ((_e760 - _e737) * _e1111);
+                        let _e1122 = (((_e1114 * _e771) - _e760) * _e1111);
+                        local_6[0u] = _e1112;
+                        local_6[1u] = _e1113;
+                        local_6[2u] = _e1113;
+                        local_6[3u] = _e1113;
+                        let _e1129 = ((_e1121 * _e1121) - (_e1120 * _e1122));
+                        if (_e1129 > _e1112) {
+                            if (_e1129 <= 2.2250738585072014e-308lf) {
+                                if (_e1129 > 0.0lf) {
+                                    phi_4955_ = (1.464336215552873e-154lf * 2.0lf);
                                 } else {
-                                    phi_3548_ = 0.0lf;
+                                    phi_4955_ = 0.0lf;
                                 }
-                                let _e935 = phi_3548_;
-                                phi_3612_ = _e935;
+                                let _e1182 = phi_4955_;
+                                phi_5019_ = _e1182;
                             } else {
-                                phi_3555_ = type_17(0i, 5i);
-                                phi_3558_ = bitcast<f64>(((bitcast<u64>(_e882) / 2lu) + 2303426169912950784lu));
+                                phi_4962_ = type_17(0i, 5i);
+                                phi_4965_ = bitcast<f64>(((bitcast<u64>(_e1129) / 2lu) + 2303426169912950784lu));
                                 loop {
-                                    let _e890 = phi_3555_;
-                                    let _e892 = phi_3558_;
-                                    local_13 = _e892;
-                                    if (_e890.member < _e890.member_1) {
-                                        let _e899 = (_e890.member + 1i);
-                                        if ((false == (_e899 > _e890.member)) != false) {
-                                            phi_3579_ = true;
+                                    let _e1137 = phi_4962_;
+                                    let _e1139 = phi_4965_;
+                                    local_13 = _e1139;
+                                    if (_e1137.member < _e1137.member_1) {
+                                        let _e1146 = (_e1137.member + 1i);
+                                        if ((false == (_e1146 > _e1137.member)) != false) {
+                                            phi_4986_ = true;
                                         } else {
-                                            phi_3579_ = false;
+                                            phi_4986_ = false;
                                         }
-                                        let _e904 = phi_3579_;
-                                        if _e904 {
-                                            phi_3585_ = type_18(0u, type_18().member_1);
+                                        let _e1151 = phi_4986_;
+                                        if _e1151 {
+                                            phi_4992_ = type_18(0u, type_18().member_1);
                                         } else {
-                                            phi_3585_ = type_18(1u, _e899);
+                                            phi_4992_ = type_18(1u, _e1146);
                                         }
-                                        let _e909 = phi_3585_;
-                                        phi_3556_ = type_17(_e909.member_1, _e890.member_1);
-                                        phi_3599_ = type_18(1u, _e890.member);
+                                        let _e1156 = phi_4992_;
+                                        phi_4963_ = type_17(_e1156.member_1, _e1137.member_1);
+                                        phi_5006_ = type_18(1u, _e1137.member);
                                     } else {
-                                        phi_3556_ = _e890;
-                                        phi_3599_ = type_18(0u, type_18().member_1);
+                                        phi_4963_ = _e1137;
+                                        phi_5006_ = type_18(0u, type_18().member_1);
                                     }
-                                    let _e915 = phi_3556_;
-                                    let _e917 = phi_3599_;
-                                    let _e920 = (bitcast<i32>(_e917.member) != 0i);
-                                    if _e920 {
-                                        phi_3559_ = (0.5lf * (_e892 + (_e882 / _e892)));
+                                    let _e1162 = phi_4963_;
+                                    let _e1164 = phi_5006_;
+                                    let _e1167 = (bitcast<i32>(_e1164.member) != 0i);
+                                    if _e1167 {
+                                        phi_4966_ = (0.5lf * (_e1139 + (_e1129 / _e1139)));
                                     } else {
-                                        phi_3559_ = f64();
+                                        phi_4966_ = f64();
                                     }
-                                    let _e925 = phi_3559_;
+                                    let _e1172 = phi_4966_;
                                     continue;
                                     continuing {
-                                        phi_3555_ = _e915;
-                                        phi_3558_ = _e925;
-                                        break if !(_e920);
+                                        phi_4962_ = _e1162;
+                                        phi_4965_ = _e1172;
+                                        break if !(_e1167);
                                     }
                                 }
-                                let _e930 = local_13;
-                                phi_3612_ = (_e930 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                let _e1177 = local_13;
+                                phi_5019_ = (_e1177 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                             }
-                            let _e937 = phi_3612_;
-                            if (_e874 < _e865) {
-                                phi_3618_ = -(_e937);
+                            let _e1184 = phi_5019_;
+                            if (_e1121 < _e1112) {
+                                phi_5025_ = -(_e1184);
                             } else {
-                                phi_3618_ = _e937;
+                                phi_5025_ = _e1184;
                             }
-                            let _e941 = phi_3618_;
-                            let _e943 = -((_e874 + _e941));
-                            local_7[0u] = (_e943 / (_e943 + _e875));
-                            local_7[1u] = (_e873 / (_e873 + _e943));
-                            let _e952 = local_7[1u];
-                            let _e953 = local_7[0u];
-                            if (_e952 < _e953) {
-                                let _e956 = local_7[1u];
-                                let _e958 = local_7[0u];
-                                local_7[0u] = _e956;
-                                local_7[1u] = _e958;
+                            let _e1188 = phi_5025_;
+                            let _e1190 = -((_e1121 + _e1188));
+                            local_7[0u] = (_e1190 / (_e1190 + _e1122));
+                            local_7[1u] = (_e1120 / (_e1120 + _e1190));
+                            let _e1199 = local_7[1u];
+                            let _e1200 = local_7[0u];
+                            if (_e1199 < _e1200) {
+                                let _e1203 = local_7[1u];
+                                let _e1205 = local_7[0u];
+                                local_7[0u] = _e1203;
+                                local_7[1u] = _e1205;
                             }
-                            phi_3643_ = type_19(0u, 2u);
-                            phi_3646_ = 1u;
+                            phi_5050_ = type_19(0u, 2u);
+                            phi_5053_ = 1u;
                             loop {
-                                let _e962 = phi_3643_;
-                                let _e964 = phi_3646_;
-                                local_43 = _e964;
-                                if (_e962.member < _e962.member_1) {
-                                    phi_3644_ = type_19((_e962.member + 1u), _e962.member_1);
-                                    phi_3669_ = type_19(1u, _e962.member);
+                                let _e1209 = phi_5050_;
+                                let _e1211 = phi_5053_;
+                                local_29 = _e1211;
+                                if (_e1209.member < _e1209.member_1) {
+                                    phi_5051_ = type_19((_e1209.member + 1u), _e1209.member_1);
+                                    phi_5076_ = type_19(1u, _e1209.member);
                                 } else {
-                                    phi_3644_ = _e962;
-                                    phi_3669_ = type_19(0u, type_19().member_1);
+                                    phi_5051_ = _e1209;
+                                    phi_5076_ = type_19(0u, type_19().member_1);
                                 }
-                                let _e976 = phi_3644_;
-                                let _e978 = phi_3669_;
-                                let _e982 = (bitcast<i32>(_e978.member) != 0i);
-                                if _e982 {
-                                    let _e984 = local_7[_e978.member_1];
-                                    if (_e984 > _e865) {
-                                        let _e987 = local_7[_e978.member_1];
-                                        if (_e987 < _e866) {
-                                            let _e990 = local_7[_e978.member_1];
-                                            local_6[_e964] = _e990;
-                                            phi_3713_ = (_e964 + 1u);
+                                let _e1223 = phi_5051_;
+                                let _e1225 = phi_5076_;
+                                let _e1229 = (bitcast<i32>(_e1225.member) != 0i);
+                                if _e1229 {
+                                    let _e1231 = local_7[_e1225.member_1];
+                                    if (_e1231 > _e1112) {
+                                        let _e1234 = local_7[_e1225.member_1];
+                                        if (_e1234 < _e1113) {
+                                            let _e1237 = local_7[_e1225.member_1];
+                                            local_6[_e1211] = _e1237;
+                                            phi_5120_ = (_e1211 + 1u);
                                         } else {
-                                            phi_3713_ = _e964;
+                                            phi_5120_ = _e1211;
                                         }
-                                        let _e994 = phi_3713_;
-                                        phi_3714_ = _e994;
+                                        let _e1241 = phi_5120_;
+                                        phi_5121_ = _e1241;
                                     } else {
-                                        phi_3714_ = _e964;
+                                        phi_5121_ = _e1211;
                                     }
-                                    let _e996 = phi_3714_;
-                                    phi_3647_ = _e996;
+                                    let _e1243 = phi_5121_;
+                                    phi_5054_ = _e1243;
                                 } else {
-                                    phi_3647_ = u32();
+                                    phi_5054_ = u32();
                                 }
-                                let _e998 = phi_3647_;
+                                let _e1245 = phi_5054_;
                                 continue;
                                 continuing {
-                                    phi_3643_ = _e976;
-                                    phi_3646_ = _e998;
-                                    break if !(_e982);
+                                    phi_5050_ = _e1223;
+                                    phi_5053_ = _e1245;
+                                    break if !(_e1229);
                                 }
                             }
-                            let _e4216 = local_43;
-                            phi_3715_ = _e4216;
+                            let _e5653 = local_29;
+                            phi_5122_ = _e5653;
                         } else {
-                            phi_3715_ = 1u;
+                            phi_5122_ = 1u;
                         }
-                        let _e1001 = phi_3715_;
-                        local_6[_e1001] = _e866;
-                        let _e1003 = local_6;
-                        local_8 = _e1003;
-                        phi_3735_ = type_19(0u, _e1001);
+                        let _e1248 = phi_5122_;
+                        local_6[_e1248] = _e1113;
+                        let _e1250 = local_6;
+                        local_8 = _e1250;
+                        phi_5142_ = type_19(0u, _e1248);
                         loop {
-                            let _e1006 = phi_3735_;
-                            if (_e1006.member < _e1006.member_1) {
-                                phi_3736_ = type_19((_e1006.member + 1u), _e1006.member_1);
-                                phi_3759_ = type_19(1u, _e1006.member);
+                            let _e1253 = phi_5142_;
+                            if (_e1253.member < _e1253.member_1) {
+                                phi_5143_ = type_19((_e1253.member + 1u), _e1253.member_1);
+                                phi_5166_ = type_19(1u, _e1253.member);
                             } else {
-                                phi_3736_ = _e1006;
-                                phi_3759_ = type_19(0u, type_19().member_1);
+                                phi_5143_ = _e1253;
+                                phi_5166_ = type_19(0u, type_19().member_1);
                             }
-                            let _e1018 = phi_3736_;
-                            let _e1020 = phi_3759_;
-                            if (bitcast<i32>(_e1020.member) != 0i) {
-                                let _e1026 = local_8[_e1020.member_1];
-                                let _e1029 = local_8[(_e1020.member_1 + 1u)];
-                                let _e1031 = (f64(1f) - _e1026);
-                                let _e1042 = ((((_e469 * _e1031) + (_e492 * _e1026)) * (_e1031 * _e1031)) + (((_e515 * _e1031) + (_e526 * _e1026)) * (_e1026 * _e1026)));
-                                let _e1044 = (f64(1f) - _e1029);
-                                let _e1055 = ((((_e469 * _e1044) + (_e492 * _e1029)) * (_e1044 * _e1044)) + (((_e515 * _e1044) + (_e526 * _e1029)) * (_e1029 * _e1029)));
-                                if (_e1042 < 0.0lf) {
-                                    phi_3813_ = -(_e1042);
+                            let _e1265 = phi_5143_;
+                            let _e1267 = phi_5166_;
+                            if (bitcast<i32>(_e1267.member) != 0i) {
+                                let _e1273 = local_8[_e1267.member_1];
+                                let _e1276 = local_8[(_e1267.member_1 + 1u)];
+                                let _e1278 = (f64(1f) - _e1273);
+                                let _e1289 = ((((_e714 * _e1278) + (_e737 * _e1273)) * (_e1278 * _e1278)) + (((_e760 * _e1278) + (_e771 * _e1273)) * (_e1273 * _e1273)));
+                                let _e1291 = (f64(1f) - _e1276);
+                                let _e1302 = ((((_e714 * _e1291) + (_e737 * _e1276)) * (_e1291 * _e1291)) + (((_e760 * _e1291) + (_e771 * _e1276)) * (_e1276 * _e1276)));
+                                if (_e1289 < 0.0lf) {
+                                    phi_5220_ = -(_e1289);
                                 } else {
-                                    phi_3813_ = _e1042;
+                                    phi_5220_ = _e1289;
                                 }
-                                let _e1059 = phi_3813_;
-                                let _e1060 = (_e1059 > _e860);
-                                if (_e1055 < 0.0lf) {
-                                    phi_3820_ = -(_e1055);
+                                let _e1306 = phi_5220_;
+                                let _e1307 = (_e1306 > _e1107);
+                                if (_e1302 < 0.0lf) {
+                                    phi_5227_ = -(_e1302);
                                 } else {
-                                    phi_3820_ = _e1055;
+                                    phi_5227_ = _e1302;
                                 }
-                                let _e1064 = phi_3820_;
-                                let _e1065 = (_e1064 > _e860);
-                                let _e1066 = f64(0f);
-                                if _e1060 {
-                                    if _e1065 {
-                                        phi_3832_ = ((_e1042 > _e1066) != (_e1055 > _e1066));
-                                        phi_3833_ = false;
+                                let _e1311 = phi_5227_;
+                                let _e1312 = (_e1311 > _e1107);
+                                let _e1313 = f64(0f);
+                                if _e1307 {
+                                    if _e1312 {
+                                        phi_5239_ = ((_e1289 > _e1313) != (_e1302 > _e1313));
+                                        phi_5240_ = false;
                                     } else {
-                                        phi_3832_ = bool();
-                                        phi_3833_ = true;
+                                        phi_5239_ = bool();
+                                        phi_5240_ = true;
                                     }
-                                    let _e1071 = phi_3832_;
-                                    let _e1073 = phi_3833_;
-                                    phi_3834_ = _e1071;
-                                    phi_3835_ = _e1073;
+                                    let _e1318 = phi_5239_;
+                                    let _e1320 = phi_5240_;
+                                    phi_5241_ = _e1318;
+                                    phi_5242_ = _e1320;
                                 } else {
-                                    phi_3834_ = bool();
-                                    phi_3835_ = true;
+                                    phi_5241_ = bool();
+                                    phi_5242_ = true;
                                 }
-                                let _e1075 = phi_3834_;
-                                let _e1077 = phi_3835_;
-                                if _e1077 {
-                                    phi_3839_ = false;
+                                let _e1322 = phi_5241_;
+                                let _e1324 = phi_5242_;
+                                if _e1324 {
+                                    phi_5246_ = false;
                                 } else {
-                                    phi_3839_ = _e1075;
+                                    phi_5246_ = _e1322;
                                 }
-                                let _e1079 = phi_3839_;
-                                if _e1060 {
-                                    if _e1065 {
-                                        if _e1079 {
-                                            phi_3851_ = type_41();
+                                let _e1326 = phi_5246_;
+                                if _e1307 {
+                                    if _e1312 {
+                                        if _e1326 {
+                                            phi_5258_ = type_43();
                                         } else {
-                                            phi_3851_ = type_41(f64(1f), _e1066, _e1079);
+                                            phi_5258_ = type_43(f64(1f), _e1313, _e1326);
                                         }
-                                        let _e1083 = phi_3851_;
-                                        phi_3852_ = _e1083;
-                                        phi_3853_ = _e1079;
+                                        let _e1330 = phi_5258_;
+                                        phi_5259_ = _e1330;
+                                        phi_5260_ = _e1326;
                                     } else {
-                                        phi_3852_ = type_41();
-                                        phi_3853_ = true;
+                                        phi_5259_ = type_43();
+                                        phi_5260_ = true;
                                     }
-                                    let _e1085 = phi_3852_;
-                                    let _e1087 = phi_3853_;
-                                    phi_3854_ = _e1085;
-                                    phi_3855_ = _e1087;
+                                    let _e1332 = phi_5259_;
+                                    let _e1334 = phi_5260_;
+                                    phi_5261_ = _e1332;
+                                    phi_5262_ = _e1334;
                                 } else {
-                                    phi_3854_ = type_41();
-                                    phi_3855_ = true;
+                                    phi_5261_ = type_43();
+                                    phi_5262_ = true;
                                 }
-                                let _e1089 = phi_3854_;
-                                let _e1091 = phi_3855_;
-                                if _e1091 {
-                                    if _e1060 {
-                                        if (_e1042 < _e1066) {
-                                            phi_3868_ = f64(-1f);
+                                let _e1336 = phi_5261_;
+                                let _e1338 = phi_5262_;
+                                if _e1338 {
+                                    if _e1307 {
+                                        if (_e1289 < _e1313) {
+                                            phi_5275_ = f64(-1f);
                                         } else {
-                                            phi_3868_ = f64(1f);
+                                            phi_5275_ = f64(1f);
                                         }
-                                        let _e1096 = phi_3868_;
-                                        let _e1097 = f64(0.00000000000022737368f);
-                                        let _e1098 = f64(0.5f);
-                                        let _e1099 = f64(3f);
-                                        let _e1102 = (_e515 - _e492);
-                                        phi_3881_ = type_19(0u, 64u);
-                                        phi_3884_ = _e1029;
-                                        phi_3886_ = _e1026;
-                                        phi_3888_ = (_e1098 * (_e1026 + _e1029));
+                                        let _e1343 = phi_5275_;
+                                        let _e1344 = f64(0.00000000000022737368f);
+                                        let _e1345 = f64(0.5f);
+                                        let _e1346 = f64(3f);
+                                        let _e1349 = (_e760 - _e737);
+                                        phi_5288_ = type_19(0u, 64u);
+                                        phi_5291_ = _e1276;
+                                        phi_5293_ = _e1273;
+                                        phi_5295_ = (_e1345 * (_e1273 + _e1276));
                                         loop {
-                                            let _e1108 = phi_3881_;
-                                            let _e1110 = phi_3884_;
-                                            let _e1112 = phi_3886_;
-                                            let _e1114 = phi_3888_;
-                                            local_45 = _e1112;
-                                            if (_e1108.member < _e1108.member_1) {
-                                                phi_3882_ = type_19((_e1108.member + 1u), _e1108.member_1);
-                                                phi_3911_ = type_19(1u, _e1108.member);
+                                            let _e1355 = phi_5288_;
+                                            let _e1357 = phi_5291_;
+                                            let _e1359 = phi_5293_;
+                                            let _e1361 = phi_5295_;
+                                            local_31 = _e1359;
+                                            if (_e1355.member < _e1355.member_1) {
+                                                phi_5289_ = type_19((_e1355.member + 1u), _e1355.member_1);
+                                                phi_5318_ = type_19(1u, _e1355.member);
                                             } else {
-                                                phi_3882_ = _e1108;
-                                                phi_3911_ = type_19(0u, type_19().member_1);
+                                                phi_5289_ = _e1355;
+                                                phi_5318_ = type_19(0u, type_19().member_1);
                                             }
-                                            let _e1126 = phi_3882_;
-                                            let _e1128 = phi_3911_;
-                                            if (bitcast<i32>(_e1128.member) != 0i) {
-                                                let _e1133 = (f64(1f) - _e1114);
-                                                let _e1146 = ((_e1096 * ((((_e469 * _e1133) + (_e492 * _e1114)) * (_e1133 * _e1133)) + (((_e515 * _e1133) + (_e526 * _e1114)) * (_e1114 * _e1114)))) - _e860);
-                                                if (_e1146 > f64(0f)) {
-                                                    phi_3938_ = _e1110;
-                                                    phi_3939_ = _e1114;
+                                            let _e1373 = phi_5289_;
+                                            let _e1375 = phi_5318_;
+                                            if (bitcast<i32>(_e1375.member) != 0i) {
+                                                let _e1380 = (f64(1f) - _e1361);
+                                                let _e1393 = ((_e1343 * ((((_e714 * _e1380) + (_e737 * _e1361)) * (_e1380 * _e1380)) + (((_e760 * _e1380) + (_e771 * _e1361)) * (_e1361 * _e1361)))) - _e1107);
+                                                if (_e1393 > f64(0f)) {
+                                                    phi_5345_ = _e1357;
+                                                    phi_5346_ = _e1361;
                                                 } else {
-                                                    phi_3938_ = _e1114;
-                                                    phi_3939_ = _e1112;
+                                                    phi_5345_ = _e1361;
+                                                    phi_5346_ = _e1359;
                                                 }
-                                                let _e1150 = phi_3938_;
-                                                let _e1152 = phi_3939_;
-                                                let _e1154 = ((_e1150 - _e1152) > _e1097);
-                                                if _e1154 {
-                                                    let _e1156 = (f64(1f) - _e1114);
-                                                    let _e1168 = (-(_e1146) / (_e1096 * (((((_e492 - (_e1099 * _e469)) * _e1156) + (_e1102 * _e1114)) * _e1156) + (((_e1102 * _e1156) + (((_e1099 * _e526) - _e515) * _e1114)) * _e1114))));
-                                                    if (_e1146 > f64(0f)) {
-                                                        phi_3967_ = (_e1098 * _e1097);
+                                                let _e1397 = phi_5345_;
+                                                let _e1399 = phi_5346_;
+                                                let _e1401 = ((_e1397 - _e1399) > _e1344);
+                                                if _e1401 {
+                                                    let _e1403 = (f64(1f) - _e1361);
+                                                    let _e1415 = (-(_e1393) / (_e1343 * (((((_e737 - (_e1346 * _e714)) * _e1403) + (_e1349 * _e1361)) * _e1403) + (((_e1349 * _e1403) + (((_e1346 * _e771) - _e760) * _e1361)) * _e1361))));
+                                                    if (_e1393 > f64(0f)) {
+                                                        phi_5374_ = (_e1345 * _e1344);
                                                     } else {
-                                                        phi_3967_ = -((_e1098 * _e1097));
+                                                        phi_5374_ = -((_e1345 * _e1344));
                                                     }
-                                                    let _e1175 = phi_3967_;
-                                                    let _e1177 = ((_e1114 + _e1168) + _e1175);
-                                                    if (_e1177 > _e1152) {
-                                                        if (_e1177 < _e1150) {
-                                                            if (_e1168 < 0.0lf) {
-                                                                phi_3983_ = -(_e1168);
+                                                    let _e1422 = phi_5374_;
+                                                    let _e1424 = ((_e1361 + _e1415) + _e1422);
+                                                    if (_e1424 > _e1399) {
+                                                        if (_e1424 < _e1397) {
+                                                            if (_e1415 < 0.0lf) {
+                                                                phi_5390_ = -(_e1415);
                                                             } else {
-                                                                phi_3983_ = _e1168;
+                                                                phi_5390_ = _e1415;
                                                             }
-                                                            let _e1183 = phi_3983_;
-                                                            if (_e1183 < (_e1098 * (_e1150 - _e1152))) {
-                                                                phi_3990_ = false;
+                                                            let _e1430 = phi_5390_;
+                                                            if (_e1430 < (_e1345 * (_e1397 - _e1399))) {
+                                                                phi_5397_ = false;
                                                             } else {
-                                                                phi_3990_ = true;
+                                                                phi_5397_ = true;
                                                             }
-                                                            let _e1188 = phi_3990_;
-                                                            phi_3991_ = _e1188;
+                                                            let _e1435 = phi_5397_;
+                                                            phi_5398_ = _e1435;
                                                         } else {
-                                                            phi_3991_ = true;
+                                                            phi_5398_ = true;
                                                         }
-                                                        let _e1190 = phi_3991_;
-                                                        phi_3992_ = _e1190;
+                                                        let _e1437 = phi_5398_;
+                                                        phi_5399_ = _e1437;
                                                     } else {
-                                                        phi_3992_ = true;
+                                                        phi_5399_ = true;
                                                     }
-                                                    let _e1192 = phi_3992_;
-                                                    if _e1192 {
-                                                        phi_3998_ = (_e1098 * (_e1152 + _e1150));
+                                                    let _e1439 = phi_5399_;
+                                                    if _e1439 {
+                                                        phi_5405_ = (_e1345 * (_e1399 + _e1397));
                                                     } else {
-                                                        phi_3998_ = _e1177;
+                                                        phi_5405_ = _e1424;
                                                     }
-                                                    let _e1196 = phi_3998_;
-                                                    phi_3999_ = _e1196;
-                                                    phi_4000_ = false;
+                                                    let _e1443 = phi_5405_;
+                                                    phi_5406_ = _e1443;
+                                                    phi_5407_ = false;
                                                 } else {
-                                                    phi_3999_ = f64();
-                                                    phi_4000_ = true;
+                                                    phi_5406_ = f64();
+                                                    phi_5407_ = true;
                                                 }
-                                                let _e1198 = phi_3999_;
-                                                let _e1200 = phi_4000_;
-                                                phi_3885_ = _e1150;
-                                                phi_3887_ = _e1152;
-                                                phi_3889_ = _e1198;
-                                                phi_4001_ = _e1152;
-                                                phi_4002_ = _e1154;
-                                                phi_4003_ = _e1200;
+                                                let _e1445 = phi_5406_;
+                                                let _e1447 = phi_5407_;
+                                                phi_5292_ = _e1397;
+                                                phi_5294_ = _e1399;
+                                                phi_5296_ = _e1445;
+                                                phi_5408_ = _e1399;
+                                                phi_5409_ = _e1401;
+                                                phi_5410_ = _e1447;
                                             } else {
-                                                phi_3885_ = f64();
-                                                phi_3887_ = f64();
-                                                phi_3889_ = f64();
-                                                phi_4001_ = f64();
-                                                phi_4002_ = false;
-                                                phi_4003_ = false;
+                                                phi_5292_ = f64();
+                                                phi_5294_ = f64();
+                                                phi_5296_ = f64();
+                                                phi_5408_ = f64();
+                                                phi_5409_ = false;
+                                                phi_5410_ = false;
                                             }
-                                            let _e1202 = phi_3885_;
-                                            let _e1204 = phi_3887_;
-                                            let _e1206 = phi_3889_;
-                                            let _e1208 = phi_4001_;
-                                            let _e1210 = phi_4002_;
-                                            let _e1212 = phi_4003_;
-                                            local_14 = _e1212;
-                                            local_44 = _e1208;
+                                            let _e1449 = phi_5292_;
+                                            let _e1451 = phi_5294_;
+                                            let _e1453 = phi_5296_;
+                                            let _e1455 = phi_5408_;
+                                            let _e1457 = phi_5409_;
+                                            let _e1459 = phi_5410_;
+                                            local_14 = _e1459;
+                                            local_30 = _e1455;
                                             continue;
                                             continuing {
-                                                phi_3881_ = _e1126;
-                                                phi_3884_ = _e1202;
-                                                phi_3886_ = _e1204;
-                                                phi_3888_ = _e1206;
-                                                break if !(_e1210);
+                                                phi_5288_ = _e1373;
+                                                phi_5291_ = _e1449;
+                                                phi_5293_ = _e1451;
+                                                phi_5295_ = _e1453;
+                                                break if !(_e1457);
                                             }
                                         }
-                                        let _e1215 = local_14;
-                                        if _e1215 {
-                                            let _e4258 = local_44;
-                                            phi_4007_ = _e4258;
+                                        let _e1462 = local_14;
+                                        if _e1462 {
+                                            let _e5695 = local_30;
+                                            phi_5414_ = _e5695;
                                         } else {
-                                            let _e4260 = local_45;
-                                            phi_4007_ = _e4260;
+                                            let _e5697 = local_31;
+                                            phi_5414_ = _e5697;
                                         }
-                                        let _e1217 = phi_4007_;
-                                        phi_4008_ = _e1217;
+                                        let _e1464 = phi_5414_;
+                                        phi_5415_ = _e1464;
                                     } else {
-                                        phi_4008_ = _e1026;
+                                        phi_5415_ = _e1273;
                                     }
-                                    let _e1219 = phi_4008_;
-                                    if _e1065 {
-                                        phi_4016_ = type_19(0u, 64u);
-                                        phi_4019_ = f64((2f * 0.00000000000022737368f));
+                                    let _e1466 = phi_5415_;
+                                    if _e1312 {
+                                        if (_e1302 < _e1313) {
+                                            phi_5425_ = f64(-1f);
+                                        } else {
+                                            phi_5425_ = f64(1f);
+                                        }
+                                        let _e1471 = phi_5425_;
+                                        phi_5430_ = type_19(0u, 64u);
+                                        phi_5433_ = f64((2f * 0.00000000000022737368f));
                                         loop {
-                                            let _e1223 = phi_4016_;
-                                            let _e1225 = phi_4019_;
-                                            if (_e1223.member < _e1223.member_1) {
-                                                phi_4017_ = type_19((_e1223.member + 1u), _e1223.member_1);
-                                                phi_4042_ = type_19(1u, _e1223.member);
+                                            let _e1475 = phi_5430_;
+                                            let _e1477 = phi_5433_;
+                                            if (_e1475.member < _e1475.member_1) {
+                                                phi_5431_ = type_19((_e1475.member + 1u), _e1475.member_1);
+                                                phi_5456_ = type_19(1u, _e1475.member);
                                             } else {
-                                                phi_4017_ = _e1223;
-                                                phi_4042_ = type_19(0u, type_19().member_1);
+                                                phi_5431_ = _e1475;
+                                                phi_5456_ = type_19(0u, type_19().member_1);
                                             }
-                                            let _e1237 = phi_4017_;
-                                            let _e1239 = phi_4042_;
-                                            if (bitcast<i32>(_e1239.member) != 0i) {
-                                                let _e1243 = (_e1219 + _e1225);
-                                                if (_e1243 < _e1029) {
-                                                    let _e1246 = (f64(1f) - _e1243);
-                                                    let _e1257 = ((((_e469 * _e1246) + (_e492 * _e1243)) * (_e1246 * _e1246)) + (((_e515 * _e1246) + (_e526 * _e1243)) * (_e1243 * _e1243)));
-                                                    let _e1259 = (f64(1f) - _e1219);
-                                                    let _e1270 = ((((_e469 * _e1259) + (_e492 * _e1219)) * (_e1259 * _e1259)) + (((_e515 * _e1259) + (_e526 * _e1219)) * (_e1219 * _e1219)));
-                                                    if (_e1257 < 0.0lf) {
-                                                        phi_4085_ = -(_e1257);
+                                            let _e1489 = phi_5431_;
+                                            let _e1491 = phi_5456_;
+                                            if (bitcast<i32>(_e1491.member) != 0i) {
+                                                let _e1495 = (_e1466 + _e1477);
+                                                if (_e1495 < _e1276) {
+                                                    let _e1498 = (f64(1f) - _e1495);
+                                                    let _e1511 = ((_e1471 * ((((_e714 * _e1498) + (_e737 * _e1495)) * (_e1498 * _e1498)) + (((_e760 * _e1498) + (_e771 * _e1495)) * (_e1495 * _e1495)))) > _e1107);
+                                                    if _e1511 {
+                                                        phi_5487_ = f64();
+                                                        phi_5488_ = false;
                                                     } else {
-                                                        phi_4085_ = _e1257;
+                                                        phi_5487_ = (_e1477 + _e1477);
+                                                        phi_5488_ = true;
                                                     }
-                                                    let _e1274 = phi_4085_;
-                                                    if (_e1274 > _e860) {
-                                                        if (_e1270 < 0.0lf) {
-                                                            phi_4095_ = -(_e1270);
-                                                        } else {
-                                                            phi_4095_ = _e1270;
-                                                        }
-                                                        let _e1279 = phi_4095_;
-                                                        if (_e1279 > _e860) {
-                                                            phi_4105_ = ((_e1257 > f64(0f)) == (_e1270 > f64(0f)));
-                                                        } else {
-                                                            phi_4105_ = false;
-                                                        }
-                                                        let _e1287 = phi_4105_;
-                                                        phi_4107_ = !(_e1287);
-                                                    } else {
-                                                        phi_4107_ = false;
-                                                    }
-                                                    let _e1290 = phi_4107_;
-                                                    if _e1290 {
-                                                        phi_4112_ = f64();
-                                                        phi_4113_ = false;
-                                                    } else {
-                                                        phi_4112_ = (_e1225 + _e1225);
-                                                        phi_4113_ = true;
-                                                    }
-                                                    let _e1293 = phi_4112_;
-                                                    let _e1295 = phi_4113_;
-                                                    phi_4114_ = _e1293;
-                                                    phi_4115_ = _e1295;
-                                                    phi_4116_ = _e1290;
-                                                    phi_4117_ = false;
+                                                    let _e1514 = phi_5487_;
+                                                    let _e1516 = phi_5488_;
+                                                    phi_5489_ = _e1514;
+                                                    phi_5490_ = _e1516;
+                                                    phi_5491_ = _e1511;
+                                                    phi_5492_ = false;
                                                 } else {
-                                                    phi_4114_ = f64();
-                                                    phi_4115_ = false;
-                                                    phi_4116_ = false;
-                                                    phi_4117_ = true;
+                                                    phi_5489_ = f64();
+                                                    phi_5490_ = false;
+                                                    phi_5491_ = false;
+                                                    phi_5492_ = true;
                                                 }
-                                                let _e1297 = phi_4114_;
-                                                let _e1299 = phi_4115_;
-                                                let _e1301 = phi_4116_;
-                                                let _e1303 = phi_4117_;
-                                                phi_4118_ = _e1243;
-                                                phi_4020_ = _e1297;
-                                                phi_4119_ = _e1299;
-                                                phi_4120_ = _e1301;
-                                                phi_4121_ = _e1303;
-                                                phi_4122_ = false;
+                                                let _e1518 = phi_5489_;
+                                                let _e1520 = phi_5490_;
+                                                let _e1522 = phi_5491_;
+                                                let _e1524 = phi_5492_;
+                                                phi_5493_ = _e1495;
+                                                phi_5434_ = _e1518;
+                                                phi_5494_ = _e1520;
+                                                phi_5495_ = _e1522;
+                                                phi_5496_ = _e1524;
+                                                phi_5497_ = false;
                                             } else {
-                                                phi_4118_ = f64();
-                                                phi_4020_ = f64();
-                                                phi_4119_ = false;
-                                                phi_4120_ = false;
-                                                phi_4121_ = false;
-                                                phi_4122_ = true;
+                                                phi_5493_ = f64();
+                                                phi_5434_ = f64();
+                                                phi_5494_ = false;
+                                                phi_5495_ = false;
+                                                phi_5496_ = false;
+                                                phi_5497_ = true;
                                             }
-                                            let _e1305 = phi_4118_;
-                                            let _e1307 = phi_4020_;
-                                            let _e1309 = phi_4119_;
-                                            let _e1311 = phi_4120_;
-                                            let _e1313 = phi_4121_;
-                                            let _e1315 = phi_4122_;
-                                            local_15 = _e1311;
-                                            local_46 = _e1313;
-                                            local_47 = _e1315;
-                                            local_48 = _e1305;
+                                            let _e1526 = phi_5493_;
+                                            let _e1528 = phi_5434_;
+                                            let _e1530 = phi_5494_;
+                                            let _e1532 = phi_5495_;
+                                            let _e1534 = phi_5496_;
+                                            let _e1536 = phi_5497_;
+                                            local_15 = _e1532;
+                                            local_32 = _e1534;
+                                            local_33 = _e1536;
+                                            local_34 = _e1526;
                                             continue;
                                             continuing {
-                                                phi_4016_ = _e1237;
-                                                phi_4019_ = _e1307;
-                                                break if !(_e1309);
+                                                phi_5430_ = _e1489;
+                                                phi_5433_ = _e1528;
+                                                break if !(_e1530);
                                             }
                                         }
-                                        let _e1318 = local_15;
-                                        if _e1318 {
-                                            phi_4126_ = false;
-                                            phi_4127_ = false;
+                                        let _e1539 = local_15;
+                                        if _e1539 {
+                                            phi_5501_ = false;
+                                            phi_5502_ = false;
                                         } else {
-                                            let _e4285 = local_46;
-                                            phi_4126_ = _e4285;
-                                            let _e4288 = local_47;
-                                            phi_4127_ = _e4288;
+                                            let _e5719 = local_32;
+                                            phi_5501_ = _e5719;
+                                            let _e5722 = local_33;
+                                            phi_5502_ = _e5722;
                                         }
-                                        let _e1320 = phi_4126_;
-                                        let _e1322 = phi_4127_;
-                                        if _e1320 {
-                                            phi_4131_ = true;
+                                        let _e1541 = phi_5501_;
+                                        let _e1543 = phi_5502_;
+                                        if _e1541 {
+                                            phi_5506_ = true;
                                         } else {
-                                            phi_4131_ = _e1322;
+                                            phi_5506_ = _e1543;
                                         }
-                                        let _e1324 = phi_4131_;
-                                        if _e1324 {
-                                            phi_4135_ = _e1029;
+                                        let _e1545 = phi_5506_;
+                                        if _e1545 {
+                                            phi_5510_ = _e1276;
                                         } else {
-                                            let _e4292 = local_48;
-                                            phi_4135_ = _e4292;
+                                            let _e5726 = local_34;
+                                            phi_5510_ = _e5726;
                                         }
-                                        let _e1326 = phi_4135_;
-                                        phi_4136_ = _e1326;
+                                        let _e1547 = phi_5510_;
+                                        phi_5511_ = _e1547;
                                     } else {
-                                        phi_4136_ = _e1029;
+                                        phi_5511_ = _e1276;
                                     }
-                                    let _e1328 = phi_4136_;
-                                    phi_4138_ = type_41(_e1219, _e1328, _e1079);
+                                    let _e1549 = phi_5511_;
+                                    phi_5513_ = type_43(_e1466, _e1549, _e1326);
                                 } else {
-                                    phi_4138_ = _e1089;
+                                    phi_5513_ = _e1336;
                                 }
-                                let _e1331 = phi_4138_;
-                                if (_e1331.member > _e1331.member_1) {
-                                    phi_6283_ = f64();
-                                    phi_6284_ = true;
-                                    phi_6285_ = false;
-                                    phi_6286_ = false;
-                                    phi_6287_ = false;
+                                let _e1552 = phi_5513_;
+                                if (_e1552.member > _e1552.member_1) {
+                                    phi_8776_ = f64();
+                                    phi_8777_ = true;
+                                    phi_8778_ = false;
+                                    phi_8779_ = false;
+                                    phi_8780_ = false;
                                 } else {
-                                    let _e1339 = ((_e1331.member_1 - _e1331.member) * f64(0.5f));
-                                    let _e1340 = (_e1331.member + _e1339);
-                                    let _e1343 = (_e1339 + (1.1102230246251565e-16lf * f64(4f)));
-                                    let _e1345 = local_12.member_3;
-                                    let _e1348 = local_12.member[0u];
-                                    if (_e1348[0] < 0.0lf) {
-                                        phi_4169_ = -(_e1348[0]);
+                                    let _e1560 = ((_e1552.member_1 - _e1552.member) * f64(0.5f));
+                                    let _e1561 = (_e1552.member + _e1560);
+                                    let _e1564 = (_e1560 + (1.1102230246251565e-16lf * f64(4f)));
+                                    let _e1566 = local_12.member_3;
+                                    let _e1569 = local_12.member[0u];
+                                    if (_e1569[0] < 0.0lf) {
+                                        phi_5544_ = -(_e1569[0]);
                                     } else {
-                                        phi_4169_ = _e1348[0];
+                                        phi_5544_ = _e1569[0];
                                     }
-                                    let _e1355 = phi_4169_;
-                                    if (_e1348[1] < 0.0lf) {
-                                        phi_4176_ = -(_e1348[1]);
+                                    let _e1576 = phi_5544_;
+                                    if (_e1569[1] < 0.0lf) {
+                                        phi_5551_ = -(_e1569[1]);
                                     } else {
-                                        phi_4176_ = _e1348[1];
+                                        phi_5551_ = _e1569[1];
                                     }
-                                    let _e1359 = phi_4176_;
-                                    if (_e1355 > _e1359) {
-                                        phi_4181_ = _e1355;
+                                    let _e1580 = phi_5551_;
+                                    if (_e1576 > _e1580) {
+                                        phi_5556_ = _e1576;
                                     } else {
-                                        phi_4181_ = _e1359;
+                                        phi_5556_ = _e1580;
                                     }
-                                    let _e1362 = phi_4181_;
-                                    if (_e1348[2] < 0.0lf) {
-                                        phi_4188_ = -(_e1348[2]);
+                                    let _e1583 = phi_5556_;
+                                    if (_e1569[2] < 0.0lf) {
+                                        phi_5563_ = -(_e1569[2]);
                                     } else {
-                                        phi_4188_ = _e1348[2];
+                                        phi_5563_ = _e1569[2];
                                     }
-                                    let _e1366 = phi_4188_;
-                                    if (_e1362 > _e1366) {
-                                        phi_4193_ = _e1362;
+                                    let _e1587 = phi_5563_;
+                                    if (_e1583 > _e1587) {
+                                        phi_5568_ = _e1583;
                                     } else {
-                                        phi_4193_ = _e1366;
+                                        phi_5568_ = _e1587;
                                     }
-                                    let _e1369 = phi_4193_;
-                                    let _e1371 = local_12.member[1u];
-                                    if (_e1371[0] < 0.0lf) {
-                                        phi_4206_ = -(_e1371[0]);
+                                    let _e1590 = phi_5568_;
+                                    let _e1592 = local_12.member[1u];
+                                    if (_e1592[0] < 0.0lf) {
+                                        phi_5581_ = -(_e1592[0]);
                                     } else {
-                                        phi_4206_ = _e1371[0];
+                                        phi_5581_ = _e1592[0];
                                     }
-                                    let _e1378 = phi_4206_;
-                                    if (_e1371[1] < 0.0lf) {
-                                        phi_4213_ = -(_e1371[1]);
+                                    let _e1599 = phi_5581_;
+                                    if (_e1592[1] < 0.0lf) {
+                                        phi_5588_ = -(_e1592[1]);
                                     } else {
-                                        phi_4213_ = _e1371[1];
+                                        phi_5588_ = _e1592[1];
                                     }
-                                    let _e1382 = phi_4213_;
-                                    if (_e1378 > _e1382) {
-                                        phi_4218_ = _e1378;
+                                    let _e1603 = phi_5588_;
+                                    if (_e1599 > _e1603) {
+                                        phi_5593_ = _e1599;
                                     } else {
-                                        phi_4218_ = _e1382;
+                                        phi_5593_ = _e1603;
                                     }
-                                    let _e1385 = phi_4218_;
-                                    if (_e1371[2] < 0.0lf) {
-                                        phi_4225_ = -(_e1371[2]);
+                                    let _e1606 = phi_5593_;
+                                    if (_e1592[2] < 0.0lf) {
+                                        phi_5600_ = -(_e1592[2]);
                                     } else {
-                                        phi_4225_ = _e1371[2];
+                                        phi_5600_ = _e1592[2];
                                     }
-                                    let _e1389 = phi_4225_;
-                                    if (_e1385 > _e1389) {
-                                        phi_4230_ = _e1385;
+                                    let _e1610 = phi_5600_;
+                                    if (_e1606 > _e1610) {
+                                        phi_5605_ = _e1606;
                                     } else {
-                                        phi_4230_ = _e1389;
+                                        phi_5605_ = _e1610;
                                     }
-                                    let _e1392 = phi_4230_;
-                                    if (_e1369 > _e1392) {
-                                        phi_4235_ = _e1369;
+                                    let _e1613 = phi_5605_;
+                                    if (_e1590 > _e1613) {
+                                        phi_5610_ = _e1590;
                                     } else {
-                                        phi_4235_ = _e1392;
+                                        phi_5610_ = _e1613;
                                     }
-                                    let _e1395 = phi_4235_;
-                                    let _e1398 = local_12.member[0u];
-                                    let _e1403 = local_12.member[1u];
-                                    let _e1413 = (_e1398[0] + ((_e1403[0] - _e1398[0]) * _e1340));
-                                    let _e1414 = (_e1398[1] + ((_e1403[1] - _e1398[1]) * _e1340));
-                                    let _e1415 = (_e1398[2] + ((_e1403[2] - _e1398[2]) * _e1340));
-                                    let _e1417 = local_12.member[1u];
-                                    let _e1422 = local_12.member[0u];
-                                    let _e1426 = (_e1417[0] - _e1422[0]);
-                                    let _e1427 = (_e1417[1] - _e1422[1]);
-                                    let _e1428 = (_e1417[2] - _e1422[2]);
-                                    if (_e1426 < 0.0lf) {
-                                        phi_4294_ = -(_e1426);
+                                    let _e1616 = phi_5610_;
+                                    let _e1619 = local_12.member[0u];
+                                    let _e1624 = local_12.member[1u];
+                                    let _e1634 = (_e1619[0] + ((_e1624[0] - _e1619[0]) * _e1561));
+                                    let _e1635 = (_e1619[1] + ((_e1624[1] - _e1619[1]) * _e1561));
+                                    let _e1636 = (_e1619[2] + ((_e1624[2] - _e1619[2]) * _e1561));
+                                    let _e1638 = local_12.member[1u];
+                                    let _e1643 = local_12.member[0u];
+                                    let _e1647 = (_e1638[0] - _e1643[0]);
+                                    let _e1648 = (_e1638[1] - _e1643[1]);
+                                    let _e1649 = (_e1638[2] - _e1643[2]);
+                                    if (_e1647 < 0.0lf) {
+                                        phi_5669_ = -(_e1647);
                                     } else {
-                                        phi_4294_ = _e1426;
+                                        phi_5669_ = _e1647;
                                     }
-                                    let _e1432 = phi_4294_;
-                                    if (_e1427 < 0.0lf) {
-                                        phi_4300_ = -(_e1427);
+                                    let _e1653 = phi_5669_;
+                                    if (_e1648 < 0.0lf) {
+                                        phi_5675_ = -(_e1648);
                                     } else {
-                                        phi_4300_ = _e1427;
+                                        phi_5675_ = _e1648;
                                     }
-                                    let _e1436 = phi_4300_;
-                                    if (_e1432 > _e1436) {
-                                        phi_4305_ = _e1432;
+                                    let _e1657 = phi_5675_;
+                                    if (_e1653 > _e1657) {
+                                        phi_5680_ = _e1653;
                                     } else {
-                                        phi_4305_ = _e1436;
+                                        phi_5680_ = _e1657;
                                     }
-                                    let _e1439 = phi_4305_;
-                                    if (_e1428 < 0.0lf) {
-                                        phi_4311_ = -(_e1428);
+                                    let _e1660 = phi_5680_;
+                                    if (_e1649 < 0.0lf) {
+                                        phi_5686_ = -(_e1649);
                                     } else {
-                                        phi_4311_ = _e1428;
+                                        phi_5686_ = _e1649;
                                     }
-                                    let _e1443 = phi_4311_;
-                                    if (_e1439 > _e1443) {
-                                        phi_4316_ = _e1439;
+                                    let _e1664 = phi_5686_;
+                                    if (_e1660 > _e1664) {
+                                        phi_5691_ = _e1660;
                                     } else {
-                                        phi_4316_ = _e1443;
+                                        phi_5691_ = _e1664;
                                     }
-                                    let _e1446 = phi_4316_;
-                                    let _e1454 = ((((_e1343 * _e1446) * f64(1.01f)) + ((_e1395 + _e1345) * (1.1102230246251565e-16lf * f64(8f)))) + _e1345);
-                                    if (_e1413 < 0.0lf) {
-                                        phi_4330_ = -(_e1413);
+                                    let _e1667 = phi_5691_;
+                                    let _e1675 = ((((_e1564 * _e1667) * f64(1.01f)) + ((_e1616 + _e1566) * (1.1102230246251565e-16lf * f64(8f)))) + _e1566);
+                                    if (_e1634 < 0.0lf) {
+                                        phi_5705_ = -(_e1634);
                                     } else {
-                                        phi_4330_ = _e1413;
+                                        phi_5705_ = _e1634;
                                     }
-                                    let _e1458 = phi_4330_;
-                                    if (_e1414 < 0.0lf) {
-                                        phi_4336_ = -(_e1414);
+                                    let _e1679 = phi_5705_;
+                                    if (_e1635 < 0.0lf) {
+                                        phi_5711_ = -(_e1635);
                                     } else {
-                                        phi_4336_ = _e1414;
+                                        phi_5711_ = _e1635;
                                     }
-                                    let _e1462 = phi_4336_;
-                                    if (_e1458 > _e1462) {
-                                        phi_4341_ = _e1458;
+                                    let _e1683 = phi_5711_;
+                                    if (_e1679 > _e1683) {
+                                        phi_5716_ = _e1679;
                                     } else {
-                                        phi_4341_ = _e1462;
+                                        phi_5716_ = _e1683;
                                     }
-                                    let _e1465 = phi_4341_;
-                                    if (_e1415 < 0.0lf) {
-                                        phi_4347_ = -(_e1415);
+                                    let _e1686 = phi_5716_;
+                                    if (_e1636 < 0.0lf) {
+                                        phi_5722_ = -(_e1636);
                                     } else {
-                                        phi_4347_ = _e1415;
+                                        phi_5722_ = _e1636;
                                     }
-                                    let _e1469 = phi_4347_;
-                                    if (_e1465 > _e1469) {
-                                        phi_4352_ = _e1465;
+                                    let _e1690 = phi_5722_;
+                                    if (_e1686 > _e1690) {
+                                        phi_5727_ = _e1686;
                                     } else {
-                                        phi_4352_ = _e1469;
+                                        phi_5727_ = _e1690;
                                     }
-                                    let _e1472 = phi_4352_;
-                                    local_2 = type_32(array<f64, 3>(_e1413, _e1414, _e1415), _e1454, (_e1472 + _e1454));
-                                    let _e1478 = local_12.member_3;
-                                    let _e1480 = local_12.member_1[0u];
-                                    if (_e1480[0] < 0.0lf) {
-                                        phi_4378_ = -(_e1480[0]);
+                                    let _e1693 = phi_5727_;
+                                    local_2 = type_33(array<f64, 3>(_e1634, _e1635, _e1636), _e1675, (_e1693 + _e1675));
+                                    let _e1699 = local_12.member_3;
+                                    let _e1701 = local_12.member_1[0u];
+                                    if (_e1701[0] < 0.0lf) {
+                                        phi_5753_ = -(_e1701[0]);
                                     } else {
-                                        phi_4378_ = _e1480[0];
+                                        phi_5753_ = _e1701[0];
                                     }
-                                    let _e1487 = phi_4378_;
-                                    if (_e1480[1] < 0.0lf) {
-                                        phi_4385_ = -(_e1480[1]);
+                                    let _e1708 = phi_5753_;
+                                    if (_e1701[1] < 0.0lf) {
+                                        phi_5760_ = -(_e1701[1]);
                                     } else {
-                                        phi_4385_ = _e1480[1];
+                                        phi_5760_ = _e1701[1];
                                     }
-                                    let _e1491 = phi_4385_;
-                                    if (_e1487 > _e1491) {
-                                        phi_4390_ = _e1487;
+                                    let _e1712 = phi_5760_;
+                                    if (_e1708 > _e1712) {
+                                        phi_5765_ = _e1708;
                                     } else {
-                                        phi_4390_ = _e1491;
+                                        phi_5765_ = _e1712;
                                     }
-                                    let _e1494 = phi_4390_;
-                                    if (_e1480[2] < 0.0lf) {
-                                        phi_4397_ = -(_e1480[2]);
+                                    let _e1715 = phi_5765_;
+                                    if (_e1701[2] < 0.0lf) {
+                                        phi_5772_ = -(_e1701[2]);
                                     } else {
-                                        phi_4397_ = _e1480[2];
+                                        phi_5772_ = _e1701[2];
                                     }
-                                    let _e1498 = phi_4397_;
-                                    if (_e1494 > _e1498) {
-                                        phi_4402_ = _e1494;
+                                    let _e1719 = phi_5772_;
+                                    if (_e1715 > _e1719) {
+                                        phi_5777_ = _e1715;
                                     } else {
-                                        phi_4402_ = _e1498;
+                                        phi_5777_ = _e1719;
                                     }
-                                    let _e1501 = phi_4402_;
-                                    let _e1503 = local_12.member_1[1u];
-                                    if (_e1503[0] < 0.0lf) {
-                                        phi_4415_ = -(_e1503[0]);
+                                    let _e1722 = phi_5777_;
+                                    let _e1724 = local_12.member_1[1u];
+                                    if (_e1724[0] < 0.0lf) {
+                                        phi_5790_ = -(_e1724[0]);
                                     } else {
-                                        phi_4415_ = _e1503[0];
+                                        phi_5790_ = _e1724[0];
                                     }
-                                    let _e1510 = phi_4415_;
-                                    if (_e1503[1] < 0.0lf) {
-                                        phi_4422_ = -(_e1503[1]);
+                                    let _e1731 = phi_5790_;
+                                    if (_e1724[1] < 0.0lf) {
+                                        phi_5797_ = -(_e1724[1]);
                                     } else {
-                                        phi_4422_ = _e1503[1];
+                                        phi_5797_ = _e1724[1];
                                     }
-                                    let _e1514 = phi_4422_;
-                                    if (_e1510 > _e1514) {
-                                        phi_4427_ = _e1510;
+                                    let _e1735 = phi_5797_;
+                                    if (_e1731 > _e1735) {
+                                        phi_5802_ = _e1731;
                                     } else {
-                                        phi_4427_ = _e1514;
+                                        phi_5802_ = _e1735;
                                     }
-                                    let _e1517 = phi_4427_;
-                                    if (_e1503[2] < 0.0lf) {
-                                        phi_4434_ = -(_e1503[2]);
+                                    let _e1738 = phi_5802_;
+                                    if (_e1724[2] < 0.0lf) {
+                                        phi_5809_ = -(_e1724[2]);
                                     } else {
-                                        phi_4434_ = _e1503[2];
+                                        phi_5809_ = _e1724[2];
                                     }
-                                    let _e1521 = phi_4434_;
-                                    if (_e1517 > _e1521) {
-                                        phi_4439_ = _e1517;
+                                    let _e1742 = phi_5809_;
+                                    if (_e1738 > _e1742) {
+                                        phi_5814_ = _e1738;
                                     } else {
-                                        phi_4439_ = _e1521;
+                                        phi_5814_ = _e1742;
                                     }
-                                    let _e1524 = phi_4439_;
-                                    if (_e1501 > _e1524) {
-                                        phi_4444_ = _e1501;
+                                    let _e1745 = phi_5814_;
+                                    if (_e1722 > _e1745) {
+                                        phi_5819_ = _e1722;
                                     } else {
-                                        phi_4444_ = _e1524;
+                                        phi_5819_ = _e1745;
                                     }
-                                    let _e1527 = phi_4444_;
-                                    let _e1530 = local_12.member_1[0u];
-                                    let _e1535 = local_12.member_1[1u];
-                                    let _e1545 = (_e1530[0] + ((_e1535[0] - _e1530[0]) * _e1340));
-                                    let _e1546 = (_e1530[1] + ((_e1535[1] - _e1530[1]) * _e1340));
-                                    let _e1547 = (_e1530[2] + ((_e1535[2] - _e1530[2]) * _e1340));
-                                    let _e1549 = local_12.member_1[1u];
-                                    let _e1554 = local_12.member_1[0u];
-                                    let _e1558 = (_e1549[0] - _e1554[0]);
-                                    let _e1559 = (_e1549[1] - _e1554[1]);
-                                    let _e1560 = (_e1549[2] - _e1554[2]);
-                                    if (_e1558 < 0.0lf) {
-                                        phi_4503_ = -(_e1558);
+                                    let _e1748 = phi_5819_;
+                                    let _e1751 = local_12.member_1[0u];
+                                    let _e1756 = local_12.member_1[1u];
+                                    let _e1766 = (_e1751[0] + ((_e1756[0] - _e1751[0]) * _e1561));
+                                    let _e1767 = (_e1751[1] + ((_e1756[1] - _e1751[1]) * _e1561));
+                                    let _e1768 = (_e1751[2] + ((_e1756[2] - _e1751[2]) * _e1561));
+                                    let _e1770 = local_12.member_1[1u];
+                                    let _e1775 = local_12.member_1[0u];
+                                    let _e1779 = (_e1770[0] - _e1775[0]);
+                                    let _e1780 = (_e1770[1] - _e1775[1]);
+                                    let _e1781 = (_e1770[2] - _e1775[2]);
+                                    if (_e1779 < 0.0lf) {
+                                        phi_5878_ = -(_e1779);
                                     } else {
-                                        phi_4503_ = _e1558;
+                                        phi_5878_ = _e1779;
                                     }
-                                    let _e1564 = phi_4503_;
-                                    if (_e1559 < 0.0lf) {
-                                        phi_4509_ = -(_e1559);
+                                    let _e1785 = phi_5878_;
+                                    if (_e1780 < 0.0lf) {
+                                        phi_5884_ = -(_e1780);
                                     } else {
-                                        phi_4509_ = _e1559;
+                                        phi_5884_ = _e1780;
                                     }
-                                    let _e1568 = phi_4509_;
-                                    if (_e1564 > _e1568) {
-                                        phi_4514_ = _e1564;
+                                    let _e1789 = phi_5884_;
+                                    if (_e1785 > _e1789) {
+                                        phi_5889_ = _e1785;
                                     } else {
-                                        phi_4514_ = _e1568;
+                                        phi_5889_ = _e1789;
                                     }
-                                    let _e1571 = phi_4514_;
-                                    if (_e1560 < 0.0lf) {
-                                        phi_4520_ = -(_e1560);
+                                    let _e1792 = phi_5889_;
+                                    if (_e1781 < 0.0lf) {
+                                        phi_5895_ = -(_e1781);
                                     } else {
-                                        phi_4520_ = _e1560;
+                                        phi_5895_ = _e1781;
                                     }
-                                    let _e1575 = phi_4520_;
-                                    if (_e1571 > _e1575) {
-                                        phi_4525_ = _e1571;
+                                    let _e1796 = phi_5895_;
+                                    if (_e1792 > _e1796) {
+                                        phi_5900_ = _e1792;
                                     } else {
-                                        phi_4525_ = _e1575;
+                                        phi_5900_ = _e1796;
                                     }
-                                    let _e1578 = phi_4525_;
-                                    let _e1586 = ((((_e1343 * _e1578) * f64(1.01f)) + ((_e1527 + _e1478) * (1.1102230246251565e-16lf * f64(8f)))) + _e1478);
-                                    if (_e1545 < 0.0lf) {
-                                        phi_4539_ = -(_e1545);
+                                    let _e1799 = phi_5900_;
+                                    let _e1807 = ((((_e1564 * _e1799) * f64(1.01f)) + ((_e1748 + _e1699) * (1.1102230246251565e-16lf * f64(8f)))) + _e1699);
+                                    if (_e1766 < 0.0lf) {
+                                        phi_5914_ = -(_e1766);
                                     } else {
-                                        phi_4539_ = _e1545;
+                                        phi_5914_ = _e1766;
                                     }
-                                    let _e1590 = phi_4539_;
-                                    if (_e1546 < 0.0lf) {
-                                        phi_4545_ = -(_e1546);
+                                    let _e1811 = phi_5914_;
+                                    if (_e1767 < 0.0lf) {
+                                        phi_5920_ = -(_e1767);
                                     } else {
-                                        phi_4545_ = _e1546;
+                                        phi_5920_ = _e1767;
                                     }
-                                    let _e1594 = phi_4545_;
-                                    if (_e1590 > _e1594) {
-                                        phi_4550_ = _e1590;
+                                    let _e1815 = phi_5920_;
+                                    if (_e1811 > _e1815) {
+                                        phi_5925_ = _e1811;
                                     } else {
-                                        phi_4550_ = _e1594;
+                                        phi_5925_ = _e1815;
                                     }
-                                    let _e1597 = phi_4550_;
-                                    if (_e1547 < 0.0lf) {
-                                        phi_4556_ = -(_e1547);
+                                    let _e1818 = phi_5925_;
+                                    if (_e1768 < 0.0lf) {
+                                        phi_5931_ = -(_e1768);
                                     } else {
-                                        phi_4556_ = _e1547;
+                                        phi_5931_ = _e1768;
                                     }
-                                    let _e1601 = phi_4556_;
-                                    if (_e1597 > _e1601) {
-                                        phi_4561_ = _e1597;
+                                    let _e1822 = phi_5931_;
+                                    if (_e1818 > _e1822) {
+                                        phi_5936_ = _e1818;
                                     } else {
-                                        phi_4561_ = _e1601;
+                                        phi_5936_ = _e1822;
                                     }
-                                    let _e1604 = phi_4561_;
-                                    local_3 = type_32(array<f64, 3>(_e1545, _e1546, _e1547), _e1586, (_e1604 + _e1586));
-                                    let _e1610 = local_12.member_3;
-                                    let _e1612 = local_12.member_2[0u];
-                                    if (_e1612[0] < 0.0lf) {
-                                        phi_4587_ = -(_e1612[0]);
+                                    let _e1825 = phi_5936_;
+                                    local_3 = type_33(array<f64, 3>(_e1766, _e1767, _e1768), _e1807, (_e1825 + _e1807));
+                                    let _e1831 = local_12.member_3;
+                                    let _e1833 = local_12.member_2[0u];
+                                    if (_e1833[0] < 0.0lf) {
+                                        phi_5962_ = -(_e1833[0]);
                                     } else {
-                                        phi_4587_ = _e1612[0];
+                                        phi_5962_ = _e1833[0];
                                     }
-                                    let _e1619 = phi_4587_;
-                                    if (_e1612[1] < 0.0lf) {
-                                        phi_4594_ = -(_e1612[1]);
+                                    let _e1840 = phi_5962_;
+                                    if (_e1833[1] < 0.0lf) {
+                                        phi_5969_ = -(_e1833[1]);
                                     } else {
-                                        phi_4594_ = _e1612[1];
+                                        phi_5969_ = _e1833[1];
                                     }
-                                    let _e1623 = phi_4594_;
-                                    if (_e1619 > _e1623) {
-                                        phi_4599_ = _e1619;
+                                    let _e1844 = phi_5969_;
+                                    if (_e1840 > _e1844) {
+                                        phi_5974_ = _e1840;
                                     } else {
-                                        phi_4599_ = _e1623;
+                                        phi_5974_ = _e1844;
                                     }
-                                    let _e1626 = phi_4599_;
-                                    if (_e1612[2] < 0.0lf) {
-                                        phi_4606_ = -(_e1612[2]);
+                                    let _e1847 = phi_5974_;
+                                    if (_e1833[2] < 0.0lf) {
+                                        phi_5981_ = -(_e1833[2]);
                                     } else {
-                                        phi_4606_ = _e1612[2];
+                                        phi_5981_ = _e1833[2];
                                     }
-                                    let _e1630 = phi_4606_;
-                                    if (_e1626 > _e1630) {
-                                        phi_4611_ = _e1626;
+                                    let _e1851 = phi_5981_;
+                                    if (_e1847 > _e1851) {
+                                        phi_5986_ = _e1847;
                                     } else {
-                                        phi_4611_ = _e1630;
+                                        phi_5986_ = _e1851;
                                     }
-                                    let _e1633 = phi_4611_;
-                                    let _e1635 = local_12.member_2[1u];
-                                    if (_e1635[0] < 0.0lf) {
-                                        phi_4624_ = -(_e1635[0]);
+                                    let _e1854 = phi_5986_;
+                                    let _e1856 = local_12.member_2[1u];
+                                    if (_e1856[0] < 0.0lf) {
+                                        phi_5999_ = -(_e1856[0]);
                                     } else {
-                                        phi_4624_ = _e1635[0];
+                                        phi_5999_ = _e1856[0];
                                     }
-                                    let _e1642 = phi_4624_;
-                                    if (_e1635[1] < 0.0lf) {
-                                        phi_4631_ = -(_e1635[1]);
+                                    let _e1863 = phi_5999_;
+                                    if (_e1856[1] < 0.0lf) {
+                                        phi_6006_ = -(_e1856[1]);
                                     } else {
-                                        phi_4631_ = _e1635[1];
+                                        phi_6006_ = _e1856[1];
                                     }
-                                    let _e1646 = phi_4631_;
-                                    if (_e1642 > _e1646) {
-                                        phi_4636_ = _e1642;
+                                    let _e1867 = phi_6006_;
+                                    if (_e1863 > _e1867) {
+                                        phi_6011_ = _e1863;
                                     } else {
-                                        phi_4636_ = _e1646;
+                                        phi_6011_ = _e1867;
                                     }
-                                    let _e1649 = phi_4636_;
-                                    if (_e1635[2] < 0.0lf) {
-                                        phi_4643_ = -(_e1635[2]);
+                                    let _e1870 = phi_6011_;
+                                    if (_e1856[2] < 0.0lf) {
+                                        phi_6018_ = -(_e1856[2]);
                                     } else {
-                                        phi_4643_ = _e1635[2];
+                                        phi_6018_ = _e1856[2];
                                     }
-                                    let _e1653 = phi_4643_;
-                                    if (_e1649 > _e1653) {
-                                        phi_4648_ = _e1649;
+                                    let _e1874 = phi_6018_;
+                                    if (_e1870 > _e1874) {
+                                        phi_6023_ = _e1870;
                                     } else {
-                                        phi_4648_ = _e1653;
+                                        phi_6023_ = _e1874;
                                     }
-                                    let _e1656 = phi_4648_;
-                                    if (_e1633 > _e1656) {
-                                        phi_4653_ = _e1633;
+                                    let _e1877 = phi_6023_;
+                                    if (_e1854 > _e1877) {
+                                        phi_6028_ = _e1854;
                                     } else {
-                                        phi_4653_ = _e1656;
+                                        phi_6028_ = _e1877;
                                     }
-                                    let _e1659 = phi_4653_;
-                                    let _e1662 = local_12.member_2[0u];
-                                    let _e1667 = local_12.member_2[1u];
-                                    let _e1677 = (_e1662[0] + ((_e1667[0] - _e1662[0]) * _e1340));
-                                    let _e1678 = (_e1662[1] + ((_e1667[1] - _e1662[1]) * _e1340));
-                                    let _e1679 = (_e1662[2] + ((_e1667[2] - _e1662[2]) * _e1340));
-                                    let _e1681 = local_12.member_2[1u];
-                                    let _e1686 = local_12.member_2[0u];
-                                    let _e1690 = (_e1681[0] - _e1686[0]);
-                                    let _e1691 = (_e1681[1] - _e1686[1]);
-                                    let _e1692 = (_e1681[2] - _e1686[2]);
-                                    if (_e1690 < 0.0lf) {
-                                        phi_4712_ = -(_e1690);
+                                    let _e1880 = phi_6028_;
+                                    let _e1883 = local_12.member_2[0u];
+                                    let _e1888 = local_12.member_2[1u];
+                                    let _e1898 = (_e1883[0] + ((_e1888[0] - _e1883[0]) * _e1561));
+                                    let _e1899 = (_e1883[1] + ((_e1888[1] - _e1883[1]) * _e1561));
+                                    let _e1900 = (_e1883[2] + ((_e1888[2] - _e1883[2]) * _e1561));
+                                    let _e1902 = local_12.member_2[1u];
+                                    let _e1907 = local_12.member_2[0u];
+                                    let _e1911 = (_e1902[0] - _e1907[0]);
+                                    let _e1912 = (_e1902[1] - _e1907[1]);
+                                    let _e1913 = (_e1902[2] - _e1907[2]);
+                                    if (_e1911 < 0.0lf) {
+                                        phi_6087_ = -(_e1911);
                                     } else {
-                                        phi_4712_ = _e1690;
+                                        phi_6087_ = _e1911;
                                     }
-                                    let _e1696 = phi_4712_;
-                                    if (_e1691 < 0.0lf) {
-                                        phi_4718_ = -(_e1691);
+                                    let _e1917 = phi_6087_;
+                                    if (_e1912 < 0.0lf) {
+                                        phi_6093_ = -(_e1912);
                                     } else {
-                                        phi_4718_ = _e1691;
+                                        phi_6093_ = _e1912;
                                     }
-                                    let _e1700 = phi_4718_;
-                                    if (_e1696 > _e1700) {
-                                        phi_4723_ = _e1696;
+                                    let _e1921 = phi_6093_;
+                                    if (_e1917 > _e1921) {
+                                        phi_6098_ = _e1917;
                                     } else {
-                                        phi_4723_ = _e1700;
+                                        phi_6098_ = _e1921;
                                     }
-                                    let _e1703 = phi_4723_;
-                                    if (_e1692 < 0.0lf) {
-                                        phi_4729_ = -(_e1692);
+                                    let _e1924 = phi_6098_;
+                                    if (_e1913 < 0.0lf) {
+                                        phi_6104_ = -(_e1913);
                                     } else {
-                                        phi_4729_ = _e1692;
+                                        phi_6104_ = _e1913;
                                     }
-                                    let _e1707 = phi_4729_;
-                                    if (_e1703 > _e1707) {
-                                        phi_4734_ = _e1703;
+                                    let _e1928 = phi_6104_;
+                                    if (_e1924 > _e1928) {
+                                        phi_6109_ = _e1924;
                                     } else {
-                                        phi_4734_ = _e1707;
+                                        phi_6109_ = _e1928;
                                     }
-                                    let _e1710 = phi_4734_;
-                                    let _e1718 = ((((_e1343 * _e1710) * f64(1.01f)) + ((_e1659 + _e1610) * (1.1102230246251565e-16lf * f64(8f)))) + _e1610);
-                                    if (_e1677 < 0.0lf) {
-                                        phi_4748_ = -(_e1677);
+                                    let _e1931 = phi_6109_;
+                                    let _e1939 = ((((_e1564 * _e1931) * f64(1.01f)) + ((_e1880 + _e1831) * (1.1102230246251565e-16lf * f64(8f)))) + _e1831);
+                                    if (_e1898 < 0.0lf) {
+                                        phi_6123_ = -(_e1898);
                                     } else {
-                                        phi_4748_ = _e1677;
+                                        phi_6123_ = _e1898;
                                     }
-                                    let _e1722 = phi_4748_;
-                                    if (_e1678 < 0.0lf) {
-                                        phi_4754_ = -(_e1678);
+                                    let _e1943 = phi_6123_;
+                                    if (_e1899 < 0.0lf) {
+                                        phi_6129_ = -(_e1899);
                                     } else {
-                                        phi_4754_ = _e1678;
+                                        phi_6129_ = _e1899;
                                     }
-                                    let _e1726 = phi_4754_;
-                                    if (_e1722 > _e1726) {
-                                        phi_4759_ = _e1722;
+                                    let _e1947 = phi_6129_;
+                                    if (_e1943 > _e1947) {
+                                        phi_6134_ = _e1943;
                                     } else {
-                                        phi_4759_ = _e1726;
+                                        phi_6134_ = _e1947;
                                     }
-                                    let _e1729 = phi_4759_;
-                                    if (_e1679 < 0.0lf) {
-                                        phi_4765_ = -(_e1679);
+                                    let _e1950 = phi_6134_;
+                                    if (_e1900 < 0.0lf) {
+                                        phi_6140_ = -(_e1900);
                                     } else {
-                                        phi_4765_ = _e1679;
+                                        phi_6140_ = _e1900;
                                     }
-                                    let _e1733 = phi_4765_;
-                                    if (_e1729 > _e1733) {
-                                        phi_4770_ = _e1729;
+                                    let _e1954 = phi_6140_;
+                                    if (_e1950 > _e1954) {
+                                        phi_6145_ = _e1950;
                                     } else {
-                                        phi_4770_ = _e1733;
+                                        phi_6145_ = _e1954;
                                     }
-                                    let _e1736 = phi_4770_;
-                                    local_4 = type_32(array<f64, 3>(_e1677, _e1678, _e1679), _e1718, (_e1736 + _e1718));
-                                    let _e1741 = local_3.member;
-                                    let _e1746 = local_4.member;
-                                    let _e1752 = ((_e1741[1] * _e1746[2]) - (_e1741[2] * _e1746[1]));
-                                    let _e1755 = ((_e1741[2] * _e1746[0]) - (_e1741[0] * _e1746[2]));
-                                    let _e1758 = ((_e1741[0] * _e1746[1]) - (_e1741[1] * _e1746[0]));
-                                    if (_e1752 < 0.0lf) {
-                                        phi_4819_ = -(_e1752);
+                                    let _e1957 = phi_6145_;
+                                    local_4 = type_33(array<f64, 3>(_e1898, _e1899, _e1900), _e1939, (_e1957 + _e1939));
+                                    let _e1962 = local_3.member;
+                                    let _e1967 = local_4.member;
+                                    let _e1973 = ((_e1962[1] * _e1967[2]) - (_e1962[2] * _e1967[1]));
+                                    let _e1976 = ((_e1962[2] * _e1967[0]) - (_e1962[0] * _e1967[2]));
+                                    let _e1979 = ((_e1962[0] * _e1967[1]) - (_e1962[1] * _e1967[0]));
+                                    if (_e1973 < 0.0lf) {
+                                        phi_6194_ = -(_e1973);
                                     } else {
-                                        phi_4819_ = _e1752;
+                                        phi_6194_ = _e1973;
                                     }
-                                    let _e1762 = phi_4819_;
-                                    if (_e1755 < 0.0lf) {
-                                        phi_4825_ = -(_e1755);
+                                    let _e1983 = phi_6194_;
+                                    if (_e1976 < 0.0lf) {
+                                        phi_6200_ = -(_e1976);
                                     } else {
-                                        phi_4825_ = _e1755;
+                                        phi_6200_ = _e1976;
                                     }
-                                    let _e1766 = phi_4825_;
-                                    if (_e1762 > _e1766) {
-                                        if (_e1752 < 0.0lf) {
-                                            phi_4835_ = -(_e1752);
+                                    let _e1987 = phi_6200_;
+                                    if (_e1983 > _e1987) {
+                                        if (_e1973 < 0.0lf) {
+                                            phi_6210_ = -(_e1973);
                                         } else {
-                                            phi_4835_ = _e1752;
+                                            phi_6210_ = _e1973;
                                         }
-                                        let _e1784 = phi_4835_;
-                                        if (_e1758 < 0.0lf) {
-                                            phi_4841_ = -(_e1758);
+                                        let _e2005 = phi_6210_;
+                                        if (_e1979 < 0.0lf) {
+                                            phi_6216_ = -(_e1979);
                                         } else {
-                                            phi_4841_ = _e1758;
+                                            phi_6216_ = _e1979;
                                         }
-                                        let _e1788 = phi_4841_;
-                                        if (_e1784 > _e1788) {
-                                            phi_4846_ = 2u;
-                                            phi_4847_ = 1u;
+                                        let _e2009 = phi_6216_;
+                                        if (_e2005 > _e2009) {
+                                            phi_6221_ = 2u;
+                                            phi_6222_ = 1u;
                                         } else {
-                                            phi_4846_ = 1u;
-                                            phi_4847_ = 0u;
+                                            phi_6221_ = 1u;
+                                            phi_6222_ = 0u;
                                         }
-                                        let _e1791 = phi_4846_;
-                                        let _e1793 = phi_4847_;
-                                        phi_4866_ = _e1791;
-                                        phi_4867_ = _e1793;
+                                        let _e2012 = phi_6221_;
+                                        let _e2014 = phi_6222_;
+                                        phi_6241_ = _e2012;
+                                        phi_6242_ = _e2014;
                                     } else {
-                                        if (_e1755 < 0.0lf) {
-                                            phi_4853_ = -(_e1755);
+                                        if (_e1976 < 0.0lf) {
+                                            phi_6228_ = -(_e1976);
                                         } else {
-                                            phi_4853_ = _e1755;
+                                            phi_6228_ = _e1976;
                                         }
-                                        let _e1771 = phi_4853_;
-                                        if (_e1758 < 0.0lf) {
-                                            phi_4859_ = -(_e1758);
+                                        let _e1992 = phi_6228_;
+                                        if (_e1979 < 0.0lf) {
+                                            phi_6234_ = -(_e1979);
                                         } else {
-                                            phi_4859_ = _e1758;
+                                            phi_6234_ = _e1979;
                                         }
-                                        let _e1775 = phi_4859_;
-                                        if (_e1771 > _e1775) {
-                                            phi_4864_ = 0u;
-                                            phi_4865_ = 2u;
+                                        let _e1996 = phi_6234_;
+                                        if (_e1992 > _e1996) {
+                                            phi_6239_ = 0u;
+                                            phi_6240_ = 2u;
                                         } else {
-                                            phi_4864_ = 1u;
-                                            phi_4865_ = 0u;
+                                            phi_6239_ = 1u;
+                                            phi_6240_ = 0u;
                                         }
-                                        let _e1778 = phi_4864_;
-                                        let _e1780 = phi_4865_;
-                                        phi_4866_ = _e1778;
-                                        phi_4867_ = _e1780;
+                                        let _e1999 = phi_6239_;
+                                        let _e2001 = phi_6240_;
+                                        phi_6241_ = _e1999;
+                                        phi_6242_ = _e2001;
                                     }
-                                    let _e1795 = phi_4866_;
-                                    let _e1797 = phi_4867_;
-                                    let _e1800 = local_3.member[_e1797];
-                                    let _e1803 = local_4.member[_e1795];
-                                    let _e1807 = local_3.member[_e1795];
-                                    let _e1810 = local_4.member[_e1797];
-                                    let _e1812 = ((_e1800 * _e1803) - (_e1807 * _e1810));
-                                    let _e1813 = f64(1f);
-                                    let _e1815 = local_3.member_1;
-                                    let _e1817 = local_4.member_2;
-                                    let _e1820 = local_3.member_2;
-                                    let _e1822 = local_4.member_1;
-                                    let _e1828 = local_3.member_2;
-                                    let _e1830 = local_4.member_2;
-                                    let _e1839 = local_3.member_2;
-                                    let _e1842 = local_4.member_2;
-                                    let _e1846 = (((((_e1815 * _e1817) + (_e1820 * _e1822)) * f64(2.01f)) + ((_e1828 * _e1830) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1813 + _e1839) * (_e1813 + _e1842))));
-                                    if (_e1812 < 0.0lf) {
-                                        phi_4938_ = -(_e1812);
+                                    let _e2016 = phi_6241_;
+                                    let _e2018 = phi_6242_;
+                                    let _e2021 = local_3.member[_e2018];
+                                    let _e2024 = local_4.member[_e2016];
+                                    let _e2028 = local_3.member[_e2016];
+                                    let _e2031 = local_4.member[_e2018];
+                                    let _e2033 = ((_e2021 * _e2024) - (_e2028 * _e2031));
+                                    let _e2034 = f64(1f);
+                                    let _e2035 = f64(2f);
+                                    let _e2037 = local_3.member_1;
+                                    let _e2039 = local_4.member_2;
+                                    let _e2042 = local_3.member_2;
+                                    let _e2044 = local_4.member_1;
+                                    let _e2050 = local_3.member_2;
+                                    let _e2053 = local_4.member_2;
+                                    let _e2062 = local_3.member_2;
+                                    let _e2065 = local_4.member_2;
+                                    let _e2069 = (((((_e2037 * _e2039) + (_e2042 * _e2044)) * f64(2.01f)) + (((_e2050 * _e2035) * (_e2053 * _e2035)) * (1.1102230246251565e-16lf * _e2035))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2034 + _e2062) * (_e2034 + _e2065))));
+                                    if (_e2033 < 0.0lf) {
+                                        phi_6315_ = -(_e2033);
                                     } else {
-                                        phi_4938_ = _e1812;
+                                        phi_6315_ = _e2033;
                                     }
-                                    let _e1850 = phi_4938_;
-                                    if (_e1850 > _e1846) {
-                                        if (_e1812 < f64(0f)) {
-                                            phi_4950_ = f64(-1f);
+                                    let _e2073 = phi_6315_;
+                                    if (_e2073 > _e2069) {
+                                        if (_e2033 < f64(0f)) {
+                                            phi_6327_ = f64(-1f);
                                         } else {
-                                            phi_4950_ = f64(1f);
+                                            phi_6327_ = f64(1f);
                                         }
-                                        let _e1857 = phi_4950_;
-                                        let _e1860 = local_2.member[_e1797];
-                                        let _e1863 = local_4.member[_e1795];
-                                        let _e1867 = local_2.member[_e1795];
-                                        let _e1870 = local_4.member[_e1797];
-                                        let _e1873 = f64(1f);
-                                        let _e1875 = local_2.member_1;
-                                        let _e1877 = local_4.member_2;
-                                        let _e1880 = local_2.member_2;
-                                        let _e1882 = local_4.member_1;
-                                        let _e1888 = local_2.member_2;
-                                        let _e1890 = local_4.member_2;
-                                        let _e1899 = local_2.member_2;
-                                        let _e1902 = local_4.member_2;
-                                        let _e1906 = (((((_e1875 * _e1877) + (_e1880 * _e1882)) * f64(2.01f)) + ((_e1888 * _e1890) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1873 + _e1899) * (_e1873 + _e1902))));
-                                        let _e1909 = local_3.member[_e1797];
-                                        let _e1912 = local_2.member[_e1795];
-                                        let _e1916 = local_3.member[_e1795];
-                                        let _e1919 = local_2.member[_e1797];
-                                        let _e1922 = f64(1f);
-                                        let _e1924 = local_3.member_1;
-                                        let _e1926 = local_2.member_2;
-                                        let _e1929 = local_3.member_2;
-                                        let _e1931 = local_2.member_1;
-                                        let _e1937 = local_3.member_2;
-                                        let _e1939 = local_2.member_2;
-                                        let _e1948 = local_3.member_2;
-                                        let _e1951 = local_2.member_2;
-                                        let _e1955 = (((((_e1924 * _e1926) + (_e1929 * _e1931)) * f64(2.01f)) + ((_e1937 * _e1939) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1922 + _e1948) * (_e1922 + _e1951))));
-                                        let _e1956 = (_e1812 * _e1857);
-                                        let _e1957 = (((_e1860 * _e1863) - (_e1867 * _e1870)) * _e1857);
-                                        let _e1958 = (((_e1909 * _e1912) - (_e1916 * _e1919)) * _e1857);
-                                        if (_e1956 < 0.0lf) {
-                                            phi_5089_ = -(_e1956);
+                                        let _e2080 = phi_6327_;
+                                        let _e2083 = local_2.member[_e2018];
+                                        let _e2086 = local_4.member[_e2016];
+                                        let _e2090 = local_2.member[_e2016];
+                                        let _e2093 = local_4.member[_e2018];
+                                        let _e2096 = f64(1f);
+                                        let _e2097 = f64(2f);
+                                        let _e2099 = local_2.member_1;
+                                        let _e2101 = local_4.member_2;
+                                        let _e2104 = local_2.member_2;
+                                        let _e2106 = local_4.member_1;
+                                        let _e2112 = local_2.member_2;
+                                        let _e2115 = local_4.member_2;
+                                        let _e2124 = local_2.member_2;
+                                        let _e2127 = local_4.member_2;
+                                        let _e2131 = (((((_e2099 * _e2101) + (_e2104 * _e2106)) * f64(2.01f)) + (((_e2112 * _e2097) * (_e2115 * _e2097)) * (1.1102230246251565e-16lf * _e2097))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2096 + _e2124) * (_e2096 + _e2127))));
+                                        let _e2134 = local_3.member[_e2018];
+                                        let _e2137 = local_2.member[_e2016];
+                                        let _e2141 = local_3.member[_e2016];
+                                        let _e2144 = local_2.member[_e2018];
+                                        let _e2147 = f64(1f);
+                                        let _e2148 = f64(2f);
+                                        let _e2150 = local_3.member_1;
+                                        let _e2152 = local_2.member_2;
+                                        let _e2155 = local_3.member_2;
+                                        let _e2157 = local_2.member_1;
+                                        let _e2163 = local_3.member_2;
+                                        let _e2166 = local_2.member_2;
+                                        let _e2175 = local_3.member_2;
+                                        let _e2178 = local_2.member_2;
+                                        let _e2182 = (((((_e2150 * _e2152) + (_e2155 * _e2157)) * f64(2.01f)) + (((_e2163 * _e2148) * (_e2166 * _e2148)) * (1.1102230246251565e-16lf * _e2148))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2147 + _e2175) * (_e2147 + _e2178))));
+                                        let _e2183 = (_e2033 * _e2080);
+                                        let _e2184 = (((_e2083 * _e2086) - (_e2090 * _e2093)) * _e2080);
+                                        let _e2185 = (((_e2134 * _e2137) - (_e2141 * _e2144)) * _e2080);
+                                        if (_e2183 < 0.0lf) {
+                                            phi_6470_ = -(_e2183);
                                         } else {
-                                            phi_5089_ = _e1956;
+                                            phi_6470_ = _e2183;
                                         }
-                                        let _e1962 = phi_5089_;
-                                        if (_e1957 < 0.0lf) {
-                                            phi_5095_ = -(_e1957);
+                                        let _e2189 = phi_6470_;
+                                        if (_e2184 < 0.0lf) {
+                                            phi_6476_ = -(_e2184);
                                         } else {
-                                            phi_5095_ = _e1957;
+                                            phi_6476_ = _e2184;
                                         }
-                                        let _e1966 = phi_5095_;
-                                        if (_e1958 < 0.0lf) {
-                                            phi_5102_ = -(_e1958);
+                                        let _e2193 = phi_6476_;
+                                        if (_e2185 < 0.0lf) {
+                                            phi_6483_ = -(_e2185);
                                         } else {
-                                            phi_5102_ = _e1958;
+                                            phi_6483_ = _e2185;
                                         }
-                                        let _e1971 = phi_5102_;
-                                        let _e1977 = ((_e1956 - _e1957) - _e1958);
-                                        let _e1980 = (((_e1846 + _e1906) + _e1955) + (((_e1962 + _e1966) + _e1971) * (1.1102230246251565e-16lf * f64(4f))));
-                                        local_5[0u].member = _e1957;
-                                        local_5[0u].member_1 = _e1906;
-                                        local_5[1u].member = _e1958;
-                                        local_5[1u].member_1 = _e1955;
-                                        local_5[2u].member = _e1977;
-                                        local_5[2u].member_1 = _e1980;
-                                        local_5[3u].member = _e1977;
-                                        local_5[3u].member_1 = _e1980;
-                                        phi_5146_ = type_19(0u, 4u);
-                                        phi_5149_ = true;
+                                        let _e2198 = phi_6483_;
+                                        let _e2204 = ((_e2183 - _e2184) - _e2185);
+                                        let _e2207 = (((_e2069 + _e2131) + _e2182) + (((_e2189 + _e2193) + _e2198) * (1.1102230246251565e-16lf * f64(4f))));
+                                        local_5[0u].member = _e2184;
+                                        local_5[0u].member_1 = _e2131;
+                                        local_5[1u].member = _e2185;
+                                        local_5[1u].member_1 = _e2182;
+                                        local_5[2u].member = _e2204;
+                                        local_5[2u].member_1 = _e2207;
+                                        local_5[3u].member = _e2204;
+                                        local_5[3u].member_1 = _e2207;
+                                        phi_6527_ = type_19(0u, 4u);
+                                        phi_6530_ = true;
                                         loop {
-                                            let _e1995 = phi_5146_;
-                                            let _e1997 = phi_5149_;
-                                            local_17 = _e1997;
-                                            if (_e1995.member < _e1995.member_1) {
-                                                phi_5147_ = type_19((_e1995.member + 1u), _e1995.member_1);
-                                                phi_5172_ = type_19(1u, _e1995.member);
+                                            let _e2222 = phi_6527_;
+                                            let _e2224 = phi_6530_;
+                                            local_17 = _e2224;
+                                            if (_e2222.member < _e2222.member_1) {
+                                                phi_6528_ = type_19((_e2222.member + 1u), _e2222.member_1);
+                                                phi_6553_ = type_19(1u, _e2222.member);
                                             } else {
-                                                phi_5147_ = _e1995;
-                                                phi_5172_ = type_19(0u, type_19().member_1);
+                                                phi_6528_ = _e2222;
+                                                phi_6553_ = type_19(0u, type_19().member_1);
                                             }
-                                            let _e2009 = phi_5147_;
-                                            let _e2011 = phi_5172_;
-                                            if (bitcast<i32>(_e2011.member) != 0i) {
-                                                let _e2018 = local_5[_e2011.member_1].member;
-                                                let _e2021 = local_5[_e2011.member_1].member_1;
-                                                let _e2023 = (_e2018 < -(_e2021));
-                                                if _e2023 {
-                                                    phi_5199_ = bool();
-                                                    phi_5200_ = false;
+                                            let _e2236 = phi_6528_;
+                                            let _e2238 = phi_6553_;
+                                            if (bitcast<i32>(_e2238.member) != 0i) {
+                                                let _e2245 = local_5[_e2238.member_1].member;
+                                                let _e2248 = local_5[_e2238.member_1].member_1;
+                                                let _e2250 = (_e2245 < -(_e2248));
+                                                if _e2250 {
+                                                    phi_6580_ = bool();
+                                                    phi_6581_ = false;
                                                 } else {
-                                                    phi_5199_ = (_e1997 && (_e2018 > _e2021));
-                                                    phi_5200_ = true;
+                                                    phi_6580_ = (_e2224 && (_e2245 > _e2248));
+                                                    phi_6581_ = true;
                                                 }
-                                                let _e2027 = phi_5199_;
-                                                let _e2029 = phi_5200_;
-                                                phi_5150_ = _e2027;
-                                                phi_5201_ = _e2029;
-                                                phi_5202_ = _e2023;
+                                                let _e2254 = phi_6580_;
+                                                let _e2256 = phi_6581_;
+                                                phi_6531_ = _e2254;
+                                                phi_6582_ = _e2256;
+                                                phi_6583_ = _e2250;
                                             } else {
-                                                phi_5150_ = bool();
-                                                phi_5201_ = false;
-                                                phi_5202_ = false;
+                                                phi_6531_ = bool();
+                                                phi_6582_ = false;
+                                                phi_6583_ = false;
                                             }
-                                            let _e2031 = phi_5150_;
-                                            let _e2033 = phi_5201_;
-                                            let _e2035 = phi_5202_;
-                                            local_16 = _e2035;
+                                            let _e2258 = phi_6531_;
+                                            let _e2260 = phi_6582_;
+                                            let _e2262 = phi_6583_;
+                                            local_16 = _e2262;
                                             continue;
                                             continuing {
-                                                phi_5146_ = _e2009;
-                                                phi_5149_ = _e2031;
-                                                break if !(_e2033);
+                                                phi_6527_ = _e2236;
+                                                phi_6530_ = _e2258;
+                                                break if !(_e2260);
                                             }
                                         }
-                                        let _e2038 = local_16;
-                                        if _e2038 {
-                                            phi_5206_ = false;
+                                        let _e2265 = local_16;
+                                        if _e2265 {
+                                            phi_6587_ = false;
                                         } else {
-                                            phi_5206_ = true;
+                                            phi_6587_ = true;
                                         }
-                                        let _e2040 = phi_5206_;
-                                        if _e2040 {
-                                            let _e2042 = local_17;
-                                            if _e2042 {
-                                                phi_5213_ = 1u;
+                                        let _e2267 = phi_6587_;
+                                        if _e2267 {
+                                            let _e2269 = local_17;
+                                            if _e2269 {
+                                                phi_6594_ = 1u;
                                             } else {
-                                                phi_5213_ = 2u;
+                                                phi_6594_ = 2u;
                                             }
-                                            let _e2044 = phi_5213_;
-                                            phi_5214_ = _e2044;
-                                            phi_5215_ = false;
+                                            let _e2271 = phi_6594_;
+                                            phi_6595_ = _e2271;
+                                            phi_6596_ = false;
                                         } else {
-                                            phi_5214_ = u32();
-                                            phi_5215_ = true;
+                                            phi_6595_ = u32();
+                                            phi_6596_ = true;
                                         }
-                                        let _e2046 = phi_5214_;
-                                        let _e2048 = phi_5215_;
-                                        phi_5216_ = _e2046;
-                                        phi_5217_ = 0u;
-                                        phi_5218_ = _e2048;
+                                        let _e2273 = phi_6595_;
+                                        let _e2275 = phi_6596_;
+                                        phi_6597_ = _e2273;
+                                        phi_6598_ = 0u;
+                                        phi_6599_ = _e2275;
                                     } else {
-                                        phi_5216_ = u32();
-                                        phi_5217_ = 2u;
-                                        phi_5218_ = true;
+                                        phi_6597_ = u32();
+                                        phi_6598_ = 2u;
+                                        phi_6599_ = true;
                                     }
-                                    let _e2050 = phi_5216_;
-                                    let _e2052 = phi_5217_;
-                                    let _e2054 = phi_5218_;
-                                    if _e2054 {
-                                        phi_5222_ = _e2052;
+                                    let _e2277 = phi_6597_;
+                                    let _e2279 = phi_6598_;
+                                    let _e2281 = phi_6599_;
+                                    if _e2281 {
+                                        phi_6603_ = _e2279;
                                     } else {
-                                        phi_5222_ = _e2050;
+                                        phi_6603_ = _e2277;
                                     }
-                                    let _e2056 = phi_5222_;
-                                    let _e2057 = (_e2056 == 0u);
-                                    if _e2057 {
-                                        phi_6279_ = f64();
-                                        phi_6280_ = false;
-                                        phi_6281_ = false;
-                                        phi_6282_ = false;
+                                    let _e2283 = phi_6603_;
+                                    let _e2284 = (_e2283 == 0u);
+                                    if _e2284 {
+                                        phi_8772_ = f64();
+                                        phi_8773_ = false;
+                                        phi_8774_ = false;
+                                        phi_8775_ = false;
                                     } else {
-                                        if (_e2056 == 1u) {
-                                            if _e1331.member_2 {
-                                                if ((_e1331.member_1 - _e1331.member) <= f64(0.0000005f)) {
-                                                    phi_5243_ = false;
+                                        if (_e2283 == 1u) {
+                                            if _e1552.member_2 {
+                                                if ((_e1552.member_1 - _e1552.member) <= f64(0.0000005f)) {
+                                                    phi_6624_ = false;
                                                 } else {
-                                                    phi_5243_ = true;
+                                                    phi_6624_ = true;
                                                 }
-                                                let _e2066 = phi_5243_;
-                                                phi_5244_ = _e2066;
+                                                let _e2293 = phi_6624_;
+                                                phi_6625_ = _e2293;
                                             } else {
-                                                phi_5244_ = true;
+                                                phi_6625_ = true;
                                             }
-                                            let _e2068 = phi_5244_;
-                                            phi_5245_ = _e2068;
+                                            let _e2295 = phi_6625_;
+                                            phi_6626_ = _e2295;
                                         } else {
-                                            phi_5245_ = true;
+                                            phi_6626_ = true;
                                         }
-                                        let _e2070 = phi_5245_;
-                                        if _e2070 {
-                                            let _e2076 = local_12.member[0u];
-                                            let _e2082 = local_12.member_1[0u];
-                                            let _e2088 = local_12.member_2[0u];
-                                            local = array<array<f64, 3>, 4>(_e2076, array<f64, 3>((_e2076[0] - _e2082[0]), (_e2076[1] - _e2082[1]), (_e2076[2] - _e2082[2])), array<f64, 3>((_e2076[0] - _e2088[0]), (_e2076[1] - _e2088[1]), (_e2076[2] - _e2088[2])), _e2076);
-                                            let _e2103 = local_12.member[1u];
-                                            let _e2109 = local_12.member_1[1u];
-                                            let _e2115 = local_12.member_2[1u];
-                                            local_1 = array<array<f64, 3>, 4>(_e2103, array<f64, 3>((_e2103[0] - _e2109[0]), (_e2103[1] - _e2109[1]), (_e2103[2] - _e2109[2])), array<f64, 3>((_e2103[0] - _e2115[0]), (_e2103[1] - _e2115[1]), (_e2103[2] - _e2115[2])), _e2103);
-                                            let _e2130 = local_12.member[0u];
-                                            if (_e2130[0] < 0.0lf) {
-                                                phi_5442_ = -(_e2130[0]);
+                                        let _e2297 = phi_6626_;
+                                        if _e2297 {
+                                            let _e2303 = local_12.member[0u];
+                                            let _e2309 = local_12.member_1[0u];
+                                            let _e2315 = local_12.member_2[0u];
+                                            let _e2327 = local_12.member[1u];
+                                            let _e2333 = local_12.member_1[1u];
+                                            let _e2339 = local_12.member_2[1u];
+                                            let _e2351 = local_12.member[0u];
+                                            if (_e2351[0] < 0.0lf) {
+                                                phi_6775_ = -(_e2351[0]);
                                             } else {
-                                                phi_5442_ = _e2130[0];
+                                                phi_6775_ = _e2351[0];
                                             }
-                                            let _e2137 = phi_5442_;
-                                            if (_e2130[1] < 0.0lf) {
-                                                phi_5449_ = -(_e2130[1]);
+                                            let _e2358 = phi_6775_;
+                                            if (_e2351[1] < 0.0lf) {
+                                                phi_6782_ = -(_e2351[1]);
                                             } else {
-                                                phi_5449_ = _e2130[1];
+                                                phi_6782_ = _e2351[1];
                                             }
-                                            let _e2141 = phi_5449_;
-                                            if (_e2137 > _e2141) {
-                                                phi_5454_ = _e2137;
+                                            let _e2362 = phi_6782_;
+                                            if (_e2358 > _e2362) {
+                                                phi_6787_ = _e2358;
                                             } else {
-                                                phi_5454_ = _e2141;
+                                                phi_6787_ = _e2362;
                                             }
-                                            let _e2144 = phi_5454_;
-                                            if (_e2130[2] < 0.0lf) {
-                                                phi_5461_ = -(_e2130[2]);
+                                            let _e2365 = phi_6787_;
+                                            if (_e2351[2] < 0.0lf) {
+                                                phi_6794_ = -(_e2351[2]);
                                             } else {
-                                                phi_5461_ = _e2130[2];
+                                                phi_6794_ = _e2351[2];
                                             }
-                                            let _e2148 = phi_5461_;
-                                            if (_e2144 > _e2148) {
-                                                phi_5466_ = _e2144;
+                                            let _e2369 = phi_6794_;
+                                            if (_e2365 > _e2369) {
+                                                phi_6799_ = _e2365;
                                             } else {
-                                                phi_5466_ = _e2148;
+                                                phi_6799_ = _e2369;
                                             }
-                                            let _e2151 = phi_5466_;
-                                            let _e2154 = local_12.member[1u];
-                                            if (_e2154[0] < 0.0lf) {
-                                                phi_5479_ = -(_e2154[0]);
+                                            let _e2372 = phi_6799_;
+                                            let _e2375 = local_12.member[1u];
+                                            if (_e2375[0] < 0.0lf) {
+                                                phi_6812_ = -(_e2375[0]);
                                             } else {
-                                                phi_5479_ = _e2154[0];
+                                                phi_6812_ = _e2375[0];
                                             }
-                                            let _e2161 = phi_5479_;
-                                            if (_e2154[1] < 0.0lf) {
-                                                phi_5486_ = -(_e2154[1]);
+                                            let _e2382 = phi_6812_;
+                                            if (_e2375[1] < 0.0lf) {
+                                                phi_6819_ = -(_e2375[1]);
                                             } else {
-                                                phi_5486_ = _e2154[1];
+                                                phi_6819_ = _e2375[1];
                                             }
-                                            let _e2165 = phi_5486_;
-                                            if (_e2161 > _e2165) {
-                                                phi_5491_ = _e2161;
+                                            let _e2386 = phi_6819_;
+                                            if (_e2382 > _e2386) {
+                                                phi_6824_ = _e2382;
                                             } else {
-                                                phi_5491_ = _e2165;
+                                                phi_6824_ = _e2386;
                                             }
-                                            let _e2168 = phi_5491_;
-                                            if (_e2154[2] < 0.0lf) {
-                                                phi_5498_ = -(_e2154[2]);
+                                            let _e2389 = phi_6824_;
+                                            if (_e2375[2] < 0.0lf) {
+                                                phi_6831_ = -(_e2375[2]);
                                             } else {
-                                                phi_5498_ = _e2154[2];
+                                                phi_6831_ = _e2375[2];
                                             }
-                                            let _e2172 = phi_5498_;
-                                            if (_e2168 > _e2172) {
-                                                phi_5503_ = _e2168;
+                                            let _e2393 = phi_6831_;
+                                            if (_e2389 > _e2393) {
+                                                phi_6836_ = _e2389;
                                             } else {
-                                                phi_5503_ = _e2172;
+                                                phi_6836_ = _e2393;
                                             }
-                                            let _e2175 = phi_5503_;
-                                            if (_e2151 > _e2175) {
-                                                phi_5508_ = _e2151;
+                                            let _e2396 = phi_6836_;
+                                            if (_e2372 > _e2396) {
+                                                phi_6841_ = _e2372;
                                             } else {
-                                                phi_5508_ = _e2175;
+                                                phi_6841_ = _e2396;
                                             }
-                                            let _e2178 = phi_5508_;
-                                            let _e2180 = local_12.member_3;
-                                            let _e2184 = local_12.member_1[0u];
-                                            if (_e2184[0] < 0.0lf) {
-                                                phi_5525_ = -(_e2184[0]);
+                                            let _e2399 = phi_6841_;
+                                            let _e2401 = local_12.member_3;
+                                            let _e2405 = local_12.member_1[0u];
+                                            if (_e2405[0] < 0.0lf) {
+                                                phi_6858_ = -(_e2405[0]);
                                             } else {
-                                                phi_5525_ = _e2184[0];
+                                                phi_6858_ = _e2405[0];
                                             }
-                                            let _e2191 = phi_5525_;
-                                            if (_e2184[1] < 0.0lf) {
-                                                phi_5532_ = -(_e2184[1]);
+                                            let _e2412 = phi_6858_;
+                                            if (_e2405[1] < 0.0lf) {
+                                                phi_6865_ = -(_e2405[1]);
                                             } else {
-                                                phi_5532_ = _e2184[1];
+                                                phi_6865_ = _e2405[1];
                                             }
-                                            let _e2195 = phi_5532_;
-                                            if (_e2191 > _e2195) {
-                                                phi_5537_ = _e2191;
+                                            let _e2416 = phi_6865_;
+                                            if (_e2412 > _e2416) {
+                                                phi_6870_ = _e2412;
                                             } else {
-                                                phi_5537_ = _e2195;
+                                                phi_6870_ = _e2416;
                                             }
-                                            let _e2198 = phi_5537_;
-                                            if (_e2184[2] < 0.0lf) {
-                                                phi_5544_ = -(_e2184[2]);
+                                            let _e2419 = phi_6870_;
+                                            if (_e2405[2] < 0.0lf) {
+                                                phi_6877_ = -(_e2405[2]);
                                             } else {
-                                                phi_5544_ = _e2184[2];
+                                                phi_6877_ = _e2405[2];
                                             }
-                                            let _e2202 = phi_5544_;
-                                            if (_e2198 > _e2202) {
-                                                phi_5549_ = _e2198;
+                                            let _e2423 = phi_6877_;
+                                            if (_e2419 > _e2423) {
+                                                phi_6882_ = _e2419;
                                             } else {
-                                                phi_5549_ = _e2202;
+                                                phi_6882_ = _e2423;
                                             }
-                                            let _e2205 = phi_5549_;
-                                            let _e2208 = local_12.member_1[1u];
-                                            if (_e2208[0] < 0.0lf) {
-                                                phi_5563_ = -(_e2208[0]);
+                                            let _e2426 = phi_6882_;
+                                            let _e2429 = local_12.member_1[1u];
+                                            if (_e2429[0] < 0.0lf) {
+                                                phi_6896_ = -(_e2429[0]);
                                             } else {
-                                                phi_5563_ = _e2208[0];
+                                                phi_6896_ = _e2429[0];
                                             }
-                                            let _e2215 = phi_5563_;
-                                            if (_e2208[1] < 0.0lf) {
-                                                phi_5570_ = -(_e2208[1]);
+                                            let _e2436 = phi_6896_;
+                                            if (_e2429[1] < 0.0lf) {
+                                                phi_6903_ = -(_e2429[1]);
                                             } else {
-                                                phi_5570_ = _e2208[1];
+                                                phi_6903_ = _e2429[1];
                                             }
-                                            let _e2219 = phi_5570_;
-                                            if (_e2215 > _e2219) {
-                                                phi_5575_ = _e2215;
+                                            let _e2440 = phi_6903_;
+                                            if (_e2436 > _e2440) {
+                                                phi_6908_ = _e2436;
                                             } else {
-                                                phi_5575_ = _e2219;
+                                                phi_6908_ = _e2440;
                                             }
-                                            let _e2222 = phi_5575_;
-                                            if (_e2208[2] < 0.0lf) {
-                                                phi_5582_ = -(_e2208[2]);
+                                            let _e2443 = phi_6908_;
+                                            if (_e2429[2] < 0.0lf) {
+                                                phi_6915_ = -(_e2429[2]);
                                             } else {
-                                                phi_5582_ = _e2208[2];
+                                                phi_6915_ = _e2429[2];
                                             }
-                                            let _e2226 = phi_5582_;
-                                            if (_e2222 > _e2226) {
-                                                phi_5587_ = _e2222;
+                                            let _e2447 = phi_6915_;
+                                            if (_e2443 > _e2447) {
+                                                phi_6920_ = _e2443;
                                             } else {
-                                                phi_5587_ = _e2226;
+                                                phi_6920_ = _e2447;
                                             }
-                                            let _e2229 = phi_5587_;
-                                            if (_e2205 > _e2229) {
-                                                phi_5592_ = _e2205;
+                                            let _e2450 = phi_6920_;
+                                            if (_e2426 > _e2450) {
+                                                phi_6925_ = _e2426;
                                             } else {
-                                                phi_5592_ = _e2229;
+                                                phi_6925_ = _e2450;
                                             }
-                                            let _e2232 = phi_5592_;
-                                            let _e2234 = local_12.member_3;
-                                            let _e2238 = local_12.member_2[0u];
-                                            if (_e2238[0] < 0.0lf) {
-                                                phi_5609_ = -(_e2238[0]);
+                                            let _e2453 = phi_6925_;
+                                            let _e2455 = local_12.member_3;
+                                            let _e2459 = local_12.member_2[0u];
+                                            if (_e2459[0] < 0.0lf) {
+                                                phi_6942_ = -(_e2459[0]);
                                             } else {
-                                                phi_5609_ = _e2238[0];
+                                                phi_6942_ = _e2459[0];
                                             }
-                                            let _e2245 = phi_5609_;
-                                            if (_e2238[1] < 0.0lf) {
-                                                phi_5616_ = -(_e2238[1]);
+                                            let _e2466 = phi_6942_;
+                                            if (_e2459[1] < 0.0lf) {
+                                                phi_6949_ = -(_e2459[1]);
                                             } else {
-                                                phi_5616_ = _e2238[1];
+                                                phi_6949_ = _e2459[1];
                                             }
-                                            let _e2249 = phi_5616_;
-                                            if (_e2245 > _e2249) {
-                                                phi_5621_ = _e2245;
+                                            let _e2470 = phi_6949_;
+                                            if (_e2466 > _e2470) {
+                                                phi_6954_ = _e2466;
                                             } else {
-                                                phi_5621_ = _e2249;
+                                                phi_6954_ = _e2470;
                                             }
-                                            let _e2252 = phi_5621_;
-                                            if (_e2238[2] < 0.0lf) {
-                                                phi_5628_ = -(_e2238[2]);
+                                            let _e2473 = phi_6954_;
+                                            if (_e2459[2] < 0.0lf) {
+                                                phi_6961_ = -(_e2459[2]);
                                             } else {
-                                                phi_5628_ = _e2238[2];
+                                                phi_6961_ = _e2459[2];
                                             }
-                                            let _e2256 = phi_5628_;
-                                            if (_e2252 > _e2256) {
-                                                phi_5633_ = _e2252;
+                                            let _e2477 = phi_6961_;
+                                            if (_e2473 > _e2477) {
+                                                phi_6966_ = _e2473;
                                             } else {
-                                                phi_5633_ = _e2256;
+                                                phi_6966_ = _e2477;
                                             }
-                                            let _e2259 = phi_5633_;
-                                            let _e2262 = local_12.member_2[1u];
-                                            if (_e2262[0] < 0.0lf) {
-                                                phi_5647_ = -(_e2262[0]);
+                                            let _e2480 = phi_6966_;
+                                            let _e2483 = local_12.member_2[1u];
+                                            if (_e2483[0] < 0.0lf) {
+                                                phi_6980_ = -(_e2483[0]);
                                             } else {
-                                                phi_5647_ = _e2262[0];
+                                                phi_6980_ = _e2483[0];
                                             }
-                                            let _e2269 = phi_5647_;
-                                            if (_e2262[1] < 0.0lf) {
-                                                phi_5654_ = -(_e2262[1]);
+                                            let _e2490 = phi_6980_;
+                                            if (_e2483[1] < 0.0lf) {
+                                                phi_6987_ = -(_e2483[1]);
                                             } else {
-                                                phi_5654_ = _e2262[1];
+                                                phi_6987_ = _e2483[1];
                                             }
-                                            let _e2273 = phi_5654_;
-                                            if (_e2269 > _e2273) {
-                                                phi_5659_ = _e2269;
+                                            let _e2494 = phi_6987_;
+                                            if (_e2490 > _e2494) {
+                                                phi_6992_ = _e2490;
                                             } else {
-                                                phi_5659_ = _e2273;
+                                                phi_6992_ = _e2494;
                                             }
-                                            let _e2276 = phi_5659_;
-                                            if (_e2262[2] < 0.0lf) {
-                                                phi_5666_ = -(_e2262[2]);
+                                            let _e2497 = phi_6992_;
+                                            if (_e2483[2] < 0.0lf) {
+                                                phi_6999_ = -(_e2483[2]);
                                             } else {
-                                                phi_5666_ = _e2262[2];
+                                                phi_6999_ = _e2483[2];
                                             }
-                                            let _e2280 = phi_5666_;
-                                            if (_e2276 > _e2280) {
-                                                phi_5671_ = _e2276;
+                                            let _e2501 = phi_6999_;
+                                            if (_e2497 > _e2501) {
+                                                phi_7004_ = _e2497;
                                             } else {
-                                                phi_5671_ = _e2280;
+                                                phi_7004_ = _e2501;
                                             }
-                                            let _e2283 = phi_5671_;
-                                            if (_e2259 > _e2283) {
-                                                phi_5676_ = _e2259;
+                                            let _e2504 = phi_7004_;
+                                            if (_e2480 > _e2504) {
+                                                phi_7009_ = _e2480;
                                             } else {
-                                                phi_5676_ = _e2283;
+                                                phi_7009_ = _e2504;
                                             }
-                                            let _e2286 = phi_5676_;
-                                            let _e2288 = local_12.member_3;
-                                            let _e2296 = local_12.member_3;
-                                            phi_5696_ = type_19(0u, 48u);
-                                            phi_5699_ = _e1331.member;
+                                            let _e2507 = phi_7009_;
+                                            let _e2509 = local_12.member_3;
+                                            let _e2517 = local_12.member_3;
+                                            let _e2524 = f64(0f);
+                                            let _e2525 = f64(1f);
+                                            local = type_32(array<f64, 4>(_e2524, _e2524, _e2524, _e2524), array<f64, 4>(_e2524, _e2524, _e2524, _e2524), array<f64, 4>(_e2525, _e2525, _e2525, _e2525));
+                                            phi_7053_ = type_19(0u, 96u);
+                                            phi_7056_ = _e1552.member;
+                                            phi_7058_ = _e1552.member;
+                                            phi_7060_ = _e1552.member;
                                             loop {
-                                                let _e2305 = phi_5696_;
-                                                let _e2307 = phi_5699_;
-                                                local_61 = _e2307;
-                                                local_24 = _e2307;
-                                                local_25 = _e2307;
-                                                local_26 = _e2307;
-                                                local_27 = _e2307;
-                                                if (_e2305.member < _e2305.member_1) {
-                                                    phi_5697_ = type_19((_e2305.member + 1u), _e2305.member_1);
-                                                    phi_5722_ = type_19(1u, _e2305.member);
+                                                let _e2531 = phi_7053_;
+                                                let _e2533 = phi_7056_;
+                                                let _e2535 = phi_7058_;
+                                                let _e2537 = phi_7060_;
+                                                local_36 = _e2535;
+                                                local_20 = _e2533;
+                                                if (_e2531.member < _e2531.member_1) {
+                                                    phi_7054_ = type_19((_e2531.member + 1u), _e2531.member_1);
+                                                    phi_7083_ = type_19(1u, _e2531.member);
                                                 } else {
-                                                    phi_5697_ = _e2305;
-                                                    phi_5722_ = type_19(0u, type_19().member_1);
+                                                    phi_7054_ = _e2531;
+                                                    phi_7083_ = type_19(0u, type_19().member_1);
                                                 }
-                                                let _e2319 = phi_5697_;
-                                                let _e2321 = phi_5722_;
-                                                if (bitcast<i32>(_e2321.member) != 0i) {
-                                                    let _e2327 = local_12.member[0u];
-                                                    let _e2333 = local_12.member[1u];
-                                                    let _e2349 = local_12.member_1[0u];
-                                                    let _e2355 = local_12.member_1[1u];
-                                                    let _e2371 = local_12.member_2[0u];
-                                                    let _e2377 = local_12.member_2[1u];
-                                                    let _e2391 = function_2(array<f64, 3>((_e2327[0] + ((_e2333[0] - _e2327[0]) * _e2307)), (_e2327[1] + ((_e2333[1] - _e2327[1]) * _e2307)), (_e2327[2] + ((_e2333[2] - _e2327[2]) * _e2307))), array<f64, 3>((_e2349[0] + ((_e2355[0] - _e2349[0]) * _e2307)), (_e2349[1] + ((_e2355[1] - _e2349[1]) * _e2307)), (_e2349[2] + ((_e2355[2] - _e2349[2]) * _e2307))), array<f64, 3>((_e2371[0] + ((_e2377[0] - _e2371[0]) * _e2307)), (_e2371[1] + ((_e2377[1] - _e2371[1]) * _e2307)), (_e2371[2] + ((_e2377[2] - _e2371[2]) * _e2307))), 0u);
-                                                    if (_e2391[0] < 0.0lf) {
-                                                        phi_5833_ = -(_e2391[0]);
+                                                let _e2549 = phi_7054_;
+                                                let _e2551 = phi_7083_;
+                                                if (bitcast<i32>(_e2551.member) != 0i) {
+                                                    let _e2558 = local_12.member[0u];
+                                                    let _e2564 = local_12.member[1u];
+                                                    let _e2580 = local_12.member_1[0u];
+                                                    let _e2586 = local_12.member_1[1u];
+                                                    let _e2602 = local_12.member_2[0u];
+                                                    let _e2608 = local_12.member_2[1u];
+                                                    let _e2622 = function_2(array<f64, 3>((_e2558[0] + ((_e2564[0] - _e2558[0]) * _e2533)), (_e2558[1] + ((_e2564[1] - _e2558[1]) * _e2533)), (_e2558[2] + ((_e2564[2] - _e2558[2]) * _e2533))), array<f64, 3>((_e2580[0] + ((_e2586[0] - _e2580[0]) * _e2533)), (_e2580[1] + ((_e2586[1] - _e2580[1]) * _e2533)), (_e2580[2] + ((_e2586[2] - _e2580[2]) * _e2533))), array<f64, 3>((_e2602[0] + ((_e2608[0] - _e2602[0]) * _e2533)), (_e2602[1] + ((_e2608[1] - _e2602[1]) * _e2533)), (_e2602[2] + ((_e2608[2] - _e2602[2]) * _e2533))), 0u);
+                                                    if (_e2622[0] < 0.0lf) {
+                                                        phi_7195_ = -(_e2622[0]);
                                                     } else {
-                                                        phi_5833_ = _e2391[0];
+                                                        phi_7195_ = _e2622[0];
                                                     }
-                                                    let _e2396 = phi_5833_;
-                                                    if (_e2391[1] < 0.0lf) {
-                                                        phi_5840_ = -(_e2391[1]);
+                                                    let _e2627 = phi_7195_;
+                                                    if (_e2622[1] < 0.0lf) {
+                                                        phi_7202_ = -(_e2622[1]);
                                                     } else {
-                                                        phi_5840_ = _e2391[1];
+                                                        phi_7202_ = _e2622[1];
                                                     }
-                                                    let _e2401 = phi_5840_;
-                                                    if (_e2391[2] < 0.0lf) {
-                                                        phi_5848_ = -(_e2391[2]);
+                                                    let _e2632 = phi_7202_;
+                                                    if (_e2622[2] < 0.0lf) {
+                                                        phi_7210_ = -(_e2622[2]);
                                                     } else {
-                                                        phi_5848_ = _e2391[2];
+                                                        phi_7210_ = _e2622[2];
                                                     }
-                                                    let _e2407 = phi_5848_;
-                                                    let _e2408 = ((_e2396 + _e2401) + _e2407);
-                                                    if (_e2408 > f64(0f)) {
-                                                        if ((bitcast<u64>(_e2408) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                                            let _e2414 = (f64(1f) / _e2408);
-                                                            let _e2416 = (_e2391[0] * _e2414);
-                                                            let _e2418 = (_e2391[1] * _e2414);
-                                                            let _e2420 = (_e2391[2] * _e2414);
-                                                            let _e2425 = (((_e2416 * _e2416) + (_e2418 * _e2418)) + (_e2420 * _e2420));
-                                                            if (_e2425 <= 2.2250738585072014e-308lf) {
-                                                                if (_e2425 > 0.0lf) {
-                                                                    phi_5886_ = (1.464336215552873e-154lf * 2.0lf);
+                                                    let _e2638 = phi_7210_;
+                                                    let _e2639 = ((_e2627 + _e2632) + _e2638);
+                                                    if (_e2639 > f64(0f)) {
+                                                        if ((bitcast<u64>(_e2639) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                                            let _e2646 = (f64(1f) / _e2639);
+                                                            let _e2648 = (_e2622[0] * _e2646);
+                                                            let _e2650 = (_e2622[1] * _e2646);
+                                                            let _e2652 = (_e2622[2] * _e2646);
+                                                            let _e2657 = (((_e2648 * _e2648) + (_e2650 * _e2650)) + (_e2652 * _e2652));
+                                                            if (_e2657 <= 2.2250738585072014e-308lf) {
+                                                                if (_e2657 > 0.0lf) {
+                                                                    phi_7249_ = (1.464336215552873e-154lf * 2.0lf);
                                                                 } else {
-                                                                    phi_5886_ = 0.0lf;
+                                                                    phi_7249_ = 0.0lf;
                                                                 }
-                                                                let _e2477 = phi_5886_;
-                                                                phi_5950_ = _e2477;
+                                                                let _e2709 = phi_7249_;
+                                                                phi_7313_ = _e2709;
                                                             } else {
-                                                                phi_5893_ = type_17(0i, 5i);
-                                                                phi_5896_ = bitcast<f64>(((bitcast<u64>(_e2425) / 2lu) + 2303426169912950784lu));
+                                                                phi_7256_ = type_17(0i, 5i);
+                                                                phi_7259_ = bitcast<f64>(((bitcast<u64>(_e2657) / 2lu) + 2303426169912950784lu));
                                                                 loop {
-                                                                    let _e2432 = phi_5893_;
-                                                                    let _e2434 = phi_5896_;
-                                                                    local_18 = _e2434;
-                                                                    if (_e2432.member < _e2432.member_1) {
-                                                                        let _e2441 = (_e2432.member + 1i);
-                                                                        if ((false == (_e2441 > _e2432.member)) != false) {
-                                                                            phi_5917_ = true;
+                                                                    let _e2664 = phi_7256_;
+                                                                    let _e2666 = phi_7259_;
+                                                                    local_18 = _e2666;
+                                                                    if (_e2664.member < _e2664.member_1) {
+                                                                        let _e2673 = (_e2664.member + 1i);
+                                                                        if ((false == (_e2673 > _e2664.member)) != false) {
+                                                                            phi_7280_ = true;
                                                                         } else {
-                                                                            phi_5917_ = false;
+                                                                            phi_7280_ = false;
                                                                         }
-                                                                        let _e2446 = phi_5917_;
-                                                                        if _e2446 {
-                                                                            phi_5923_ = type_18(0u, type_18().member_1);
+                                                                        let _e2678 = phi_7280_;
+                                                                        if _e2678 {
+                                                                            phi_7286_ = type_18(0u, type_18().member_1);
                                                                         } else {
-                                                                            phi_5923_ = type_18(1u, _e2441);
+                                                                            phi_7286_ = type_18(1u, _e2673);
                                                                         }
-                                                                        let _e2451 = phi_5923_;
-                                                                        phi_5894_ = type_17(_e2451.member_1, _e2432.member_1);
-                                                                        phi_5937_ = type_18(1u, _e2432.member);
+                                                                        let _e2683 = phi_7286_;
+                                                                        phi_7257_ = type_17(_e2683.member_1, _e2664.member_1);
+                                                                        phi_7300_ = type_18(1u, _e2664.member);
                                                                     } else {
-                                                                        phi_5894_ = _e2432;
-                                                                        phi_5937_ = type_18(0u, type_18().member_1);
+                                                                        phi_7257_ = _e2664;
+                                                                        phi_7300_ = type_18(0u, type_18().member_1);
                                                                     }
-                                                                    let _e2457 = phi_5894_;
-                                                                    let _e2459 = phi_5937_;
-                                                                    let _e2462 = (bitcast<i32>(_e2459.member) != 0i);
-                                                                    if _e2462 {
-                                                                        phi_5897_ = (0.5lf * (_e2434 + (_e2425 / _e2434)));
+                                                                    let _e2689 = phi_7257_;
+                                                                    let _e2691 = phi_7300_;
+                                                                    let _e2694 = (bitcast<i32>(_e2691.member) != 0i);
+                                                                    if _e2694 {
+                                                                        phi_7260_ = (0.5lf * (_e2666 + (_e2657 / _e2666)));
                                                                     } else {
-                                                                        phi_5897_ = f64();
+                                                                        phi_7260_ = f64();
                                                                     }
-                                                                    let _e2467 = phi_5897_;
+                                                                    let _e2699 = phi_7260_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_5893_ = _e2457;
-                                                                        phi_5896_ = _e2467;
-                                                                        break if !(_e2462);
+                                                                        phi_7256_ = _e2689;
+                                                                        phi_7259_ = _e2699;
+                                                                        break if !(_e2694);
                                                                     }
                                                                 }
-                                                                let _e2472 = local_18;
-                                                                phi_5950_ = (_e2472 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                                let _e2704 = local_18;
+                                                                phi_7313_ = (_e2704 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                             }
-                                                            let _e2479 = phi_5950_;
-                                                            phi_5963_ = type_19(0u, 4u);
-                                                            phi_5966_ = f64(2f);
-                                                            loop {
-                                                                let _e2491 = phi_5963_;
-                                                                let _e2493 = phi_5966_;
-                                                                local_20 = _e2493;
-                                                                local_21 = _e2493;
-                                                                local_22 = _e2493;
-                                                                local_51 = _e2493;
-                                                                local_52 = _e2493;
-                                                                if (_e2491.member < _e2491.member_1) {
-                                                                    phi_5964_ = type_19((_e2491.member + 1u), _e2491.member_1);
-                                                                    phi_5989_ = type_19(1u, _e2491.member);
-                                                                } else {
-                                                                    phi_5964_ = _e2491;
-                                                                    phi_5989_ = type_19(0u, type_19().member_1);
-                                                                }
-                                                                let _e2505 = phi_5964_;
-                                                                let _e2507 = phi_5989_;
-                                                                if (bitcast<i32>(_e2507.member) != 0i) {
-                                                                    let _e2513 = local[_e2507.member_1];
-                                                                    let _e2521 = (((_e2416 * _e2513[0]) + (_e2418 * _e2513[1])) + (_e2420 * _e2513[2]));
-                                                                    let _e2523 = local_1[_e2507.member_1];
-                                                                    let _e2531 = (((_e2416 * _e2523[0]) + (_e2418 * _e2523[1])) + (_e2420 * _e2523[2]));
-                                                                    if (_e2521 < 0.0lf) {
-                                                                        phi_6040_ = -(_e2521);
-                                                                    } else {
-                                                                        phi_6040_ = _e2521;
-                                                                    }
-                                                                    let _e2535 = phi_6040_;
-                                                                    if (_e2531 < 0.0lf) {
-                                                                        phi_6046_ = -(_e2531);
-                                                                    } else {
-                                                                        phi_6046_ = _e2531;
-                                                                    }
-                                                                    let _e2539 = phi_6046_;
-                                                                    let _e2544 = (((((((((_e2178 + _e2180) + (_e2232 + _e2234)) + (_e2286 + _e2288)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2296 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((f64(0f) * _e2479) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e2535 + _e2539) * (1.1102230246251565e-16lf * f64(8f))));
-                                                                    if (_e2521 > _e2544) {
-                                                                        if (_e2531 > _e2544) {
-                                                                            phi_6060_ = false;
-                                                                        } else {
-                                                                            phi_6060_ = true;
-                                                                        }
-                                                                        let _e2548 = phi_6060_;
-                                                                        phi_6061_ = _e2548;
-                                                                    } else {
-                                                                        phi_6061_ = true;
-                                                                    }
-                                                                    let _e2550 = phi_6061_;
-                                                                    if _e2550 {
-                                                                        if ((_e2521 + ((_e2531 - _e2521) * _e2307)) > _e2544) {
-                                                                            if (_e2531 < _e2521) {
-                                                                                let _e2559 = ((_e2521 - _e2531) <= (f64(0.25f) / 2.2250738585072014e-308lf));
-                                                                                if _e2559 {
-                                                                                    let _e2567 = (((_e2521 - _e2544) / (_e2521 - _e2531)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                                    if (_e2493 < _e2567) {
-                                                                                        phi_6095_ = _e2493;
-                                                                                    } else {
-                                                                                        phi_6095_ = _e2567;
-                                                                                    }
-                                                                                    let _e2570 = phi_6095_;
-                                                                                    phi_6096_ = _e2570;
-                                                                                } else {
-                                                                                    phi_6096_ = f64();
-                                                                                }
-                                                                                let _e2572 = phi_6096_;
-                                                                                phi_6097_ = _e2572;
-                                                                                phi_6098_ = _e2559;
-                                                                            } else {
-                                                                                phi_6097_ = _e2493;
-                                                                                phi_6098_ = true;
-                                                                            }
-                                                                            let _e2574 = phi_6097_;
-                                                                            let _e2576 = phi_6098_;
-                                                                            if _e2576 {
-                                                                                phi_6102_ = false;
-                                                                            } else {
-                                                                                phi_6102_ = true;
-                                                                            }
-                                                                            let _e2578 = phi_6102_;
-                                                                            phi_6103_ = _e2574;
-                                                                            phi_6104_ = _e2576;
-                                                                            phi_6105_ = _e2578;
-                                                                            phi_6106_ = false;
-                                                                        } else {
-                                                                            phi_6103_ = f64();
-                                                                            phi_6104_ = false;
-                                                                            phi_6105_ = false;
-                                                                            phi_6106_ = true;
-                                                                        }
-                                                                        let _e2580 = phi_6103_;
-                                                                        let _e2582 = phi_6104_;
-                                                                        let _e2584 = phi_6105_;
-                                                                        let _e2586 = phi_6106_;
-                                                                        phi_6107_ = _e2580;
-                                                                        phi_6108_ = _e2582;
-                                                                        phi_6109_ = _e2584;
-                                                                        phi_6110_ = _e2586;
-                                                                    } else {
-                                                                        phi_6107_ = _e2493;
-                                                                        phi_6108_ = true;
-                                                                        phi_6109_ = false;
-                                                                        phi_6110_ = false;
-                                                                    }
-                                                                    let _e2588 = phi_6107_;
-                                                                    let _e2590 = phi_6108_;
-                                                                    let _e2592 = phi_6109_;
-                                                                    let _e2594 = phi_6110_;
-                                                                    phi_5967_ = _e2588;
-                                                                    phi_6111_ = _e2590;
-                                                                    phi_6112_ = false;
-                                                                    phi_6113_ = _e2592;
-                                                                    phi_6114_ = _e2594;
-                                                                } else {
-                                                                    phi_5967_ = f64();
-                                                                    phi_6111_ = false;
-                                                                    phi_6112_ = true;
-                                                                    phi_6113_ = false;
-                                                                    phi_6114_ = false;
-                                                                }
-                                                                let _e2596 = phi_5967_;
-                                                                let _e2598 = phi_6111_;
-                                                                let _e2600 = phi_6112_;
-                                                                let _e2602 = phi_6113_;
-                                                                let _e2604 = phi_6114_;
-                                                                local_19 = _e2600;
-                                                                local_49 = _e2602;
-                                                                local_50 = _e2604;
-                                                                continue;
-                                                                continuing {
-                                                                    phi_5963_ = _e2505;
-                                                                    phi_5966_ = _e2596;
-                                                                    break if !(_e2598);
-                                                                }
-                                                            }
-                                                            let _e2607 = local_19;
-                                                            if _e2607 {
-                                                                let _e2609 = local_20;
-                                                                let _e2610 = (_e2609 > _e1331.member_1);
-                                                                if _e2610 {
-                                                                    phi_6136_ = false;
-                                                                    phi_6137_ = false;
-                                                                    phi_6138_ = false;
-                                                                } else {
-                                                                    let _e2612 = local_21;
-                                                                    if (_e2612 > _e2307) {
-                                                                        let _e2615 = local_22;
-                                                                        let _e2618 = ((_e2615 - _e2307) < f64(0.00000000023283064f));
-                                                                        if _e2618 {
-                                                                            phi_6132_ = false;
-                                                                        } else {
-                                                                            phi_6132_ = true;
-                                                                        }
-                                                                        let _e2620 = phi_6132_;
-                                                                        phi_6133_ = _e2620;
-                                                                        phi_6134_ = _e2618;
-                                                                        phi_6135_ = false;
-                                                                    } else {
-                                                                        phi_6133_ = false;
-                                                                        phi_6134_ = false;
-                                                                        phi_6135_ = true;
-                                                                    }
-                                                                    let _e2622 = phi_6133_;
-                                                                    let _e2624 = phi_6134_;
-                                                                    let _e2626 = phi_6135_;
-                                                                    phi_6136_ = _e2622;
-                                                                    phi_6137_ = _e2624;
-                                                                    phi_6138_ = _e2626;
-                                                                }
-                                                                let _e2628 = phi_6136_;
-                                                                let _e2630 = phi_6137_;
-                                                                let _e2632 = phi_6138_;
-                                                                phi_6139_ = _e2628;
-                                                                phi_6140_ = _e2610;
-                                                                phi_6141_ = _e2630;
-                                                                phi_6142_ = _e2632;
-                                                                phi_6143_ = false;
-                                                                phi_6144_ = false;
+                                                            let _e2711 = phi_7313_;
+                                                            let _e2713 = (1.1102230246251565e-16lf * f64(12f));
+                                                            let _e2720 = ((((((((_e2399 + _e2401) + (_e2453 + _e2455)) + (_e2507 + _e2509)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2517 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((f64(0f) * _e2711) * (f64(1f) + _e2713)));
+                                                            let _e2725 = (((_e2648 * _e2303[0]) + (_e2650 * _e2303[1])) + (_e2652 * _e2303[2]));
+                                                            let _e2730 = (((_e2648 * (_e2303[0] - _e2309[0])) + (_e2650 * (_e2303[1] - _e2309[1]))) + (_e2652 * (_e2303[2] - _e2309[2])));
+                                                            let _e2735 = (((_e2648 * (_e2303[0] - _e2315[0])) + (_e2650 * (_e2303[1] - _e2315[1]))) + (_e2652 * (_e2303[2] - _e2315[2])));
+                                                            let _e2740 = (((_e2648 * _e2303[0]) + (_e2650 * _e2303[1])) + (_e2652 * _e2303[2]));
+                                                            let _e2746 = (((_e2648 * _e2327[0]) + (_e2650 * _e2327[1])) + (_e2652 * _e2327[2]));
+                                                            let _e2751 = (((_e2648 * (_e2327[0] - _e2333[0])) + (_e2650 * (_e2327[1] - _e2333[1]))) + (_e2652 * (_e2327[2] - _e2333[2])));
+                                                            let _e2756 = (((_e2648 * (_e2327[0] - _e2339[0])) + (_e2650 * (_e2327[1] - _e2339[1]))) + (_e2652 * (_e2327[2] - _e2339[2])));
+                                                            let _e2761 = (((_e2648 * _e2327[0]) + (_e2650 * _e2327[1])) + (_e2652 * _e2327[2]));
+                                                            if (_e2725 < 0.0lf) {
+                                                                phi_7382_ = -(_e2725);
                                                             } else {
-                                                                phi_6139_ = false;
-                                                                phi_6140_ = false;
-                                                                phi_6141_ = false;
-                                                                phi_6142_ = false;
-                                                                let _e4490 = local_49;
-                                                                phi_6143_ = _e4490;
-                                                                let _e4493 = local_50;
-                                                                phi_6144_ = _e4493;
+                                                                phi_7382_ = _e2725;
                                                             }
-                                                            let _e2634 = phi_6139_;
-                                                            let _e2636 = phi_6140_;
-                                                            let _e2638 = phi_6141_;
-                                                            let _e2640 = phi_6142_;
-                                                            let _e2642 = phi_6143_;
-                                                            let _e2644 = phi_6144_;
-                                                            let _e4496 = local_51;
-                                                            phi_6145_ = _e4496;
-                                                            let _e4499 = local_52;
-                                                            phi_6146_ = _e4499;
-                                                            phi_6147_ = _e2634;
-                                                            phi_6148_ = _e2636;
-                                                            phi_6149_ = _e2638;
-                                                            phi_6150_ = _e2640;
-                                                            phi_6151_ = _e2642;
-                                                            phi_6152_ = _e2644;
-                                                            phi_6153_ = false;
+                                                            let _e2766 = phi_7382_;
+                                                            if (_e2746 < 0.0lf) {
+                                                                phi_7388_ = -(_e2746);
+                                                            } else {
+                                                                phi_7388_ = _e2746;
+                                                            }
+                                                            let _e2770 = phi_7388_;
+                                                            if (_e2730 < 0.0lf) {
+                                                                phi_7397_ = -(_e2730);
+                                                            } else {
+                                                                phi_7397_ = _e2730;
+                                                            }
+                                                            let _e2777 = phi_7397_;
+                                                            if (_e2751 < 0.0lf) {
+                                                                phi_7403_ = -(_e2751);
+                                                            } else {
+                                                                phi_7403_ = _e2751;
+                                                            }
+                                                            let _e2781 = phi_7403_;
+                                                            if (_e2735 < 0.0lf) {
+                                                                phi_7412_ = -(_e2735);
+                                                            } else {
+                                                                phi_7412_ = _e2735;
+                                                            }
+                                                            let _e2788 = phi_7412_;
+                                                            if (_e2756 < 0.0lf) {
+                                                                phi_7418_ = -(_e2756);
+                                                            } else {
+                                                                phi_7418_ = _e2756;
+                                                            }
+                                                            let _e2792 = phi_7418_;
+                                                            if (_e2740 < 0.0lf) {
+                                                                phi_7427_ = -(_e2740);
+                                                            } else {
+                                                                phi_7427_ = _e2740;
+                                                            }
+                                                            let _e2799 = phi_7427_;
+                                                            if (_e2761 < 0.0lf) {
+                                                                phi_7433_ = -(_e2761);
+                                                            } else {
+                                                                phi_7433_ = _e2761;
+                                                            }
+                                                            let _e2803 = phi_7433_;
+                                                            phi_7439_ = type_32(array<f64, 4>(_e2725, _e2730, _e2735, _e2740), array<f64, 4>(_e2746, _e2751, _e2756, _e2761), array<f64, 4>((_e2720 + ((_e2766 + _e2770) * _e2713)), (_e2720 + ((_e2777 + _e2781) * _e2713)), (_e2720 + ((_e2788 + _e2792) * _e2713)), (_e2720 + ((_e2799 + _e2803) * _e2713))));
+                                                            phi_7440_ = false;
                                                         } else {
-                                                            phi_6145_ = f64();
-                                                            phi_6146_ = f64();
-                                                            phi_6147_ = false;
-                                                            phi_6148_ = false;
-                                                            phi_6149_ = false;
-                                                            phi_6150_ = false;
-                                                            phi_6151_ = false;
-                                                            phi_6152_ = false;
-                                                            phi_6153_ = true;
+                                                            phi_7439_ = type_32();
+                                                            phi_7440_ = true;
                                                         }
-                                                        let _e2646 = phi_6145_;
-                                                        let _e2648 = phi_6146_;
-                                                        let _e2650 = phi_6147_;
-                                                        let _e2652 = phi_6148_;
-                                                        let _e2654 = phi_6149_;
-                                                        let _e2656 = phi_6150_;
-                                                        let _e2658 = phi_6151_;
-                                                        let _e2660 = phi_6152_;
-                                                        let _e2662 = phi_6153_;
-                                                        phi_6154_ = _e2646;
-                                                        phi_6155_ = _e2648;
-                                                        phi_6156_ = _e2650;
-                                                        phi_6157_ = _e2652;
-                                                        phi_6158_ = _e2654;
-                                                        phi_6159_ = _e2656;
-                                                        phi_6160_ = _e2658;
-                                                        phi_6161_ = _e2660;
-                                                        phi_6162_ = _e2662;
-                                                        phi_6163_ = false;
+                                                        let _e2810 = phi_7439_;
+                                                        let _e2812 = phi_7440_;
+                                                        phi_7441_ = _e2810;
+                                                        phi_7442_ = _e2812;
                                                     } else {
-                                                        phi_6154_ = f64();
-                                                        phi_6155_ = f64();
-                                                        phi_6156_ = false;
-                                                        phi_6157_ = false;
-                                                        phi_6158_ = false;
-                                                        phi_6159_ = false;
-                                                        phi_6160_ = false;
-                                                        phi_6161_ = false;
-                                                        phi_6162_ = false;
-                                                        phi_6163_ = true;
+                                                        phi_7441_ = type_32();
+                                                        phi_7442_ = true;
                                                     }
-                                                    let _e2664 = phi_6154_;
-                                                    let _e2666 = phi_6155_;
-                                                    let _e2668 = phi_6156_;
-                                                    let _e2670 = phi_6157_;
-                                                    let _e2672 = phi_6158_;
-                                                    let _e2674 = phi_6159_;
-                                                    let _e2676 = phi_6160_;
-                                                    let _e2678 = phi_6161_;
-                                                    let _e2680 = phi_6162_;
-                                                    let _e2682 = phi_6163_;
-                                                    phi_6164_ = _e2664;
-                                                    phi_5700_ = _e2666;
-                                                    phi_6165_ = _e2668;
-                                                    phi_6166_ = _e2670;
-                                                    phi_6167_ = _e2672;
-                                                    phi_6168_ = false;
-                                                    phi_6169_ = _e2674;
-                                                    phi_6170_ = _e2676;
-                                                    phi_6171_ = _e2678;
-                                                    phi_6172_ = _e2680;
-                                                    phi_6173_ = _e2682;
+                                                    let _e2814 = phi_7441_;
+                                                    let _e2816 = phi_7442_;
+                                                    if _e2816 {
+                                                        let _e2817 = f64(0f);
+                                                        let _e2818 = f64(1f);
+                                                        phi_7452_ = type_32(array<f64, 4>(_e2817, _e2817, _e2817, _e2817), array<f64, 4>(_e2817, _e2817, _e2817, _e2817), array<f64, 4>(_e2818, _e2818, _e2818, _e2818));
+                                                    } else {
+                                                        phi_7452_ = _e2814;
+                                                    }
+                                                    let _e2824 = phi_7452_;
+                                                    local_1 = type_32(array<f64, 4>(_e2824.member[0], _e2824.member[1], _e2824.member[2], _e2824.member[3]), array<f64, 4>(_e2824.member_1[0], _e2824.member_1[1], _e2824.member_1[2], _e2824.member_1[3]), array<f64, 4>(_e2824.member_2[0], _e2824.member_2[1], _e2824.member_2[2], _e2824.member_2[3]));
+                                                    let _e2844 = (_e2533 - _e2537);
+                                                    let _e2845 = f64(0f);
+                                                    let _e2848 = local_1.member[0u];
+                                                    let _e2851 = local_1.member_1[0u];
+                                                    let _e2854 = local_1.member[0u];
+                                                    let _e2860 = local_1.member_2[0u];
+                                                    if (((_e2848 + ((_e2851 - _e2854) * _e2533)) - _e2860) > _e2845) {
+                                                        let _e2865 = local_1.member[1u];
+                                                        let _e2868 = local_1.member_1[1u];
+                                                        let _e2871 = local_1.member[1u];
+                                                        let _e2877 = local_1.member_2[1u];
+                                                        if (((_e2865 + ((_e2868 - _e2871) * _e2533)) - _e2877) > _e2845) {
+                                                            let _e2882 = local_1.member[2u];
+                                                            let _e2885 = local_1.member_1[2u];
+                                                            let _e2888 = local_1.member[2u];
+                                                            let _e2894 = local_1.member_2[2u];
+                                                            if (((_e2882 + ((_e2885 - _e2888) * _e2533)) - _e2894) > _e2845) {
+                                                                let _e2899 = local_1.member[3u];
+                                                                let _e2902 = local_1.member_1[3u];
+                                                                let _e2905 = local_1.member[3u];
+                                                                let _e2911 = local_1.member_2[3u];
+                                                                phi_7623_ = (((_e2899 + ((_e2902 - _e2905) * _e2533)) - _e2911) > _e2845);
+                                                                phi_7624_ = false;
+                                                            } else {
+                                                                phi_7623_ = bool();
+                                                                phi_7624_ = true;
+                                                            }
+                                                            let _e2915 = phi_7623_;
+                                                            let _e2917 = phi_7624_;
+                                                            phi_7625_ = _e2915;
+                                                            phi_7626_ = _e2917;
+                                                        } else {
+                                                            phi_7625_ = bool();
+                                                            phi_7626_ = true;
+                                                        }
+                                                        let _e2919 = phi_7625_;
+                                                        let _e2921 = phi_7626_;
+                                                        phi_7627_ = _e2919;
+                                                        phi_7628_ = _e2921;
+                                                    } else {
+                                                        phi_7627_ = bool();
+                                                        phi_7628_ = true;
+                                                    }
+                                                    let _e2923 = phi_7627_;
+                                                    let _e2925 = phi_7628_;
+                                                    if _e2925 {
+                                                        phi_7632_ = false;
+                                                    } else {
+                                                        phi_7632_ = _e2923;
+                                                    }
+                                                    let _e2927 = phi_7632_;
+                                                    if _e2927 {
+                                                        if (_e2533 <= _e2535) {
+                                                            phi_7943_ = true;
+                                                        } else {
+                                                            let _e2929 = f64(0f);
+                                                            let _e2932 = local.member[0u];
+                                                            let _e2935 = local.member_1[0u];
+                                                            let _e2938 = local.member[0u];
+                                                            let _e2944 = local.member_2[0u];
+                                                            let _e2948 = local_1.member[0u];
+                                                            let _e2951 = local_1.member_1[0u];
+                                                            let _e2954 = local_1.member[0u];
+                                                            let _e2960 = local_1.member_2[0u];
+                                                            if ((((_e2932 + ((_e2935 - _e2938) * _e2533)) - _e2944) + ((_e2948 + ((_e2951 - _e2954) * _e2537)) - _e2960)) > _e2929) {
+                                                                let _e2966 = local.member[1u];
+                                                                let _e2969 = local.member_1[1u];
+                                                                let _e2972 = local.member[1u];
+                                                                let _e2978 = local.member_2[1u];
+                                                                let _e2982 = local_1.member[1u];
+                                                                let _e2985 = local_1.member_1[1u];
+                                                                let _e2988 = local_1.member[1u];
+                                                                let _e2994 = local_1.member_2[1u];
+                                                                if ((((_e2966 + ((_e2969 - _e2972) * _e2533)) - _e2978) + ((_e2982 + ((_e2985 - _e2988) * _e2537)) - _e2994)) > _e2929) {
+                                                                    let _e3000 = local.member[2u];
+                                                                    let _e3003 = local.member_1[2u];
+                                                                    let _e3006 = local.member[2u];
+                                                                    let _e3012 = local.member_2[2u];
+                                                                    let _e3016 = local_1.member[2u];
+                                                                    let _e3019 = local_1.member_1[2u];
+                                                                    let _e3022 = local_1.member[2u];
+                                                                    let _e3028 = local_1.member_2[2u];
+                                                                    if ((((_e3000 + ((_e3003 - _e3006) * _e2533)) - _e3012) + ((_e3016 + ((_e3019 - _e3022) * _e2537)) - _e3028)) > _e2929) {
+                                                                        let _e3034 = local.member[3u];
+                                                                        let _e3037 = local.member_1[3u];
+                                                                        let _e3040 = local.member[3u];
+                                                                        let _e3046 = local.member_2[3u];
+                                                                        let _e3050 = local_1.member[3u];
+                                                                        let _e3053 = local_1.member_1[3u];
+                                                                        let _e3056 = local_1.member[3u];
+                                                                        let _e3062 = local_1.member_2[3u];
+                                                                        phi_7930_ = ((((_e3034 + ((_e3037 - _e3040) * _e2533)) - _e3046) + ((_e3050 + ((_e3053 - _e3056) * _e2537)) - _e3062)) > _e2929);
+                                                                        phi_7931_ = false;
+                                                                    } else {
+                                                                        phi_7930_ = bool();
+                                                                        phi_7931_ = true;
+                                                                    }
+                                                                    let _e3067 = phi_7930_;
+                                                                    let _e3069 = phi_7931_;
+                                                                    phi_7932_ = _e3067;
+                                                                    phi_7933_ = _e3069;
+                                                                } else {
+                                                                    phi_7932_ = bool();
+                                                                    phi_7933_ = true;
+                                                                }
+                                                                let _e3071 = phi_7932_;
+                                                                let _e3073 = phi_7933_;
+                                                                phi_7934_ = _e3071;
+                                                                phi_7935_ = _e3073;
+                                                            } else {
+                                                                phi_7934_ = bool();
+                                                                phi_7935_ = true;
+                                                            }
+                                                            let _e3075 = phi_7934_;
+                                                            let _e3077 = phi_7935_;
+                                                            if _e3077 {
+                                                                phi_7939_ = false;
+                                                            } else {
+                                                                phi_7939_ = _e3075;
+                                                            }
+                                                            let _e3079 = phi_7939_;
+                                                            phi_7943_ = _e3079;
+                                                        }
+                                                        let _e3081 = phi_7943_;
+                                                        if _e3081 {
+                                                            if (_e2551.member_1 > 0u) {
+                                                                if (_e2533 >= _e1552.member_1) {
+                                                                    phi_7955_ = false;
+                                                                } else {
+                                                                    phi_7955_ = true;
+                                                                }
+                                                                let _e3085 = phi_7955_;
+                                                                phi_7956_ = _e3085;
+                                                            } else {
+                                                                phi_7956_ = true;
+                                                            }
+                                                            let _e3087 = phi_7956_;
+                                                            if _e3087 {
+                                                                local = type_32(array<f64, 4>(_e2824.member[0], _e2824.member[1], _e2824.member[2], _e2824.member[3]), array<f64, 4>(_e2824.member_1[0], _e2824.member_1[1], _e2824.member_1[2], _e2824.member_1[3]), array<f64, 4>(_e2824.member_2[0], _e2824.member_2[1], _e2824.member_2[2], _e2824.member_2[3]));
+                                                                let _e3109 = local.member[0u];
+                                                                let _e3112 = local.member_1[0u];
+                                                                let _e3115 = local.member_2[0u];
+                                                                if (_e3109 > _e3115) {
+                                                                    if (_e3112 > _e3115) {
+                                                                        phi_8030_ = false;
+                                                                    } else {
+                                                                        phi_8030_ = true;
+                                                                    }
+                                                                    let _e3119 = phi_8030_;
+                                                                    phi_8031_ = _e3119;
+                                                                } else {
+                                                                    phi_8031_ = true;
+                                                                }
+                                                                let _e3121 = phi_8031_;
+                                                                if _e3121 {
+                                                                    let _e3122 = (_e3112 >= _e3109);
+                                                                    if _e3122 {
+                                                                        phi_8056_ = f64();
+                                                                        phi_8057_ = false;
+                                                                    } else {
+                                                                        if ((_e3109 - _e3112) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                            phi_8054_ = (((_e3109 - _e3115) / (_e3109 - _e3112)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                            phi_8055_ = false;
+                                                                        } else {
+                                                                            phi_8054_ = f64();
+                                                                            phi_8055_ = true;
+                                                                        }
+                                                                        let _e3136 = phi_8054_;
+                                                                        let _e3138 = phi_8055_;
+                                                                        phi_8056_ = _e3136;
+                                                                        phi_8057_ = _e3138;
+                                                                    }
+                                                                    let _e3140 = phi_8056_;
+                                                                    let _e3142 = phi_8057_;
+                                                                    phi_8058_ = _e3140;
+                                                                    phi_8059_ = _e3122;
+                                                                    phi_8060_ = _e3142;
+                                                                } else {
+                                                                    phi_8058_ = f64();
+                                                                    phi_8059_ = true;
+                                                                    phi_8060_ = false;
+                                                                }
+                                                                let _e3144 = phi_8058_;
+                                                                let _e3146 = phi_8059_;
+                                                                let _e3148 = phi_8060_;
+                                                                if _e3146 {
+                                                                    phi_8065_ = f64(2f);
+                                                                    phi_8066_ = true;
+                                                                } else {
+                                                                    phi_8065_ = _e2533;
+                                                                    phi_8066_ = _e3148;
+                                                                }
+                                                                let _e3151 = phi_8065_;
+                                                                let _e3153 = phi_8066_;
+                                                                if _e3153 {
+                                                                    phi_8070_ = _e3151;
+                                                                } else {
+                                                                    phi_8070_ = _e3144;
+                                                                }
+                                                                let _e3155 = phi_8070_;
+                                                                let _e3158 = local.member[1u];
+                                                                let _e3161 = local.member_1[1u];
+                                                                let _e3164 = local.member_2[1u];
+                                                                if (_e3158 > _e3164) {
+                                                                    if (_e3161 > _e3164) {
+                                                                        phi_8102_ = false;
+                                                                    } else {
+                                                                        phi_8102_ = true;
+                                                                    }
+                                                                    let _e3168 = phi_8102_;
+                                                                    phi_8103_ = _e3168;
+                                                                } else {
+                                                                    phi_8103_ = true;
+                                                                }
+                                                                let _e3170 = phi_8103_;
+                                                                if _e3170 {
+                                                                    let _e3171 = (_e3161 >= _e3158);
+                                                                    if _e3171 {
+                                                                        phi_8128_ = f64();
+                                                                        phi_8129_ = false;
+                                                                    } else {
+                                                                        if ((_e3158 - _e3161) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                            phi_8126_ = (((_e3158 - _e3164) / (_e3158 - _e3161)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                            phi_8127_ = false;
+                                                                        } else {
+                                                                            phi_8126_ = f64();
+                                                                            phi_8127_ = true;
+                                                                        }
+                                                                        let _e3185 = phi_8126_;
+                                                                        let _e3187 = phi_8127_;
+                                                                        phi_8128_ = _e3185;
+                                                                        phi_8129_ = _e3187;
+                                                                    }
+                                                                    let _e3189 = phi_8128_;
+                                                                    let _e3191 = phi_8129_;
+                                                                    phi_8130_ = _e3189;
+                                                                    phi_8131_ = _e3171;
+                                                                    phi_8132_ = _e3191;
+                                                                } else {
+                                                                    phi_8130_ = f64();
+                                                                    phi_8131_ = true;
+                                                                    phi_8132_ = false;
+                                                                }
+                                                                let _e3193 = phi_8130_;
+                                                                let _e3195 = phi_8131_;
+                                                                let _e3197 = phi_8132_;
+                                                                if _e3195 {
+                                                                    phi_8137_ = f64(2f);
+                                                                    phi_8138_ = true;
+                                                                } else {
+                                                                    phi_8137_ = _e2533;
+                                                                    phi_8138_ = _e3197;
+                                                                }
+                                                                let _e3200 = phi_8137_;
+                                                                let _e3202 = phi_8138_;
+                                                                if _e3202 {
+                                                                    phi_8142_ = _e3200;
+                                                                } else {
+                                                                    phi_8142_ = _e3193;
+                                                                }
+                                                                let _e3204 = phi_8142_;
+                                                                if (_e3155 < _e3204) {
+                                                                    phi_8147_ = _e3155;
+                                                                } else {
+                                                                    phi_8147_ = _e3204;
+                                                                }
+                                                                let _e3207 = phi_8147_;
+                                                                let _e3210 = local.member[2u];
+                                                                let _e3213 = local.member_1[2u];
+                                                                let _e3216 = local.member_2[2u];
+                                                                if (_e3210 > _e3216) {
+                                                                    if (_e3213 > _e3216) {
+                                                                        phi_8179_ = false;
+                                                                    } else {
+                                                                        phi_8179_ = true;
+                                                                    }
+                                                                    let _e3220 = phi_8179_;
+                                                                    phi_8180_ = _e3220;
+                                                                } else {
+                                                                    phi_8180_ = true;
+                                                                }
+                                                                let _e3222 = phi_8180_;
+                                                                if _e3222 {
+                                                                    let _e3223 = (_e3213 >= _e3210);
+                                                                    if _e3223 {
+                                                                        phi_8205_ = f64();
+                                                                        phi_8206_ = false;
+                                                                    } else {
+                                                                        if ((_e3210 - _e3213) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                            phi_8203_ = (((_e3210 - _e3216) / (_e3210 - _e3213)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                            phi_8204_ = false;
+                                                                        } else {
+                                                                            phi_8203_ = f64();
+                                                                            phi_8204_ = true;
+                                                                        }
+                                                                        let _e3237 = phi_8203_;
+                                                                        let _e3239 = phi_8204_;
+                                                                        phi_8205_ = _e3237;
+                                                                        phi_8206_ = _e3239;
+                                                                    }
+                                                                    let _e3241 = phi_8205_;
+                                                                    let _e3243 = phi_8206_;
+                                                                    phi_8207_ = _e3241;
+                                                                    phi_8208_ = _e3223;
+                                                                    phi_8209_ = _e3243;
+                                                                } else {
+                                                                    phi_8207_ = f64();
+                                                                    phi_8208_ = true;
+                                                                    phi_8209_ = false;
+                                                                }
+                                                                let _e3245 = phi_8207_;
+                                                                let _e3247 = phi_8208_;
+                                                                let _e3249 = phi_8209_;
+                                                                if _e3247 {
+                                                                    phi_8214_ = f64(2f);
+                                                                    phi_8215_ = true;
+                                                                } else {
+                                                                    phi_8214_ = _e2533;
+                                                                    phi_8215_ = _e3249;
+                                                                }
+                                                                let _e3252 = phi_8214_;
+                                                                let _e3254 = phi_8215_;
+                                                                if _e3254 {
+                                                                    phi_8219_ = _e3252;
+                                                                } else {
+                                                                    phi_8219_ = _e3245;
+                                                                }
+                                                                let _e3256 = phi_8219_;
+                                                                let _e3259 = local.member[3u];
+                                                                let _e3262 = local.member_1[3u];
+                                                                let _e3265 = local.member_2[3u];
+                                                                if (_e3259 > _e3265) {
+                                                                    if (_e3262 > _e3265) {
+                                                                        phi_8251_ = false;
+                                                                    } else {
+                                                                        phi_8251_ = true;
+                                                                    }
+                                                                    let _e3269 = phi_8251_;
+                                                                    phi_8252_ = _e3269;
+                                                                } else {
+                                                                    phi_8252_ = true;
+                                                                }
+                                                                let _e3271 = phi_8252_;
+                                                                if _e3271 {
+                                                                    let _e3272 = (_e3262 >= _e3259);
+                                                                    if _e3272 {
+                                                                        phi_8277_ = f64();
+                                                                        phi_8278_ = false;
+                                                                    } else {
+                                                                        if ((_e3259 - _e3262) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                            phi_8275_ = (((_e3259 - _e3265) / (_e3259 - _e3262)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                            phi_8276_ = false;
+                                                                        } else {
+                                                                            phi_8275_ = f64();
+                                                                            phi_8276_ = true;
+                                                                        }
+                                                                        let _e3286 = phi_8275_;
+                                                                        let _e3288 = phi_8276_;
+                                                                        phi_8277_ = _e3286;
+                                                                        phi_8278_ = _e3288;
+                                                                    }
+                                                                    let _e3290 = phi_8277_;
+                                                                    let _e3292 = phi_8278_;
+                                                                    phi_8279_ = _e3290;
+                                                                    phi_8280_ = _e3272;
+                                                                    phi_8281_ = _e3292;
+                                                                } else {
+                                                                    phi_8279_ = f64();
+                                                                    phi_8280_ = true;
+                                                                    phi_8281_ = false;
+                                                                }
+                                                                let _e3294 = phi_8279_;
+                                                                let _e3296 = phi_8280_;
+                                                                let _e3298 = phi_8281_;
+                                                                if _e3296 {
+                                                                    phi_8286_ = f64(2f);
+                                                                    phi_8287_ = true;
+                                                                } else {
+                                                                    phi_8286_ = _e2533;
+                                                                    phi_8287_ = _e3298;
+                                                                }
+                                                                let _e3301 = phi_8286_;
+                                                                let _e3303 = phi_8287_;
+                                                                if _e3303 {
+                                                                    phi_8291_ = _e3301;
+                                                                } else {
+                                                                    phi_8291_ = _e3294;
+                                                                }
+                                                                let _e3305 = phi_8291_;
+                                                                if (_e3256 < _e3305) {
+                                                                    phi_8296_ = _e3256;
+                                                                } else {
+                                                                    phi_8296_ = _e3305;
+                                                                }
+                                                                let _e3308 = phi_8296_;
+                                                                if (_e3207 < _e3308) {
+                                                                    phi_8301_ = _e3207;
+                                                                } else {
+                                                                    phi_8301_ = _e3308;
+                                                                }
+                                                                let _e3311 = phi_8301_;
+                                                                if (_e3311 > _e2533) {
+                                                                    phi_8306_ = _e3311;
+                                                                } else {
+                                                                    phi_8306_ = _e2533;
+                                                                }
+                                                                let _e3314 = phi_8306_;
+                                                                let _e3315 = (_e3314 > _e1552.member_1);
+                                                                if _e3315 {
+                                                                    phi_8318_ = f64();
+                                                                    phi_8319_ = false;
+                                                                } else {
+                                                                    if (_e2551.member_1 == 0u) {
+                                                                        phi_8317_ = (_e1552.member_1 - _e2533);
+                                                                    } else {
+                                                                        phi_8317_ = (_e2844 + _e2844);
+                                                                    }
+                                                                    let _e3320 = phi_8317_;
+                                                                    phi_8318_ = _e3320;
+                                                                    phi_8319_ = true;
+                                                                }
+                                                                let _e3322 = phi_8318_;
+                                                                let _e3324 = phi_8319_;
+                                                                phi_8320_ = _e3314;
+                                                                phi_8321_ = _e3322;
+                                                                phi_8322_ = _e3324;
+                                                                phi_8323_ = _e3315;
+                                                                phi_8324_ = false;
+                                                            } else {
+                                                                phi_8320_ = f64();
+                                                                phi_8321_ = f64();
+                                                                phi_8322_ = false;
+                                                                phi_8323_ = false;
+                                                                phi_8324_ = true;
+                                                            }
+                                                            let _e3326 = phi_8320_;
+                                                            let _e3328 = phi_8321_;
+                                                            let _e3330 = phi_8322_;
+                                                            let _e3332 = phi_8323_;
+                                                            let _e3334 = phi_8324_;
+                                                            phi_8325_ = _e3326;
+                                                            phi_8326_ = _e3328;
+                                                            phi_8327_ = false;
+                                                            phi_8328_ = _e3330;
+                                                            phi_8329_ = _e3332;
+                                                            phi_8330_ = _e3334;
+                                                        } else {
+                                                            phi_8325_ = f64();
+                                                            phi_8326_ = f64();
+                                                            phi_8327_ = true;
+                                                            phi_8328_ = false;
+                                                            phi_8329_ = false;
+                                                            phi_8330_ = false;
+                                                        }
+                                                        let _e3336 = phi_8325_;
+                                                        let _e3338 = phi_8326_;
+                                                        let _e3340 = phi_8327_;
+                                                        let _e3342 = phi_8328_;
+                                                        let _e3344 = phi_8329_;
+                                                        let _e3346 = phi_8330_;
+                                                        phi_8331_ = _e3336;
+                                                        phi_8332_ = _e3338;
+                                                        phi_8333_ = _e3340;
+                                                        phi_8334_ = _e3342;
+                                                        phi_8335_ = _e3344;
+                                                        phi_8336_ = _e3346;
+                                                    } else {
+                                                        phi_8331_ = f64();
+                                                        phi_8332_ = f64();
+                                                        phi_8333_ = true;
+                                                        phi_8334_ = false;
+                                                        phi_8335_ = false;
+                                                        phi_8336_ = false;
+                                                    }
+                                                    let _e3348 = phi_8331_;
+                                                    let _e3350 = phi_8332_;
+                                                    let _e3352 = phi_8333_;
+                                                    let _e3354 = phi_8334_;
+                                                    let _e3356 = phi_8335_;
+                                                    let _e3358 = phi_8336_;
+                                                    if _e3352 {
+                                                        let _e3359 = (_e2533 <= _e2535);
+                                                        if _e3359 {
+                                                            phi_8670_ = f64();
+                                                            phi_8671_ = false;
+                                                        } else {
+                                                            let _e3362 = local.member[0u];
+                                                            let _e3365 = local.member_1[0u];
+                                                            let _e3368 = local.member[0u];
+                                                            let _e3374 = local.member_2[0u];
+                                                            let _e3375 = ((_e3362 + ((_e3365 - _e3368) * _e2537)) - _e3374);
+                                                            let _e3378 = local.member[1u];
+                                                            let _e3381 = local.member_1[1u];
+                                                            let _e3384 = local.member[1u];
+                                                            let _e3390 = local.member_2[1u];
+                                                            let _e3391 = ((_e3378 + ((_e3381 - _e3384) * _e2537)) - _e3390);
+                                                            if (_e3375 < _e3391) {
+                                                                phi_8416_ = _e3375;
+                                                            } else {
+                                                                phi_8416_ = _e3391;
+                                                            }
+                                                            let _e3394 = phi_8416_;
+                                                            let _e3397 = local.member[2u];
+                                                            let _e3400 = local.member_1[2u];
+                                                            let _e3403 = local.member[2u];
+                                                            let _e3409 = local.member_2[2u];
+                                                            let _e3410 = ((_e3397 + ((_e3400 - _e3403) * _e2537)) - _e3409);
+                                                            let _e3413 = local.member[3u];
+                                                            let _e3416 = local.member_1[3u];
+                                                            let _e3419 = local.member[3u];
+                                                            let _e3425 = local.member_2[3u];
+                                                            let _e3426 = ((_e3413 + ((_e3416 - _e3419) * _e2537)) - _e3425);
+                                                            if (_e3410 < _e3426) {
+                                                                phi_8489_ = _e3410;
+                                                            } else {
+                                                                phi_8489_ = _e3426;
+                                                            }
+                                                            let _e3429 = phi_8489_;
+                                                            if (_e3394 < _e3429) {
+                                                                phi_8494_ = _e3394;
+                                                            } else {
+                                                                phi_8494_ = _e3429;
+                                                            }
+                                                            let _e3432 = phi_8494_;
+                                                            let _e3435 = local_1.member[0u];
+                                                            let _e3438 = local_1.member_1[0u];
+                                                            let _e3441 = local_1.member[0u];
+                                                            let _e3447 = local_1.member_2[0u];
+                                                            let _e3448 = ((_e3435 + ((_e3438 - _e3441) * _e2533)) - _e3447);
+                                                            let _e3451 = local_1.member[1u];
+                                                            let _e3454 = local_1.member_1[1u];
+                                                            let _e3457 = local_1.member[1u];
+                                                            let _e3463 = local_1.member_2[1u];
+                                                            let _e3464 = ((_e3451 + ((_e3454 - _e3457) * _e2533)) - _e3463);
+                                                            if (_e3448 < _e3464) {
+                                                                phi_8567_ = _e3448;
+                                                            } else {
+                                                                phi_8567_ = _e3464;
+                                                            }
+                                                            let _e3467 = phi_8567_;
+                                                            let _e3470 = local_1.member[2u];
+                                                            let _e3473 = local_1.member_1[2u];
+                                                            let _e3476 = local_1.member[2u];
+                                                            let _e3482 = local_1.member_2[2u];
+                                                            let _e3483 = ((_e3470 + ((_e3473 - _e3476) * _e2533)) - _e3482);
+                                                            let _e3486 = local_1.member[3u];
+                                                            let _e3489 = local_1.member_1[3u];
+                                                            let _e3492 = local_1.member[3u];
+                                                            let _e3498 = local_1.member_2[3u];
+                                                            let _e3499 = ((_e3486 + ((_e3489 - _e3492) * _e2533)) - _e3498);
+                                                            if (_e3483 < _e3499) {
+                                                                phi_8640_ = _e3483;
+                                                            } else {
+                                                                phi_8640_ = _e3499;
+                                                            }
+                                                            let _e3502 = phi_8640_;
+                                                            if (_e3467 < _e3502) {
+                                                                phi_8645_ = _e3467;
+                                                            } else {
+                                                                phi_8645_ = _e3502;
+                                                            }
+                                                            let _e3505 = phi_8645_;
+                                                            let _e3506 = f64(0.0625f);
+                                                            let _e3508 = f64(0.9f);
+                                                            if (_e3505 > f64(0f)) {
+                                                                phi_8668_ = f64(0.5f);
+                                                            } else {
+                                                                let _e3514 = (f64(0.95f) * (_e3432 / (_e3432 - _e3505)));
+                                                                if (_e3514 > _e3506) {
+                                                                    if (_e3514 < _e3508) {
+                                                                        phi_8666_ = _e3514;
+                                                                    } else {
+                                                                        phi_8666_ = _e3508;
+                                                                    }
+                                                                    let _e3518 = phi_8666_;
+                                                                    phi_8667_ = _e3518;
+                                                                } else {
+                                                                    phi_8667_ = _e3506;
+                                                                }
+                                                                let _e3520 = phi_8667_;
+                                                                phi_8668_ = _e3520;
+                                                            }
+                                                            let _e3522 = phi_8668_;
+                                                            phi_8670_ = (_e2844 * _e3522);
+                                                            phi_8671_ = true;
+                                                        }
+                                                        let _e3525 = phi_8670_;
+                                                        let _e3527 = phi_8671_;
+                                                        phi_8672_ = _e2535;
+                                                        phi_8673_ = _e3525;
+                                                        phi_8674_ = _e2537;
+                                                        phi_8675_ = _e3527;
+                                                        phi_8676_ = _e3359;
+                                                        phi_8677_ = false;
+                                                        phi_8678_ = false;
+                                                    } else {
+                                                        phi_8672_ = _e3348;
+                                                        phi_8673_ = _e3350;
+                                                        phi_8674_ = _e2533;
+                                                        phi_8675_ = _e3354;
+                                                        phi_8676_ = false;
+                                                        phi_8677_ = _e3356;
+                                                        phi_8678_ = _e3358;
+                                                    }
+                                                    let _e3529 = phi_8672_;
+                                                    let _e3531 = phi_8673_;
+                                                    let _e3533 = phi_8674_;
+                                                    let _e3535 = phi_8675_;
+                                                    let _e3537 = phi_8676_;
+                                                    let _e3539 = phi_8677_;
+                                                    let _e3541 = phi_8678_;
+                                                    if _e3535 {
+                                                        let _e3542 = (_e3533 + _e3531);
+                                                        if (_e3542 > _e3529) {
+                                                            phi_8687_ = _e3542;
+                                                        } else {
+                                                            phi_8687_ = _e3529;
+                                                        }
+                                                        let _e3545 = phi_8687_;
+                                                        if (_e3545 < _e1552.member_1) {
+                                                            phi_8692_ = _e3545;
+                                                        } else {
+                                                            phi_8692_ = _e1552.member_1;
+                                                        }
+                                                        let _e3548 = phi_8692_;
+                                                        if (_e2551.member_1 > 0u) {
+                                                            phi_8703_ = ((_e3548 - _e3533) > f64(0.0000000037252903f));
+                                                        } else {
+                                                            phi_8703_ = true;
+                                                        }
+                                                        let _e3554 = phi_8703_;
+                                                        if _e3554 {
+                                                            phi_8707_ = false;
+                                                        } else {
+                                                            phi_8707_ = true;
+                                                        }
+                                                        let _e3556 = phi_8707_;
+                                                        phi_8708_ = _e3548;
+                                                        phi_8709_ = _e3554;
+                                                        phi_8710_ = _e3556;
+                                                        phi_8711_ = false;
+                                                        phi_8712_ = false;
+                                                        phi_8713_ = false;
+                                                    } else {
+                                                        phi_8708_ = f64();
+                                                        phi_8709_ = false;
+                                                        phi_8710_ = false;
+                                                        phi_8711_ = _e3537;
+                                                        phi_8712_ = _e3539;
+                                                        phi_8713_ = _e3541;
+                                                    }
+                                                    let _e3558 = phi_8708_;
+                                                    let _e3560 = phi_8709_;
+                                                    let _e3562 = phi_8710_;
+                                                    let _e3564 = phi_8711_;
+                                                    let _e3566 = phi_8712_;
+                                                    let _e3568 = phi_8713_;
+                                                    phi_7057_ = _e3558;
+                                                    phi_7059_ = _e3529;
+                                                    phi_7061_ = _e3533;
+                                                    phi_8714_ = _e3529;
+                                                    phi_8715_ = _e3560;
+                                                    phi_8716_ = _e3562;
+                                                    phi_8717_ = false;
+                                                    phi_8718_ = _e3564;
+                                                    phi_8719_ = _e3566;
+                                                    phi_8720_ = _e3568;
                                                 } else {
-                                                    phi_6164_ = f64();
-                                                    phi_5700_ = f64();
-                                                    phi_6165_ = false;
-                                                    phi_6166_ = false;
-                                                    phi_6167_ = false;
-                                                    phi_6168_ = true;
-                                                    phi_6169_ = false;
-                                                    phi_6170_ = false;
-                                                    phi_6171_ = false;
-                                                    phi_6172_ = false;
-                                                    phi_6173_ = false;
+                                                    phi_7057_ = f64();
+                                                    phi_7059_ = f64();
+                                                    phi_7061_ = f64();
+                                                    phi_8714_ = f64();
+                                                    phi_8715_ = false;
+                                                    phi_8716_ = false;
+                                                    phi_8717_ = true;
+                                                    phi_8718_ = false;
+                                                    phi_8719_ = false;
+                                                    phi_8720_ = false;
                                                 }
-                                                let _e2684 = phi_6164_;
-                                                let _e2686 = phi_5700_;
-                                                let _e2688 = phi_6165_;
-                                                let _e2690 = phi_6166_;
-                                                let _e2692 = phi_6167_;
-                                                let _e2694 = phi_6168_;
-                                                let _e2696 = phi_6169_;
-                                                let _e2698 = phi_6170_;
-                                                let _e2700 = phi_6171_;
-                                                let _e2702 = phi_6172_;
-                                                let _e2704 = phi_6173_;
-                                                local_23 = _e2690;
-                                                local_53 = _e2692;
-                                                local_54 = _e2694;
-                                                local_55 = _e2696;
-                                                local_56 = _e2698;
-                                                local_57 = _e2700;
-                                                local_58 = _e2702;
-                                                local_59 = _e2704;
-                                                local_60 = _e2684;
-                                                local_62 = _e2690;
+                                                let _e3570 = phi_7057_;
+                                                let _e3572 = phi_7059_;
+                                                let _e3574 = phi_7061_;
+                                                let _e3576 = phi_8714_;
+                                                let _e3578 = phi_8715_;
+                                                let _e3580 = phi_8716_;
+                                                let _e3582 = phi_8717_;
+                                                let _e3584 = phi_8718_;
+                                                let _e3586 = phi_8719_;
+                                                let _e3588 = phi_8720_;
+                                                local_19 = _e3580;
+                                                local_35 = _e3576;
+                                                local_37 = _e3582;
+                                                local_38 = _e3584;
+                                                local_39 = _e3586;
+                                                local_40 = _e3588;
                                                 continue;
                                                 continuing {
-                                                    phi_5696_ = _e2319;
-                                                    phi_5699_ = _e2686;
-                                                    break if !(_e2688);
+                                                    phi_7053_ = _e2549;
+                                                    phi_7056_ = _e3570;
+                                                    phi_7058_ = _e3572;
+                                                    phi_7060_ = _e3574;
+                                                    break if !(_e3578);
                                                 }
                                             }
-                                            let _e2707 = local_23;
-                                            if _e2707 {
-                                                phi_6178_ = type_40(0u, type_40().member_1);
-                                                phi_6179_ = false;
-                                                phi_6180_ = false;
-                                                phi_6181_ = false;
-                                                phi_6182_ = false;
-                                                phi_6183_ = false;
-                                                phi_6184_ = false;
-                                                phi_6185_ = false;
+                                            let _e3591 = local_19;
+                                            if _e3591 {
+                                                let _e6026 = local_35;
+                                                phi_8724_ = _e6026;
+                                                phi_8725_ = true;
+                                                phi_8726_ = false;
+                                                phi_8727_ = false;
+                                                phi_8728_ = false;
                                             } else {
-                                                phi_6178_ = type_40();
-                                                let _e4532 = local_53;
-                                                phi_6179_ = _e4532;
-                                                let _e4535 = local_54;
-                                                phi_6180_ = _e4535;
-                                                let _e4538 = local_55;
-                                                phi_6181_ = _e4538;
-                                                let _e4541 = local_56;
-                                                phi_6182_ = _e4541;
-                                                let _e4544 = local_57;
-                                                phi_6183_ = _e4544;
-                                                let _e4547 = local_58;
-                                                phi_6184_ = _e4547;
-                                                let _e4550 = local_59;
-                                                phi_6185_ = _e4550;
+                                                let _e6028 = local_36;
+                                                phi_8724_ = _e6028;
+                                                let _e6031 = local_37;
+                                                phi_8725_ = _e6031;
+                                                let _e6034 = local_38;
+                                                phi_8726_ = _e6034;
+                                                let _e6037 = local_39;
+                                                phi_8727_ = _e6037;
+                                                let _e6040 = local_40;
+                                                phi_8728_ = _e6040;
                                             }
-                                            let _e2711 = phi_6178_;
-                                            let _e2713 = phi_6179_;
-                                            let _e2715 = phi_6180_;
-                                            let _e2717 = phi_6181_;
-                                            let _e2719 = phi_6182_;
-                                            let _e2721 = phi_6183_;
-                                            let _e2723 = phi_6184_;
-                                            let _e2725 = phi_6185_;
-                                            if _e2713 {
-                                                let _e4553 = local_60;
-                                                phi_6189_ = _e4553;
-                                                phi_6190_ = true;
-                                                phi_6191_ = false;
-                                                phi_6192_ = false;
-                                                phi_6193_ = false;
-                                                phi_6194_ = false;
-                                                phi_6195_ = false;
-                                                phi_6196_ = false;
+                                            let _e3593 = phi_8724_;
+                                            let _e3595 = phi_8725_;
+                                            let _e3597 = phi_8726_;
+                                            let _e3599 = phi_8727_;
+                                            let _e3601 = phi_8728_;
+                                            if _e3595 {
+                                                phi_8733_ = type_42(1u, _e3593);
+                                                phi_8734_ = false;
+                                                phi_8735_ = false;
+                                                phi_8736_ = false;
                                             } else {
-                                                let _e4555 = local_61;
-                                                phi_6189_ = _e4555;
-                                                phi_6190_ = _e2715;
-                                                phi_6191_ = _e2717;
-                                                phi_6192_ = _e2719;
-                                                phi_6193_ = _e2721;
-                                                let _e4562 = local_62;
-                                                phi_6194_ = _e4562;
-                                                phi_6195_ = _e2723;
-                                                phi_6196_ = _e2725;
+                                                phi_8733_ = type_42();
+                                                phi_8734_ = _e3597;
+                                                phi_8735_ = _e3599;
+                                                phi_8736_ = _e3601;
                                             }
-                                            let _e2727 = phi_6189_;
-                                            let _e2729 = phi_6190_;
-                                            let _e2731 = phi_6191_;
-                                            let _e2733 = phi_6192_;
-                                            let _e2735 = phi_6193_;
-                                            let _e2737 = phi_6194_;
-                                            let _e2739 = phi_6195_;
-                                            let _e2741 = phi_6196_;
-                                            if _e2729 {
-                                                phi_6201_ = type_40(1u, _e2727);
-                                                phi_6202_ = false;
-                                                phi_6203_ = false;
-                                                phi_6204_ = false;
-                                                phi_6205_ = false;
-                                                phi_6206_ = false;
-                                                phi_6207_ = false;
+                                            let _e3604 = phi_8733_;
+                                            let _e3606 = phi_8734_;
+                                            let _e3608 = phi_8735_;
+                                            let _e3610 = phi_8736_;
+                                            if _e3606 {
+                                                let _e3612 = local_20;
+                                                phi_8741_ = type_42(1u, _e3612);
+                                                phi_8742_ = false;
+                                                phi_8743_ = false;
                                             } else {
-                                                phi_6201_ = type_40();
-                                                phi_6202_ = _e2731;
-                                                phi_6203_ = _e2733;
-                                                phi_6204_ = _e2735;
-                                                phi_6205_ = _e2737;
-                                                phi_6206_ = _e2739;
-                                                phi_6207_ = _e2741;
+                                                phi_8741_ = type_42();
+                                                phi_8742_ = _e3608;
+                                                phi_8743_ = _e3610;
                                             }
-                                            let _e2744 = phi_6201_;
-                                            let _e2746 = phi_6202_;
-                                            let _e2748 = phi_6203_;
-                                            let _e2750 = phi_6204_;
-                                            let _e2752 = phi_6205_;
-                                            let _e2754 = phi_6206_;
-                                            let _e2756 = phi_6207_;
-                                            if _e2746 {
-                                                let _e2758 = local_24;
-                                                phi_6212_ = type_40(1u, _e2758);
-                                                phi_6213_ = false;
-                                                phi_6214_ = false;
-                                                phi_6215_ = true;
-                                                phi_6216_ = false;
-                                                phi_6217_ = false;
+                                            let _e3615 = phi_8741_;
+                                            let _e3617 = phi_8742_;
+                                            let _e3619 = phi_8743_;
+                                            if _e3617 {
+                                                phi_8748_ = type_42(0u, type_42().member_1);
+                                                phi_8749_ = false;
+                                                phi_8750_ = true;
                                             } else {
-                                                phi_6212_ = _e2711;
-                                                phi_6213_ = _e2748;
-                                                phi_6214_ = _e2750;
-                                                phi_6215_ = _e2752;
-                                                phi_6216_ = _e2754;
-                                                phi_6217_ = _e2756;
+                                                phi_8748_ = _e3615;
+                                                phi_8749_ = _e3619;
+                                                phi_8750_ = _e3606;
                                             }
-                                            let _e2761 = phi_6212_;
-                                            let _e2763 = phi_6213_;
-                                            let _e2765 = phi_6214_;
-                                            let _e2767 = phi_6215_;
-                                            let _e2769 = phi_6216_;
-                                            let _e2771 = phi_6217_;
-                                            if _e2763 {
-                                                let _e2773 = local_25;
-                                                phi_6222_ = type_40(1u, _e2773);
-                                                phi_6223_ = false;
-                                                phi_6224_ = false;
-                                                phi_6225_ = false;
-                                                phi_6226_ = false;
+                                            let _e3623 = phi_8748_;
+                                            let _e3625 = phi_8749_;
+                                            let _e3627 = phi_8750_;
+                                            if _e3625 {
+                                                phi_8755_ = type_42(0u, type_42().member_1);
+                                                phi_8756_ = true;
                                             } else {
-                                                phi_6222_ = type_40();
-                                                phi_6223_ = _e2765;
-                                                phi_6224_ = _e2767;
-                                                phi_6225_ = _e2769;
-                                                phi_6226_ = _e2771;
+                                                phi_8755_ = _e3623;
+                                                phi_8756_ = _e3627;
                                             }
-                                            let _e2776 = phi_6222_;
-                                            let _e2778 = phi_6223_;
-                                            let _e2780 = phi_6224_;
-                                            let _e2782 = phi_6225_;
-                                            let _e2784 = phi_6226_;
-                                            if _e2778 {
-                                                let _e2786 = local_26;
-                                                phi_6231_ = type_40(1u, _e2786);
-                                                phi_6232_ = true;
-                                                phi_6233_ = false;
-                                                phi_6234_ = false;
-                                                phi_6235_ = false;
+                                            let _e3631 = phi_8755_;
+                                            let _e3633 = phi_8756_;
+                                            if _e3633 {
+                                                phi_8760_ = _e3631;
                                             } else {
-                                                phi_6231_ = _e2776;
-                                                phi_6232_ = _e2763;
-                                                phi_6233_ = _e2780;
-                                                phi_6234_ = _e2782;
-                                                phi_6235_ = _e2784;
+                                                phi_8760_ = _e3604;
                                             }
-                                            let _e2789 = phi_6231_;
-                                            let _e2791 = phi_6232_;
-                                            let _e2793 = phi_6233_;
-                                            let _e2795 = phi_6234_;
-                                            let _e2797 = phi_6235_;
-                                            if _e2791 {
-                                                phi_6239_ = _e2789;
-                                                phi_6240_ = true;
-                                                phi_6241_ = false;
-                                                phi_6242_ = false;
+                                            let _e3635 = phi_8760_;
+                                            let _e3638 = (_e3635.member != 0u);
+                                            if _e3638 {
+                                                phi_8767_ = false;
                                             } else {
-                                                phi_6239_ = _e2761;
-                                                phi_6240_ = _e2793;
-                                                phi_6241_ = _e2795;
-                                                phi_6242_ = _e2797;
+                                                phi_8767_ = true;
                                             }
-                                            let _e2799 = phi_6239_;
-                                            let _e2801 = phi_6240_;
-                                            let _e2803 = phi_6241_;
-                                            let _e2805 = phi_6242_;
-                                            if _e2801 {
-                                                phi_6246_ = false;
-                                                phi_6247_ = false;
-                                            } else {
-                                                phi_6246_ = _e2803;
-                                                phi_6247_ = _e2805;
-                                            }
-                                            let _e2807 = phi_6246_;
-                                            let _e2809 = phi_6247_;
-                                            if _e2807 {
-                                                phi_6251_ = false;
-                                                phi_6252_ = false;
-                                            } else {
-                                                phi_6251_ = _e2809;
-                                                phi_6252_ = _e2801;
-                                            }
-                                            let _e2811 = phi_6251_;
-                                            let _e2813 = phi_6252_;
-                                            if _e2811 {
-                                                phi_6256_ = true;
-                                                phi_6257_ = false;
-                                            } else {
-                                                phi_6256_ = _e2807;
-                                                phi_6257_ = _e2813;
-                                            }
-                                            let _e2815 = phi_6256_;
-                                            let _e2817 = phi_6257_;
-                                            if _e2815 {
-                                                let _e2819 = local_27;
-                                                phi_6262_ = type_40(1u, _e2819);
-                                                phi_6263_ = true;
-                                            } else {
-                                                phi_6262_ = _e2799;
-                                                phi_6263_ = _e2817;
-                                            }
-                                            let _e2822 = phi_6262_;
-                                            let _e2824 = phi_6263_;
-                                            if _e2824 {
-                                                phi_6267_ = _e2822;
-                                            } else {
-                                                phi_6267_ = _e2744;
-                                            }
-                                            let _e2826 = phi_6267_;
-                                            let _e2829 = (_e2826.member != 0u);
-                                            if _e2829 {
-                                                phi_6274_ = false;
-                                            } else {
-                                                phi_6274_ = true;
-                                            }
-                                            let _e2831 = phi_6274_;
-                                            phi_6275_ = _e2826.member_1;
-                                            phi_6276_ = _e2831;
-                                            phi_6277_ = _e2829;
-                                            phi_6278_ = false;
+                                            let _e3640 = phi_8767_;
+                                            phi_8768_ = _e3635.member_1;
+                                            phi_8769_ = _e3640;
+                                            phi_8770_ = _e3638;
+                                            phi_8771_ = false;
                                         } else {
-                                            phi_6275_ = f64();
-                                            phi_6276_ = false;
-                                            phi_6277_ = false;
-                                            phi_6278_ = true;
+                                            phi_8768_ = f64();
+                                            phi_8769_ = false;
+                                            phi_8770_ = false;
+                                            phi_8771_ = true;
                                         }
-                                        let _e2833 = phi_6275_;
-                                        let _e2835 = phi_6276_;
-                                        let _e2837 = phi_6277_;
-                                        let _e2839 = phi_6278_;
-                                        phi_6279_ = _e2833;
-                                        phi_6280_ = _e2835;
-                                        phi_6281_ = _e2837;
-                                        phi_6282_ = _e2839;
+                                        let _e3642 = phi_8768_;
+                                        let _e3644 = phi_8769_;
+                                        let _e3646 = phi_8770_;
+                                        let _e3648 = phi_8771_;
+                                        phi_8772_ = _e3642;
+                                        phi_8773_ = _e3644;
+                                        phi_8774_ = _e3646;
+                                        phi_8775_ = _e3648;
                                     }
-                                    let _e2841 = phi_6279_;
-                                    let _e2843 = phi_6280_;
-                                    let _e2845 = phi_6281_;
-                                    let _e2847 = phi_6282_;
-                                    phi_6283_ = _e2841;
-                                    phi_6284_ = _e2057;
-                                    phi_6285_ = _e2843;
-                                    phi_6286_ = _e2845;
-                                    phi_6287_ = _e2847;
+                                    let _e3650 = phi_8772_;
+                                    let _e3652 = phi_8773_;
+                                    let _e3654 = phi_8774_;
+                                    let _e3656 = phi_8775_;
+                                    phi_8776_ = _e3650;
+                                    phi_8777_ = _e2284;
+                                    phi_8778_ = _e3652;
+                                    phi_8779_ = _e3654;
+                                    phi_8780_ = _e3656;
                                 }
-                                let _e2849 = phi_6283_;
-                                let _e2851 = phi_6284_;
-                                let _e2853 = phi_6285_;
-                                let _e2855 = phi_6286_;
-                                let _e2857 = phi_6287_;
-                                if _e2851 {
-                                    phi_6291_ = true;
-                                    phi_6292_ = false;
-                                    phi_6293_ = false;
+                                let _e3658 = phi_8776_;
+                                let _e3660 = phi_8777_;
+                                let _e3662 = phi_8778_;
+                                let _e3664 = phi_8779_;
+                                let _e3666 = phi_8780_;
+                                if _e3660 {
+                                    phi_8784_ = true;
+                                    phi_8785_ = false;
+                                    phi_8786_ = false;
                                 } else {
-                                    phi_6291_ = _e2853;
-                                    phi_6292_ = _e2855;
-                                    phi_6293_ = _e2857;
+                                    phi_8784_ = _e3662;
+                                    phi_8785_ = _e3664;
+                                    phi_8786_ = _e3666;
                                 }
-                                let _e2859 = phi_6291_;
-                                let _e2861 = phi_6292_;
-                                let _e2863 = phi_6293_;
-                                phi_6294_ = _e2849;
-                                phi_6295_ = _e1331;
-                                phi_6296_ = _e2859;
-                                phi_6297_ = false;
-                                phi_6298_ = _e2861;
-                                phi_6299_ = _e2863;
+                                let _e3668 = phi_8784_;
+                                let _e3670 = phi_8785_;
+                                let _e3672 = phi_8786_;
+                                phi_8787_ = _e3658;
+                                phi_8788_ = _e1552;
+                                phi_8789_ = _e3668;
+                                phi_8790_ = false;
+                                phi_8791_ = _e3670;
+                                phi_8792_ = _e3672;
                             } else {
-                                phi_6294_ = f64();
-                                phi_6295_ = type_41();
-                                phi_6296_ = false;
-                                phi_6297_ = true;
-                                phi_6298_ = false;
-                                phi_6299_ = false;
+                                phi_8787_ = f64();
+                                phi_8788_ = type_43();
+                                phi_8789_ = false;
+                                phi_8790_ = true;
+                                phi_8791_ = false;
+                                phi_8792_ = false;
                             }
-                            let _e2865 = phi_6294_;
-                            let _e2867 = phi_6295_;
-                            let _e2869 = phi_6296_;
-                            let _e2871 = phi_6297_;
-                            let _e2873 = phi_6298_;
-                            let _e2875 = phi_6299_;
-                            local_28 = _e2871;
-                            local_63 = _e2873;
-                            local_64 = _e2875;
-                            local_29 = _e2865;
-                            local_30 = _e2867;
+                            let _e3674 = phi_8787_;
+                            let _e3676 = phi_8788_;
+                            let _e3678 = phi_8789_;
+                            let _e3680 = phi_8790_;
+                            let _e3682 = phi_8791_;
+                            let _e3684 = phi_8792_;
+                            local_21 = _e3680;
+                            local_41 = _e3682;
+                            local_42 = _e3684;
+                            local_22 = _e3674;
+                            local_23 = _e3676;
                             continue;
                             continuing {
-                                phi_3735_ = _e1018;
-                                break if !(_e2869);
+                                phi_5142_ = _e1265;
+                                break if !(_e3678);
                             }
                         }
-                        let _e2878 = local_28;
-                        if _e2878 {
-                            phi_6304_ = type_40(0u, type_40().member_1);
-                            phi_6305_ = false;
-                            phi_6306_ = false;
+                        let _e3687 = local_21;
+                        if _e3687 {
+                            phi_8797_ = type_42(0u, type_42().member_1);
+                            phi_8798_ = false;
+                            phi_8799_ = false;
                         } else {
-                            phi_6304_ = type_40();
-                            let _e4632 = local_63;
-                            phi_6305_ = _e4632;
-                            let _e4635 = local_64;
-                            phi_6306_ = _e4635;
+                            phi_8797_ = type_42();
+                            let _e6082 = local_41;
+                            phi_8798_ = _e6082;
+                            let _e6085 = local_42;
+                            phi_8799_ = _e6085;
                         }
-                        let _e2882 = phi_6304_;
-                        let _e2884 = phi_6305_;
-                        let _e2886 = phi_6306_;
-                        if _e2884 {
-                            let _e2888 = local_29;
-                            phi_6311_ = type_40(2u, _e2888);
-                            phi_6312_ = false;
+                        let _e3691 = phi_8797_;
+                        let _e3693 = phi_8798_;
+                        let _e3695 = phi_8799_;
+                        if _e3693 {
+                            let _e3697 = local_22;
+                            phi_8804_ = type_42(2u, _e3697);
+                            phi_8805_ = false;
                         } else {
-                            phi_6311_ = type_40();
-                            phi_6312_ = _e2886;
+                            phi_8804_ = type_42();
+                            phi_8805_ = _e3695;
                         }
-                        let _e2891 = phi_6311_;
-                        let _e2893 = phi_6312_;
-                        if _e2893 {
-                            let _e2895 = local_30;
-                            phi_6318_ = type_40(1u, _e2895.member);
-                            phi_6319_ = true;
+                        let _e3700 = phi_8804_;
+                        let _e3702 = phi_8805_;
+                        if _e3702 {
+                            let _e3704 = local_23;
+                            phi_8811_ = type_42(1u, _e3704.member);
+                            phi_8812_ = true;
                         } else {
-                            phi_6318_ = _e2891;
-                            phi_6319_ = _e2884;
+                            phi_8811_ = _e3700;
+                            phi_8812_ = _e3693;
                         }
-                        let _e2899 = phi_6318_;
-                        let _e2901 = phi_6319_;
-                        if _e2901 {
-                            phi_6323_ = _e2899;
+                        let _e3708 = phi_8811_;
+                        let _e3710 = phi_8812_;
+                        if _e3710 {
+                            phi_8816_ = _e3708;
                         } else {
-                            phi_6323_ = _e2882;
+                            phi_8816_ = _e3691;
                         }
-                        let _e2903 = phi_6323_;
-                        phi_6327_ = _e2903;
+                        let _e3712 = phi_8816_;
+                        phi_8820_ = _e3712;
                     }
-                    let _e4040 = phi_6327_;
-                    phi_6328_ = _e4040;
+                    let _e5431 = phi_8820_;
+                    phi_8821_ = _e5431;
                 }
-                let _e4044 = phi_6328_;
-                switch bitcast<i32>(_e4044.member) {
+                let _e5435 = phi_8821_;
+                switch bitcast<i32>(_e5435.member) {
                     case 0: {
-                        phi_6341_ = type_30(0u, array<u32, 2>(0u, 0u), false);
+                        phi_8834_ = type_30(0u, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e4050 = function_3(_e4044.member_1);
-                        phi_6341_ = type_30(0u, _e4050, true);
+                        let _e5441 = function_3(_e5435.member_1);
+                        phi_8834_ = type_30(0u, _e5441, true);
                         break;
                     }
                     case 2: {
-                        let _e4048 = function_3(_e4044.member_1);
-                        phi_6341_ = type_30(1u, _e4048, true);
+                        let _e5439 = function_3(_e5435.member_1);
+                        phi_8834_ = type_30(1u, _e5439, true);
                         break;
                     }
                     default: {
-                        phi_6341_ = type_30();
+                        phi_8834_ = type_30();
                         break;
                     }
                 }
-                let _e4053 = phi_6341_;
-                if _e4053.member_2 {
-                    let _e4060 = (_e4053.member_1[1] >> bitcast<u32>(20i));
-                    if (_e4060 <= 896u) {
-                        phi_6364_ = 0u;
+                let _e5444 = phi_8834_;
+                if _e5444.member_2 {
+                    let _e5451 = (_e5444.member_1[1] >> bitcast<u32>(20i));
+                    if (_e5451 <= 896u) {
+                        phi_8857_ = 0u;
                     } else {
-                        phi_6364_ = ((((_e4060 - 896u) << bitcast<u32>(23i)) | ((_e4053.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e4053.member_1[0] >> bitcast<u32>(29i)));
+                        phi_8857_ = ((((_e5451 - 896u) << bitcast<u32>(23i)) | ((_e5444.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e5444.member_1[0] >> bitcast<u32>(29i)));
                     }
-                    let _e4075 = phi_6364_;
-                    let _e4077 = atomicMin((&earliest.member[0u]), _e4075);
+                    let _e5466 = phi_8857_;
+                    let _e5468 = atomicMin((&earliest.member[0u]), _e5466);
                 }
-                phi_6368_ = type_29(_e168, _e4053.member, _e174, _e177, _e4053.member_1);
-                phi_6369_ = _e4053.member_2;
+                phi_8861_ = type_29(_e177, _e5444.member, _e183, _e186, _e5444.member_1);
+                phi_8862_ = _e5444.member_2;
             } else {
-                phi_6368_ = type_29(_e168, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
-                phi_6369_ = false;
+                phi_8861_ = type_29(_e177, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
+                phi_8862_ = false;
             }
-            let _e4079 = phi_6368_;
-            let _e4081 = phi_6369_;
-            let _e4083 = params.member.member_1;
-            if ((_e4083 & 16u) != 0u) {
-                if (_e101 == 0u) {
+            let _e5470 = phi_8861_;
+            let _e5472 = phi_8862_;
+            let _e5474 = params.member.member_1;
+            if ((_e5474 & 16u) != 0u) {
+                if (_e110 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e4081 {
-                    let _e4089 = atomicAdd((&counters[0u]), 1u);
-                    phi_6387_ = _e4089;
+                if _e5472 {
+                    let _e5480 = atomicAdd((&counters[0u]), 1u);
+                    phi_8880_ = _e5480;
                 } else {
-                    phi_6387_ = 0u;
+                    phi_8880_ = 0u;
                 }
-                let _e4091 = phi_6387_;
+                let _e5482 = phi_8880_;
                 workgroupBarrier();
-                if (_e101 == 0u) {
-                    let _e4094 = atomicLoad((&counters[0u]));
-                    if (_e4094 > 0u) {
-                        let _e4097 = atomicAdd((&contacts.member[0u]), _e4094);
-                        atomicStore((&counters[1u]), _e4097);
+                if (_e110 == 0u) {
+                    let _e5485 = atomicLoad((&counters[0u]));
+                    if (_e5485 > 0u) {
+                        let _e5488 = atomicAdd((&contacts.member[0u]), _e5485);
+                        atomicStore((&counters[1u]), _e5488);
                     }
                 }
                 workgroupBarrier();
-                let _e4100 = atomicLoad((&counters[1u]));
-                let _e4101 = (_e4100 + _e4091);
-                if _e4081 {
-                    let _e4103 = params.member.member_16;
-                    if (_e4101 < _e4103) {
-                        let _e4105 = (6u * _e4101);
-                        atomicStore((&contacts.member[(4u + _e4105)]), _e4079.member);
-                        atomicStore((&contacts.member[(_e4105 + 5u)]), _e4079.member_1);
-                        atomicStore((&contacts.member[(_e4105 + 6u)]), _e4079.member_2);
-                        atomicStore((&contacts.member[(_e4105 + 7u)]), _e4079.member_3);
-                        atomicStore((&contacts.member[(_e4105 + 8u)]), _e4079.member_4[0]);
-                        atomicStore((&contacts.member[(_e4105 + 9u)]), _e4079.member_4[1]);
+                let _e5491 = atomicLoad((&counters[1u]));
+                let _e5492 = (_e5491 + _e5482);
+                if _e5472 {
+                    let _e5494 = params.member.member_16;
+                    if (_e5492 < _e5494) {
+                        let _e5496 = (6u * _e5492);
+                        atomicStore((&contacts.member[(4u + _e5496)]), _e5470.member);
+                        atomicStore((&contacts.member[(_e5496 + 5u)]), _e5470.member_1);
+                        atomicStore((&contacts.member[(_e5496 + 6u)]), _e5470.member_2);
+                        atomicStore((&contacts.member[(_e5496 + 7u)]), _e5470.member_3);
+                        atomicStore((&contacts.member[(_e5496 + 8u)]), _e5470.member_4[0]);
+                        atomicStore((&contacts.member[(_e5496 + 9u)]), _e5470.member_4[1]);
                     }
                 }
             }
         }
         continue;
         continuing {
-            phi_830_ = _e156;
-            break if !(_e162);
+            phi_839_ = _e165;
+            break if !(_e171);
         }
     }
     return;

@@ -466,129 +466,128 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_3912_: f32;
     var phi_3917_: f32;
     var phi_3922_: f32;
-    var phi_4000_: f32;
-    var phi_4005_: f32;
-    var phi_4010_: f32;
-    var phi_4015_: f32;
-    var phi_4020_: f32;
-    var phi_4025_: f32;
-    var phi_4030_: f32;
-    var phi_4035_: f32;
-    var phi_4040_: f32;
-    var phi_4045_: f32;
-    var phi_4050_: f32;
-    var phi_4055_: f32;
-    var phi_4060_: f32;
-    var phi_4065_: f32;
-    var phi_4071_: f32;
-    var phi_4077_: f32;
-    var phi_4084_: f32;
-    var phi_4094_: f32;
-    var phi_4165_: f32;
-    var phi_4170_: f32;
-    var phi_4175_: f32;
-    var phi_4180_: f32;
-    var phi_4185_: f32;
-    var phi_4190_: f32;
-    var phi_4195_: f32;
-    var phi_4200_: f32;
-    var phi_4205_: f32;
-    var phi_4210_: f32;
-    var phi_4215_: f32;
-    var phi_4220_: f32;
-    var phi_4225_: f32;
-    var phi_4230_: f32;
-    var phi_4236_: f32;
-    var phi_4242_: f32;
-    var phi_4249_: f32;
-    var phi_4259_: f32;
-    var phi_4269_: f32;
-    var phi_4449_: bool;
-    var phi_4901_: f32;
-    var phi_4908_: f32;
-    var phi_4913_: f32;
-    var phi_4920_: f32;
-    var phi_4925_: f32;
-    var phi_4938_: f32;
-    var phi_4945_: f32;
-    var phi_4950_: f32;
-    var phi_4957_: f32;
-    var phi_4962_: f32;
-    var phi_4967_: f32;
-    var phi_4984_: f32;
-    var phi_4991_: f32;
-    var phi_4996_: f32;
-    var phi_5003_: f32;
-    var phi_5008_: f32;
-    var phi_5022_: f32;
-    var phi_5029_: f32;
-    var phi_5034_: f32;
-    var phi_5041_: f32;
-    var phi_5046_: f32;
-    var phi_5051_: f32;
-    var phi_5068_: f32;
-    var phi_5075_: f32;
-    var phi_5080_: f32;
-    var phi_5087_: f32;
-    var phi_5092_: f32;
-    var phi_5106_: f32;
-    var phi_5113_: f32;
-    var phi_5118_: f32;
-    var phi_5125_: f32;
-    var phi_5130_: f32;
-    var phi_5135_: f32;
-    var phi_5166_: f32;
-    var phi_5172_: f32;
-    var phi_5179_: f32;
-    var phi_5186_: f32;
-    var phi_5192_: f32;
-    var phi_5199_: f32;
-    var phi_5205_: f32;
-    var phi_5211_: f32;
-    var phi_5217_: f32;
-    var phi_5224_: f32;
-    var phi_5231_: f32;
-    var phi_5255_: f32;
-    var phi_5260_: f32;
-    var phi_5265_: f32;
-    var phi_5270_: f32;
-    var phi_5275_: f32;
-    var phi_5280_: f32;
-    var phi_5290_: f32;
-    var phi_5493_: f32;
-    var phi_5500_: f32;
-    var phi_5505_: f32;
-    var phi_5512_: f32;
-    var phi_5517_: f32;
-    var phi_5530_: f32;
-    var phi_5537_: f32;
-    var phi_5542_: f32;
-    var phi_5549_: f32;
-    var phi_5554_: f32;
-    var phi_5559_: f32;
-    var phi_5576_: f32;
-    var phi_5583_: f32;
-    var phi_5588_: f32;
-    var phi_5595_: f32;
-    var phi_5600_: f32;
-    var phi_5614_: f32;
-    var phi_5621_: f32;
-    var phi_5626_: f32;
-    var phi_5633_: f32;
-    var phi_5638_: f32;
-    var phi_5643_: f32;
-    var phi_5660_: f32;
-    var phi_5667_: f32;
-    var phi_5672_: f32;
-    var phi_5679_: f32;
-    var phi_5684_: f32;
-    var phi_5698_: f32;
-    var phi_5705_: f32;
-    var phi_5710_: f32;
-    var phi_5717_: f32;
-    var phi_5722_: f32;
-    var phi_5727_: f32;
-    var phi_5805_: f32;
+    var phi_4001_: f32;
+    var phi_4006_: f32;
+    var phi_4011_: f32;
+    var phi_4016_: f32;
+    var phi_4021_: f32;
+    var phi_4026_: f32;
+    var phi_4031_: f32;
+    var phi_4036_: f32;
+    var phi_4041_: f32;
+    var phi_4046_: f32;
+    var phi_4051_: f32;
+    var phi_4056_: f32;
+    var phi_4061_: f32;
+    var phi_4066_: f32;
+    var phi_4072_: f32;
+    var phi_4078_: f32;
+    var phi_4085_: f32;
+    var phi_4096_: f32;
+    var phi_4167_: f32;
+    var phi_4172_: f32;
+    var phi_4177_: f32;
+    var phi_4182_: f32;
+    var phi_4187_: f32;
+    var phi_4192_: f32;
+    var phi_4197_: f32;
+    var phi_4202_: f32;
+    var phi_4207_: f32;
+    var phi_4212_: f32;
+    var phi_4217_: f32;
+    var phi_4222_: f32;
+    var phi_4227_: f32;
+    var phi_4232_: f32;
+    var phi_4238_: f32;
+    var phi_4244_: f32;
+    var phi_4251_: f32;
+    var phi_4262_: f32;
+    var phi_4272_: f32;
+    var phi_4453_: bool;
+    var phi_4905_: f32;
+    var phi_4912_: f32;
+    var phi_4917_: f32;
+    var phi_4924_: f32;
+    var phi_4929_: f32;
+    var phi_4942_: f32;
+    var phi_4949_: f32;
+    var phi_4954_: f32;
+    var phi_4961_: f32;
+    var phi_4966_: f32;
+    var phi_4971_: f32;
+    var phi_4988_: f32;
+    var phi_4995_: f32;
+    var phi_5000_: f32;
+    var phi_5007_: f32;
+    var phi_5012_: f32;
+    var phi_5026_: f32;
+    var phi_5033_: f32;
+    var phi_5038_: f32;
+    var phi_5045_: f32;
+    var phi_5050_: f32;
+    var phi_5055_: f32;
+    var phi_5072_: f32;
+    var phi_5079_: f32;
+    var phi_5084_: f32;
+    var phi_5091_: f32;
+    var phi_5096_: f32;
+    var phi_5110_: f32;
+    var phi_5117_: f32;
+    var phi_5122_: f32;
+    var phi_5129_: f32;
+    var phi_5134_: f32;
+    var phi_5139_: f32;
+    var phi_5170_: f32;
+    var phi_5176_: f32;
+    var phi_5183_: f32;
+    var phi_5190_: f32;
+    var phi_5196_: f32;
+    var phi_5203_: f32;
+    var phi_5209_: f32;
+    var phi_5215_: f32;
+    var phi_5221_: f32;
+    var phi_5228_: f32;
+    var phi_5235_: f32;
+    var phi_5259_: f32;
+    var phi_5264_: f32;
+    var phi_5269_: f32;
+    var phi_5274_: f32;
+    var phi_5279_: f32;
+    var phi_5284_: f32;
+    var phi_5294_: f32;
+    var phi_5497_: f32;
+    var phi_5504_: f32;
+    var phi_5509_: f32;
+    var phi_5516_: f32;
+    var phi_5521_: f32;
+    var phi_5534_: f32;
+    var phi_5541_: f32;
+    var phi_5546_: f32;
+    var phi_5553_: f32;
+    var phi_5558_: f32;
+    var phi_5563_: f32;
+    var phi_5580_: f32;
+    var phi_5587_: f32;
+    var phi_5592_: f32;
+    var phi_5599_: f32;
+    var phi_5604_: f32;
+    var phi_5618_: f32;
+    var phi_5625_: f32;
+    var phi_5630_: f32;
+    var phi_5637_: f32;
+    var phi_5642_: f32;
+    var phi_5647_: f32;
+    var phi_5664_: f32;
+    var phi_5671_: f32;
+    var phi_5676_: f32;
+    var phi_5683_: f32;
+    var phi_5688_: f32;
+    var phi_5702_: f32;
+    var phi_5709_: f32;
+    var phi_5714_: f32;
+    var phi_5721_: f32;
+    var phi_5726_: f32;
+    var phi_5731_: f32;
     var phi_5810_: f32;
     var phi_5815_: f32;
     var phi_5820_: f32;
@@ -602,134 +601,133 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_5860_: f32;
     var phi_5865_: f32;
     var phi_5870_: f32;
-    var phi_5876_: f32;
-    var phi_5882_: f32;
-    var phi_5889_: f32;
-    var phi_5899_: f32;
-    var phi_5970_: f32;
-    var phi_5975_: f32;
-    var phi_5980_: f32;
-    var phi_5985_: f32;
-    var phi_5990_: f32;
-    var phi_5995_: f32;
-    var phi_6000_: f32;
-    var phi_6005_: f32;
-    var phi_6010_: f32;
-    var phi_6015_: f32;
-    var phi_6020_: f32;
-    var phi_6025_: f32;
-    var phi_6030_: f32;
-    var phi_6035_: f32;
+    var phi_5875_: f32;
+    var phi_5881_: f32;
+    var phi_5887_: f32;
+    var phi_5894_: f32;
+    var phi_5905_: f32;
+    var phi_5976_: f32;
+    var phi_5981_: f32;
+    var phi_5986_: f32;
+    var phi_5991_: f32;
+    var phi_5996_: f32;
+    var phi_6001_: f32;
+    var phi_6006_: f32;
+    var phi_6011_: f32;
+    var phi_6016_: f32;
+    var phi_6021_: f32;
+    var phi_6026_: f32;
+    var phi_6031_: f32;
+    var phi_6036_: f32;
     var phi_6041_: f32;
     var phi_6047_: f32;
-    var phi_6054_: f32;
-    var phi_6064_: f32;
-    var phi_6074_: f32;
-    var phi_6254_: bool;
-    var phi_6499_: f32;
-    var phi_6506_: f32;
-    var phi_6511_: f32;
-    var phi_6518_: f32;
-    var phi_6523_: f32;
-    var phi_6536_: f32;
-    var phi_6543_: f32;
-    var phi_6548_: f32;
-    var phi_6555_: f32;
-    var phi_6560_: f32;
-    var phi_6565_: f32;
-    var phi_6582_: f32;
-    var phi_6589_: f32;
-    var phi_6594_: f32;
-    var phi_6601_: f32;
-    var phi_6606_: f32;
-    var phi_6620_: f32;
-    var phi_6627_: f32;
-    var phi_6632_: f32;
-    var phi_6639_: f32;
-    var phi_6644_: f32;
-    var phi_6649_: f32;
-    var phi_6666_: f32;
-    var phi_6673_: f32;
-    var phi_6678_: f32;
-    var phi_6685_: f32;
-    var phi_6690_: f32;
-    var phi_6704_: f32;
-    var phi_6711_: f32;
-    var phi_6716_: f32;
-    var phi_6723_: f32;
-    var phi_6728_: f32;
-    var phi_6733_: f32;
-    var phi_6764_: f32;
-    var phi_6770_: f32;
-    var phi_6777_: f32;
-    var phi_6784_: f32;
-    var phi_6790_: f32;
-    var phi_6797_: f32;
-    var phi_6803_: f32;
-    var phi_6809_: f32;
-    var phi_6815_: f32;
-    var phi_6822_: f32;
-    var phi_6829_: f32;
-    var phi_6853_: f32;
-    var phi_6858_: f32;
-    var phi_6863_: f32;
-    var phi_6868_: f32;
-    var phi_6873_: f32;
-    var phi_6878_: f32;
-    var phi_6888_: f32;
-    var phi_7091_: f32;
-    var phi_7098_: f32;
-    var phi_7103_: f32;
-    var phi_7110_: f32;
-    var phi_7115_: f32;
-    var phi_7128_: f32;
-    var phi_7135_: f32;
-    var phi_7140_: f32;
-    var phi_7147_: f32;
-    var phi_7152_: f32;
-    var phi_7157_: f32;
-    var phi_7174_: f32;
-    var phi_7181_: f32;
-    var phi_7186_: f32;
-    var phi_7193_: f32;
-    var phi_7198_: f32;
-    var phi_7212_: f32;
-    var phi_7219_: f32;
-    var phi_7224_: f32;
-    var phi_7231_: f32;
-    var phi_7236_: f32;
-    var phi_7241_: f32;
-    var phi_7258_: f32;
-    var phi_7265_: f32;
-    var phi_7270_: f32;
-    var phi_7277_: f32;
-    var phi_7282_: f32;
-    var phi_7296_: f32;
-    var phi_7303_: f32;
-    var phi_7308_: f32;
-    var phi_7315_: f32;
-    var phi_7320_: f32;
-    var phi_7325_: f32;
-    var phi_7403_: f32;
-    var phi_7408_: f32;
-    var phi_7413_: f32;
-    var phi_7418_: f32;
-    var phi_7423_: f32;
-    var phi_7428_: f32;
-    var phi_7433_: f32;
-    var phi_7438_: f32;
-    var phi_7443_: f32;
-    var phi_7448_: f32;
-    var phi_7453_: f32;
-    var phi_7458_: f32;
-    var phi_7463_: f32;
-    var phi_7468_: f32;
-    var phi_7474_: f32;
-    var phi_7480_: f32;
-    var phi_7487_: f32;
-    var phi_7497_: f32;
-    var phi_7568_: f32;
-    var phi_7573_: f32;
+    var phi_6053_: f32;
+    var phi_6060_: f32;
+    var phi_6071_: f32;
+    var phi_6081_: f32;
+    var phi_6262_: bool;
+    var phi_6507_: f32;
+    var phi_6514_: f32;
+    var phi_6519_: f32;
+    var phi_6526_: f32;
+    var phi_6531_: f32;
+    var phi_6544_: f32;
+    var phi_6551_: f32;
+    var phi_6556_: f32;
+    var phi_6563_: f32;
+    var phi_6568_: f32;
+    var phi_6573_: f32;
+    var phi_6590_: f32;
+    var phi_6597_: f32;
+    var phi_6602_: f32;
+    var phi_6609_: f32;
+    var phi_6614_: f32;
+    var phi_6628_: f32;
+    var phi_6635_: f32;
+    var phi_6640_: f32;
+    var phi_6647_: f32;
+    var phi_6652_: f32;
+    var phi_6657_: f32;
+    var phi_6674_: f32;
+    var phi_6681_: f32;
+    var phi_6686_: f32;
+    var phi_6693_: f32;
+    var phi_6698_: f32;
+    var phi_6712_: f32;
+    var phi_6719_: f32;
+    var phi_6724_: f32;
+    var phi_6731_: f32;
+    var phi_6736_: f32;
+    var phi_6741_: f32;
+    var phi_6772_: f32;
+    var phi_6778_: f32;
+    var phi_6785_: f32;
+    var phi_6792_: f32;
+    var phi_6798_: f32;
+    var phi_6805_: f32;
+    var phi_6811_: f32;
+    var phi_6817_: f32;
+    var phi_6823_: f32;
+    var phi_6830_: f32;
+    var phi_6837_: f32;
+    var phi_6861_: f32;
+    var phi_6866_: f32;
+    var phi_6871_: f32;
+    var phi_6876_: f32;
+    var phi_6881_: f32;
+    var phi_6886_: f32;
+    var phi_6896_: f32;
+    var phi_7099_: f32;
+    var phi_7106_: f32;
+    var phi_7111_: f32;
+    var phi_7118_: f32;
+    var phi_7123_: f32;
+    var phi_7136_: f32;
+    var phi_7143_: f32;
+    var phi_7148_: f32;
+    var phi_7155_: f32;
+    var phi_7160_: f32;
+    var phi_7165_: f32;
+    var phi_7182_: f32;
+    var phi_7189_: f32;
+    var phi_7194_: f32;
+    var phi_7201_: f32;
+    var phi_7206_: f32;
+    var phi_7220_: f32;
+    var phi_7227_: f32;
+    var phi_7232_: f32;
+    var phi_7239_: f32;
+    var phi_7244_: f32;
+    var phi_7249_: f32;
+    var phi_7266_: f32;
+    var phi_7273_: f32;
+    var phi_7278_: f32;
+    var phi_7285_: f32;
+    var phi_7290_: f32;
+    var phi_7304_: f32;
+    var phi_7311_: f32;
+    var phi_7316_: f32;
+    var phi_7323_: f32;
+    var phi_7328_: f32;
+    var phi_7333_: f32;
+    var phi_7412_: f32;
+    var phi_7417_: f32;
+    var phi_7422_: f32;
+    var phi_7427_: f32;
+    var phi_7432_: f32;
+    var phi_7437_: f32;
+    var phi_7442_: f32;
+    var phi_7447_: f32;
+    var phi_7452_: f32;
+    var phi_7457_: f32;
+    var phi_7462_: f32;
+    var phi_7467_: f32;
+    var phi_7472_: f32;
+    var phi_7477_: f32;
+    var phi_7483_: f32;
+    var phi_7489_: f32;
+    var phi_7496_: f32;
+    var phi_7507_: f32;
     var phi_7578_: f32;
     var phi_7583_: f32;
     var phi_7588_: f32;
@@ -742,23 +740,25 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_7623_: f32;
     var phi_7628_: f32;
     var phi_7633_: f32;
-    var phi_7639_: f32;
-    var phi_7645_: f32;
-    var phi_7652_: f32;
+    var phi_7638_: f32;
+    var phi_7643_: f32;
+    var phi_7649_: f32;
+    var phi_7655_: f32;
     var phi_7662_: f32;
-    var phi_7672_: f32;
-    var phi_7852_: bool;
-    var phi_7853_: bool;
-    var phi_7855_: bool;
+    var phi_7673_: f32;
+    var phi_7683_: f32;
+    var phi_7864_: bool;
     var phi_7865_: bool;
-    var phi_7866_: bool;
-    var phi_7916_: type_21;
-    var phi_7917_: type_21;
-    var phi_7940_: type_21;
-    var phi_7963_: u32;
-    var phi_8017_: type_21;
-    var phi_8038_: bool;
-    var phi_8039_: bool;
+    var phi_7867_: bool;
+    var phi_7877_: bool;
+    var phi_7878_: bool;
+    var phi_7928_: type_21;
+    var phi_7929_: type_21;
+    var phi_7952_: type_21;
+    var phi_7975_: u32;
+    var phi_8029_: type_21;
+    var phi_8050_: bool;
+    var phi_8051_: bool;
     var local_3: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -1033,8 +1033,8 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
             }
             phi_921_ = type_21(0u, 32u);
-            let _e4661 = local_3;
-            phi_924_ = _e4661;
+            let _e4670 = local_3;
+            phi_924_ = _e4670;
             loop {
                 let _e462 = phi_921_;
                 let _e464 = phi_924_;
@@ -1410,7 +1410,7 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 if (bitcast<i32>(_e1020.member) != 0i) {
                     let _e1026 = (_e67 + (_e1020.member_1 * 128u));
                     if (_e1026 >= _e1004) {
-                        phi_7865_ = false;
+                        phi_7877_ = false;
                     } else {
                         let _e1029 = hits[_e1026];
                         let _e1032 = ((_e1029 >> bitcast<u32>(10i)) & 3u);
@@ -2079,8 +2079,8 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_3485_ = _e2032;
                             }
                             let _e2035 = phi_3485_;
-                            if ((_e2035 - ((((((_e1811 * 8f) * _e1921) * (0.000000059604645f * (490f / 64f))) + ((_e1928 * 19f) * ((_e1811 * (_e1865 + _e1919)) + (_e1865 * _e1919)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1811) * ((1f + _e1865) * (1f + _e1919))))) + ((_e1525 * (((_e1990 + (_e1921 * (0.000000059604645f * 4f))) + ((_e1995 * 6f) * (_e1865 + _e1919))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1865) * (1f + _e1919))))) * (3f * 1.0001f)))) > 0f) {
-                                phi_4449_ = true;
+                            if ((_e2035 - ((((((_e1811 * 8f) * _e1921) * (0.000000059604645f * (524f / 64f))) + ((_e1928 * 19f) * ((_e1811 * (_e1865 + _e1919)) + (_e1865 * _e1919)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1811) * ((1f + _e1865) * (1f + _e1919))))) + ((_e1525 * (((_e1990 + (_e1921 * (0.000000059604645f * 8f))) + ((_e1995 * 6f) * (_e1865 + _e1919))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1865) * (1f + _e1919))))) * (3f * 1.0001f)))) > 0f) {
+                                phi_4453_ = true;
                             } else {
                                 let _e2040 = local_2.member_1[0u];
                                 let _e2046 = local_2.member_1[1u];
@@ -2326,2105 +2326,2105 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 }
                                 let _e2289 = phi_3922_;
                                 let _e2291 = local_2.member_3;
-                                let _e2294 = (((_e2181 + _e2183) + (_e2235 + _e2237)) + (_e2289 + _e2291));
-                                let _e2297 = local_2.member_3;
-                                let _e2301 = (((_e1525 * 1.0001f) + (_e2297 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                let _e2304 = ((_e2073 * _e2052) - (_e2076 * _e2051));
-                                let _e2307 = ((_e2076 * _e2050) - (_e2070 * _e2052));
-                                let _e2310 = ((_e2070 * _e2051) - (_e2073 * _e2050));
-                                let _e2315 = (((_e2304 * _e2079[0]) + (_e2307 * _e2079[1])) + (_e2310 * _e2079[2]));
-                                let _e2320 = (((_e2304 * _e2095) + (_e2307 * _e2096)) + (_e2310 * _e2097));
-                                let _e2325 = (((_e2304 * _e2101) + (_e2307 * _e2102)) + (_e2310 * _e2103));
-                                let _e2330 = (((_e2304 * _e2098) + (_e2307 * _e2099)) + (_e2310 * _e2100));
-                                let _e2335 = (((_e2304 * _e2106[0]) + (_e2307 * _e2106[1])) + (_e2310 * _e2106[2]));
-                                let _e2340 = (((_e2304 * _e2122) + (_e2307 * _e2123)) + (_e2310 * _e2124));
-                                let _e2345 = (((_e2304 * _e2128) + (_e2307 * _e2129)) + (_e2310 * _e2130));
-                                let _e2350 = (((_e2304 * _e2125) + (_e2307 * _e2126)) + (_e2310 * _e2127));
-                                if (_e2315 < _e2320) {
-                                    phi_4000_ = _e2315;
+                                let _e2295 = ((((_e2181 + _e2183) + (_e2235 + _e2237)) + (_e2289 + _e2291)) * 2f);
+                                let _e2298 = local_2.member_3;
+                                let _e2302 = (((_e1525 * 1.0001f) + (_e2298 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                let _e2305 = ((_e2073 * _e2052) - (_e2076 * _e2051));
+                                let _e2308 = ((_e2076 * _e2050) - (_e2070 * _e2052));
+                                let _e2311 = ((_e2070 * _e2051) - (_e2073 * _e2050));
+                                let _e2316 = (((_e2305 * _e2079[0]) + (_e2308 * _e2079[1])) + (_e2311 * _e2079[2]));
+                                let _e2321 = (((_e2305 * _e2095) + (_e2308 * _e2096)) + (_e2311 * _e2097));
+                                let _e2326 = (((_e2305 * _e2101) + (_e2308 * _e2102)) + (_e2311 * _e2103));
+                                let _e2331 = (((_e2305 * _e2098) + (_e2308 * _e2099)) + (_e2311 * _e2100));
+                                let _e2336 = (((_e2305 * _e2106[0]) + (_e2308 * _e2106[1])) + (_e2311 * _e2106[2]));
+                                let _e2341 = (((_e2305 * _e2122) + (_e2308 * _e2123)) + (_e2311 * _e2124));
+                                let _e2346 = (((_e2305 * _e2128) + (_e2308 * _e2129)) + (_e2311 * _e2130));
+                                let _e2351 = (((_e2305 * _e2125) + (_e2308 * _e2126)) + (_e2311 * _e2127));
+                                if (_e2316 < _e2321) {
+                                    phi_4001_ = _e2316;
                                 } else {
-                                    phi_4000_ = _e2320;
+                                    phi_4001_ = _e2321;
                                 }
-                                let _e2353 = phi_4000_;
-                                if (_e2325 < _e2330) {
-                                    phi_4005_ = _e2325;
+                                let _e2354 = phi_4001_;
+                                if (_e2326 < _e2331) {
+                                    phi_4006_ = _e2326;
                                 } else {
-                                    phi_4005_ = _e2330;
+                                    phi_4006_ = _e2331;
                                 }
-                                let _e2356 = phi_4005_;
-                                if (_e2353 < _e2356) {
-                                    phi_4010_ = _e2353;
+                                let _e2357 = phi_4006_;
+                                if (_e2354 < _e2357) {
+                                    phi_4011_ = _e2354;
                                 } else {
-                                    phi_4010_ = _e2356;
+                                    phi_4011_ = _e2357;
                                 }
-                                let _e2359 = phi_4010_;
-                                if (_e2335 < _e2340) {
-                                    phi_4015_ = _e2335;
+                                let _e2360 = phi_4011_;
+                                if (_e2336 < _e2341) {
+                                    phi_4016_ = _e2336;
                                 } else {
-                                    phi_4015_ = _e2340;
+                                    phi_4016_ = _e2341;
                                 }
-                                let _e2362 = phi_4015_;
-                                if (_e2345 < _e2350) {
-                                    phi_4020_ = _e2345;
+                                let _e2363 = phi_4016_;
+                                if (_e2346 < _e2351) {
+                                    phi_4021_ = _e2346;
                                 } else {
-                                    phi_4020_ = _e2350;
+                                    phi_4021_ = _e2351;
                                 }
-                                let _e2365 = phi_4020_;
-                                if (_e2362 < _e2365) {
-                                    phi_4025_ = _e2362;
+                                let _e2366 = phi_4021_;
+                                if (_e2363 < _e2366) {
+                                    phi_4026_ = _e2363;
                                 } else {
-                                    phi_4025_ = _e2365;
+                                    phi_4026_ = _e2366;
                                 }
-                                let _e2368 = phi_4025_;
-                                if (_e2359 < _e2368) {
-                                    phi_4030_ = _e2359;
+                                let _e2369 = phi_4026_;
+                                if (_e2360 < _e2369) {
+                                    phi_4031_ = _e2360;
                                 } else {
-                                    phi_4030_ = _e2368;
+                                    phi_4031_ = _e2369;
                                 }
-                                let _e2371 = phi_4030_;
-                                if (_e2315 > _e2320) {
-                                    phi_4035_ = _e2315;
+                                let _e2372 = phi_4031_;
+                                if (_e2316 > _e2321) {
+                                    phi_4036_ = _e2316;
                                 } else {
-                                    phi_4035_ = _e2320;
+                                    phi_4036_ = _e2321;
                                 }
-                                let _e2374 = phi_4035_;
-                                if (_e2325 > _e2330) {
-                                    phi_4040_ = _e2325;
+                                let _e2375 = phi_4036_;
+                                if (_e2326 > _e2331) {
+                                    phi_4041_ = _e2326;
                                 } else {
-                                    phi_4040_ = _e2330;
+                                    phi_4041_ = _e2331;
                                 }
-                                let _e2377 = phi_4040_;
-                                if (_e2374 > _e2377) {
-                                    phi_4045_ = _e2374;
+                                let _e2378 = phi_4041_;
+                                if (_e2375 > _e2378) {
+                                    phi_4046_ = _e2375;
                                 } else {
-                                    phi_4045_ = _e2377;
+                                    phi_4046_ = _e2378;
                                 }
-                                let _e2380 = phi_4045_;
-                                if (_e2335 > _e2340) {
-                                    phi_4050_ = _e2335;
+                                let _e2381 = phi_4046_;
+                                if (_e2336 > _e2341) {
+                                    phi_4051_ = _e2336;
                                 } else {
-                                    phi_4050_ = _e2340;
+                                    phi_4051_ = _e2341;
                                 }
-                                let _e2383 = phi_4050_;
-                                if (_e2345 > _e2350) {
-                                    phi_4055_ = _e2345;
+                                let _e2384 = phi_4051_;
+                                if (_e2346 > _e2351) {
+                                    phi_4056_ = _e2346;
                                 } else {
-                                    phi_4055_ = _e2350;
+                                    phi_4056_ = _e2351;
                                 }
-                                let _e2386 = phi_4055_;
-                                if (_e2383 > _e2386) {
-                                    phi_4060_ = _e2383;
+                                let _e2387 = phi_4056_;
+                                if (_e2384 > _e2387) {
+                                    phi_4061_ = _e2384;
                                 } else {
-                                    phi_4060_ = _e2386;
+                                    phi_4061_ = _e2387;
                                 }
-                                let _e2389 = phi_4060_;
-                                if (_e2380 > _e2389) {
-                                    phi_4065_ = _e2380;
+                                let _e2390 = phi_4061_;
+                                if (_e2381 > _e2390) {
+                                    phi_4066_ = _e2381;
                                 } else {
-                                    phi_4065_ = _e2389;
+                                    phi_4066_ = _e2390;
                                 }
-                                let _e2392 = phi_4065_;
-                                if (_e2304 < 0f) {
-                                    phi_4071_ = -(_e2304);
+                                let _e2393 = phi_4066_;
+                                if (_e2305 < 0f) {
+                                    phi_4072_ = -(_e2305);
                                 } else {
-                                    phi_4071_ = _e2304;
+                                    phi_4072_ = _e2305;
                                 }
-                                let _e2396 = phi_4071_;
-                                if (_e2307 < 0f) {
-                                    phi_4077_ = -(_e2307);
+                                let _e2397 = phi_4072_;
+                                if (_e2308 < 0f) {
+                                    phi_4078_ = -(_e2308);
                                 } else {
-                                    phi_4077_ = _e2307;
+                                    phi_4078_ = _e2308;
                                 }
-                                let _e2400 = phi_4077_;
-                                if (_e2310 < 0f) {
-                                    phi_4084_ = -(_e2310);
+                                let _e2401 = phi_4078_;
+                                if (_e2311 < 0f) {
+                                    phi_4085_ = -(_e2311);
                                 } else {
-                                    phi_4084_ = _e2310;
+                                    phi_4085_ = _e2311;
                                 }
-                                let _e2405 = phi_4084_;
-                                let _e2406 = ((_e2396 + _e2400) + _e2405);
-                                let _e2410 = -(_e2392);
-                                if (_e2371 > _e2410) {
-                                    phi_4094_ = _e2371;
+                                let _e2406 = phi_4085_;
+                                let _e2407 = ((_e2397 + _e2401) + _e2406);
+                                let _e2412 = -(_e2393);
+                                if (_e2372 > _e2412) {
+                                    phi_4096_ = _e2372;
                                 } else {
-                                    phi_4094_ = _e2410;
+                                    phi_4096_ = _e2412;
                                 }
-                                let _e2413 = phi_4094_;
-                                let _e2418 = (((_e2413 - ((_e2406 * _e2294) * (0.000000059604645f * 17f))) - (_e2406 * _e2301)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                let _e2421 = ((_e2073 * _e2067) - (_e2076 * _e2066));
-                                let _e2424 = ((_e2076 * _e2065) - (_e2070 * _e2067));
-                                let _e2427 = ((_e2070 * _e2066) - (_e2073 * _e2065));
-                                let _e2432 = (((_e2421 * _e2079[0]) + (_e2424 * _e2079[1])) + (_e2427 * _e2079[2]));
-                                let _e2437 = (((_e2421 * _e2095) + (_e2424 * _e2096)) + (_e2427 * _e2097));
-                                let _e2442 = (((_e2421 * _e2101) + (_e2424 * _e2102)) + (_e2427 * _e2103));
-                                let _e2447 = (((_e2421 * _e2098) + (_e2424 * _e2099)) + (_e2427 * _e2100));
-                                let _e2452 = (((_e2421 * _e2106[0]) + (_e2424 * _e2106[1])) + (_e2427 * _e2106[2]));
-                                let _e2457 = (((_e2421 * _e2122) + (_e2424 * _e2123)) + (_e2427 * _e2124));
-                                let _e2462 = (((_e2421 * _e2128) + (_e2424 * _e2129)) + (_e2427 * _e2130));
-                                let _e2467 = (((_e2421 * _e2125) + (_e2424 * _e2126)) + (_e2427 * _e2127));
-                                if (_e2432 < _e2437) {
-                                    phi_4165_ = _e2432;
+                                let _e2415 = phi_4096_;
+                                let _e2420 = (((_e2415 - ((_e2407 * _e2295) * (0.000000059604645f * (17f / 2f)))) - (_e2407 * _e2302)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                let _e2423 = ((_e2073 * _e2067) - (_e2076 * _e2066));
+                                let _e2426 = ((_e2076 * _e2065) - (_e2070 * _e2067));
+                                let _e2429 = ((_e2070 * _e2066) - (_e2073 * _e2065));
+                                let _e2434 = (((_e2423 * _e2079[0]) + (_e2426 * _e2079[1])) + (_e2429 * _e2079[2]));
+                                let _e2439 = (((_e2423 * _e2095) + (_e2426 * _e2096)) + (_e2429 * _e2097));
+                                let _e2444 = (((_e2423 * _e2101) + (_e2426 * _e2102)) + (_e2429 * _e2103));
+                                let _e2449 = (((_e2423 * _e2098) + (_e2426 * _e2099)) + (_e2429 * _e2100));
+                                let _e2454 = (((_e2423 * _e2106[0]) + (_e2426 * _e2106[1])) + (_e2429 * _e2106[2]));
+                                let _e2459 = (((_e2423 * _e2122) + (_e2426 * _e2123)) + (_e2429 * _e2124));
+                                let _e2464 = (((_e2423 * _e2128) + (_e2426 * _e2129)) + (_e2429 * _e2130));
+                                let _e2469 = (((_e2423 * _e2125) + (_e2426 * _e2126)) + (_e2429 * _e2127));
+                                if (_e2434 < _e2439) {
+                                    phi_4167_ = _e2434;
                                 } else {
-                                    phi_4165_ = _e2437;
+                                    phi_4167_ = _e2439;
                                 }
-                                let _e2470 = phi_4165_;
-                                if (_e2442 < _e2447) {
-                                    phi_4170_ = _e2442;
+                                let _e2472 = phi_4167_;
+                                if (_e2444 < _e2449) {
+                                    phi_4172_ = _e2444;
                                 } else {
-                                    phi_4170_ = _e2447;
+                                    phi_4172_ = _e2449;
                                 }
-                                let _e2473 = phi_4170_;
-                                if (_e2470 < _e2473) {
-                                    phi_4175_ = _e2470;
+                                let _e2475 = phi_4172_;
+                                if (_e2472 < _e2475) {
+                                    phi_4177_ = _e2472;
                                 } else {
-                                    phi_4175_ = _e2473;
+                                    phi_4177_ = _e2475;
                                 }
-                                let _e2476 = phi_4175_;
-                                if (_e2452 < _e2457) {
-                                    phi_4180_ = _e2452;
+                                let _e2478 = phi_4177_;
+                                if (_e2454 < _e2459) {
+                                    phi_4182_ = _e2454;
                                 } else {
-                                    phi_4180_ = _e2457;
+                                    phi_4182_ = _e2459;
                                 }
-                                let _e2479 = phi_4180_;
-                                if (_e2462 < _e2467) {
-                                    phi_4185_ = _e2462;
+                                let _e2481 = phi_4182_;
+                                if (_e2464 < _e2469) {
+                                    phi_4187_ = _e2464;
                                 } else {
-                                    phi_4185_ = _e2467;
+                                    phi_4187_ = _e2469;
                                 }
-                                let _e2482 = phi_4185_;
-                                if (_e2479 < _e2482) {
-                                    phi_4190_ = _e2479;
+                                let _e2484 = phi_4187_;
+                                if (_e2481 < _e2484) {
+                                    phi_4192_ = _e2481;
                                 } else {
-                                    phi_4190_ = _e2482;
+                                    phi_4192_ = _e2484;
                                 }
-                                let _e2485 = phi_4190_;
-                                if (_e2476 < _e2485) {
-                                    phi_4195_ = _e2476;
+                                let _e2487 = phi_4192_;
+                                if (_e2478 < _e2487) {
+                                    phi_4197_ = _e2478;
                                 } else {
-                                    phi_4195_ = _e2485;
+                                    phi_4197_ = _e2487;
                                 }
-                                let _e2488 = phi_4195_;
-                                if (_e2432 > _e2437) {
-                                    phi_4200_ = _e2432;
+                                let _e2490 = phi_4197_;
+                                if (_e2434 > _e2439) {
+                                    phi_4202_ = _e2434;
                                 } else {
-                                    phi_4200_ = _e2437;
+                                    phi_4202_ = _e2439;
                                 }
-                                let _e2491 = phi_4200_;
-                                if (_e2442 > _e2447) {
-                                    phi_4205_ = _e2442;
+                                let _e2493 = phi_4202_;
+                                if (_e2444 > _e2449) {
+                                    phi_4207_ = _e2444;
                                 } else {
-                                    phi_4205_ = _e2447;
+                                    phi_4207_ = _e2449;
                                 }
-                                let _e2494 = phi_4205_;
-                                if (_e2491 > _e2494) {
-                                    phi_4210_ = _e2491;
+                                let _e2496 = phi_4207_;
+                                if (_e2493 > _e2496) {
+                                    phi_4212_ = _e2493;
                                 } else {
-                                    phi_4210_ = _e2494;
+                                    phi_4212_ = _e2496;
                                 }
-                                let _e2497 = phi_4210_;
-                                if (_e2452 > _e2457) {
-                                    phi_4215_ = _e2452;
+                                let _e2499 = phi_4212_;
+                                if (_e2454 > _e2459) {
+                                    phi_4217_ = _e2454;
                                 } else {
-                                    phi_4215_ = _e2457;
+                                    phi_4217_ = _e2459;
                                 }
-                                let _e2500 = phi_4215_;
-                                if (_e2462 > _e2467) {
-                                    phi_4220_ = _e2462;
+                                let _e2502 = phi_4217_;
+                                if (_e2464 > _e2469) {
+                                    phi_4222_ = _e2464;
                                 } else {
-                                    phi_4220_ = _e2467;
+                                    phi_4222_ = _e2469;
                                 }
-                                let _e2503 = phi_4220_;
-                                if (_e2500 > _e2503) {
-                                    phi_4225_ = _e2500;
+                                let _e2505 = phi_4222_;
+                                if (_e2502 > _e2505) {
+                                    phi_4227_ = _e2502;
                                 } else {
-                                    phi_4225_ = _e2503;
+                                    phi_4227_ = _e2505;
                                 }
-                                let _e2506 = phi_4225_;
-                                if (_e2497 > _e2506) {
-                                    phi_4230_ = _e2497;
+                                let _e2508 = phi_4227_;
+                                if (_e2499 > _e2508) {
+                                    phi_4232_ = _e2499;
                                 } else {
-                                    phi_4230_ = _e2506;
+                                    phi_4232_ = _e2508;
                                 }
-                                let _e2509 = phi_4230_;
-                                if (_e2421 < 0f) {
-                                    phi_4236_ = -(_e2421);
+                                let _e2511 = phi_4232_;
+                                if (_e2423 < 0f) {
+                                    phi_4238_ = -(_e2423);
                                 } else {
-                                    phi_4236_ = _e2421;
+                                    phi_4238_ = _e2423;
                                 }
-                                let _e2513 = phi_4236_;
-                                if (_e2424 < 0f) {
-                                    phi_4242_ = -(_e2424);
+                                let _e2515 = phi_4238_;
+                                if (_e2426 < 0f) {
+                                    phi_4244_ = -(_e2426);
                                 } else {
-                                    phi_4242_ = _e2424;
+                                    phi_4244_ = _e2426;
                                 }
-                                let _e2517 = phi_4242_;
-                                if (_e2427 < 0f) {
-                                    phi_4249_ = -(_e2427);
+                                let _e2519 = phi_4244_;
+                                if (_e2429 < 0f) {
+                                    phi_4251_ = -(_e2429);
                                 } else {
-                                    phi_4249_ = _e2427;
+                                    phi_4251_ = _e2429;
                                 }
-                                let _e2522 = phi_4249_;
-                                let _e2523 = ((_e2513 + _e2517) + _e2522);
-                                let _e2527 = -(_e2509);
-                                if (_e2488 > _e2527) {
-                                    phi_4259_ = _e2488;
+                                let _e2524 = phi_4251_;
+                                let _e2525 = ((_e2515 + _e2519) + _e2524);
+                                let _e2530 = -(_e2511);
+                                if (_e2490 > _e2530) {
+                                    phi_4262_ = _e2490;
                                 } else {
-                                    phi_4259_ = _e2527;
+                                    phi_4262_ = _e2530;
                                 }
-                                let _e2530 = phi_4259_;
-                                let _e2535 = (((_e2530 - ((_e2523 * _e2294) * (0.000000059604645f * 17f))) - (_e2523 * _e2301)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2418 > _e2535) {
-                                    phi_4269_ = _e2418;
+                                let _e2533 = phi_4262_;
+                                let _e2538 = (((_e2533 - ((_e2525 * _e2295) * (0.000000059604645f * (17f / 2f)))) - (_e2525 * _e2302)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e2420 > _e2538) {
+                                    phi_4272_ = _e2420;
                                 } else {
-                                    phi_4269_ = _e2535;
+                                    phi_4272_ = _e2538;
                                 }
-                                let _e2538 = phi_4269_;
-                                phi_4449_ = (_e2538 > 0f);
+                                let _e2541 = phi_4272_;
+                                phi_4453_ = (_e2541 > 0f);
                             }
-                            let _e2541 = phi_4449_;
-                            if _e2541 {
-                                phi_7855_ = false;
+                            let _e2544 = phi_4453_;
+                            if _e2544 {
+                                phi_7867_ = false;
                             } else {
-                                let _e2544 = local_2.member[0u];
-                                let _e2550 = local_2.member[1u];
-                                let _e2557 = ((_e2544[0] + _e2550[0]) * 0.5f);
-                                let _e2558 = ((_e2544[1] + _e2550[1]) * 0.5f);
-                                let _e2559 = ((_e2544[2] + _e2550[2]) * 0.5f);
-                                let _e2562 = local_2.member_1[0u];
-                                let _e2568 = local_2.member_1[1u];
-                                let _e2575 = ((_e2562[0] + _e2568[0]) * 0.5f);
-                                let _e2576 = ((_e2562[1] + _e2568[1]) * 0.5f);
-                                let _e2577 = ((_e2562[2] + _e2568[2]) * 0.5f);
-                                let _e2580 = local_2.member_2[0u];
-                                let _e2586 = local_2.member_2[1u];
-                                let _e2593 = ((_e2580[0] + _e2586[0]) * 0.5f);
-                                let _e2594 = ((_e2580[1] + _e2586[1]) * 0.5f);
-                                let _e2595 = ((_e2580[2] + _e2586[2]) * 0.5f);
-                                let _e2598 = local_2.member[0u];
-                                let _e2601 = local_2.member_1[0u];
-                                let _e2604 = local_2.member_2[0u];
-                                let _e2606 = local_2.member_3;
-                                let _e2609 = local_2.member[1u];
-                                let _e2612 = local_2.member_1[1u];
-                                let _e2615 = local_2.member_2[1u];
-                                let _e2617 = local_2.member_3;
-                                local = type_34(array<array<f32, 3>, 2>(_e2598, array<f32, 3>(_e2557, _e2558, _e2559)), array<array<f32, 3>, 2>(_e2601, array<f32, 3>(_e2575, _e2576, _e2577)), array<array<f32, 3>, 2>(_e2604, array<f32, 3>(_e2593, _e2594, _e2595)), _e2606);
-                                local_1 = type_34(array<array<f32, 3>, 2>(array<f32, 3>(_e2557, _e2558, _e2559), _e2609), array<array<f32, 3>, 2>(array<f32, 3>(_e2575, _e2576, _e2577), _e2612), array<array<f32, 3>, 2>(array<f32, 3>(_e2593, _e2594, _e2595), _e2615), _e2617);
-                                let _e2634 = local.member_1[0u];
-                                let _e2640 = local.member_2[0u];
-                                let _e2646 = ((_e2634[1] * _e2640[2]) - (_e2634[2] * _e2640[1]));
-                                let _e2649 = ((_e2634[2] * _e2640[0]) - (_e2634[0] * _e2640[2]));
-                                let _e2652 = ((_e2634[0] * _e2640[1]) - (_e2634[1] * _e2640[0]));
-                                let _e2655 = local.member_1[1u];
-                                let _e2661 = local.member_2[1u];
-                                let _e2667 = ((_e2655[1] * _e2661[2]) - (_e2655[2] * _e2661[1]));
-                                let _e2670 = ((_e2655[2] * _e2661[0]) - (_e2655[0] * _e2661[2]));
-                                let _e2673 = ((_e2655[0] * _e2661[1]) - (_e2655[1] * _e2661[0]));
-                                let _e2676 = local.member_1[0u];
-                                let _e2682 = local.member_2[1u];
-                                let _e2697 = local.member_1[1u];
-                                let _e2703 = local.member_2[0u];
-                                let _e2716 = (((_e2676[1] * _e2682[2]) - (_e2676[2] * _e2682[1])) + ((_e2697[1] * _e2703[2]) - (_e2697[2] * _e2703[1])));
-                                let _e2717 = (((_e2676[2] * _e2682[0]) - (_e2676[0] * _e2682[2])) + ((_e2697[2] * _e2703[0]) - (_e2697[0] * _e2703[2])));
-                                let _e2718 = (((_e2676[0] * _e2682[1]) - (_e2676[1] * _e2682[0])) + ((_e2697[0] * _e2703[1]) - (_e2697[1] * _e2703[0])));
-                                let _e2721 = local.member[0u];
-                                let _e2732 = local.member[1u];
-                                let _e2743 = local.member[0u];
-                                let _e2752 = ((((_e2732[0] * _e2646) + (_e2732[1] * _e2649)) + (_e2732[2] * _e2652)) + (((_e2743[0] * _e2716) + (_e2743[1] * _e2717)) + (_e2743[2] * _e2718)));
-                                let _e2755 = local.member[0u];
-                                let _e2766 = local.member[1u];
-                                let _e2775 = ((((_e2755[0] * _e2667) + (_e2755[1] * _e2670)) + (_e2755[2] * _e2673)) + (((_e2766[0] * _e2716) + (_e2766[1] * _e2717)) + (_e2766[2] * _e2718)));
-                                let _e2778 = local.member[1u];
-                                let _e2789 = local.member[0u];
-                                if (_e2789[0] < 0f) {
-                                    phi_4901_ = -(_e2789[0]);
+                                let _e2547 = local_2.member[0u];
+                                let _e2553 = local_2.member[1u];
+                                let _e2560 = ((_e2547[0] + _e2553[0]) * 0.5f);
+                                let _e2561 = ((_e2547[1] + _e2553[1]) * 0.5f);
+                                let _e2562 = ((_e2547[2] + _e2553[2]) * 0.5f);
+                                let _e2565 = local_2.member_1[0u];
+                                let _e2571 = local_2.member_1[1u];
+                                let _e2578 = ((_e2565[0] + _e2571[0]) * 0.5f);
+                                let _e2579 = ((_e2565[1] + _e2571[1]) * 0.5f);
+                                let _e2580 = ((_e2565[2] + _e2571[2]) * 0.5f);
+                                let _e2583 = local_2.member_2[0u];
+                                let _e2589 = local_2.member_2[1u];
+                                let _e2596 = ((_e2583[0] + _e2589[0]) * 0.5f);
+                                let _e2597 = ((_e2583[1] + _e2589[1]) * 0.5f);
+                                let _e2598 = ((_e2583[2] + _e2589[2]) * 0.5f);
+                                let _e2601 = local_2.member[0u];
+                                let _e2604 = local_2.member_1[0u];
+                                let _e2607 = local_2.member_2[0u];
+                                let _e2609 = local_2.member_3;
+                                let _e2612 = local_2.member[1u];
+                                let _e2615 = local_2.member_1[1u];
+                                let _e2618 = local_2.member_2[1u];
+                                let _e2620 = local_2.member_3;
+                                local = type_34(array<array<f32, 3>, 2>(_e2601, array<f32, 3>(_e2560, _e2561, _e2562)), array<array<f32, 3>, 2>(_e2604, array<f32, 3>(_e2578, _e2579, _e2580)), array<array<f32, 3>, 2>(_e2607, array<f32, 3>(_e2596, _e2597, _e2598)), _e2609);
+                                local_1 = type_34(array<array<f32, 3>, 2>(array<f32, 3>(_e2560, _e2561, _e2562), _e2612), array<array<f32, 3>, 2>(array<f32, 3>(_e2578, _e2579, _e2580), _e2615), array<array<f32, 3>, 2>(array<f32, 3>(_e2596, _e2597, _e2598), _e2618), _e2620);
+                                let _e2637 = local.member_1[0u];
+                                let _e2643 = local.member_2[0u];
+                                let _e2649 = ((_e2637[1] * _e2643[2]) - (_e2637[2] * _e2643[1]));
+                                let _e2652 = ((_e2637[2] * _e2643[0]) - (_e2637[0] * _e2643[2]));
+                                let _e2655 = ((_e2637[0] * _e2643[1]) - (_e2637[1] * _e2643[0]));
+                                let _e2658 = local.member_1[1u];
+                                let _e2664 = local.member_2[1u];
+                                let _e2670 = ((_e2658[1] * _e2664[2]) - (_e2658[2] * _e2664[1]));
+                                let _e2673 = ((_e2658[2] * _e2664[0]) - (_e2658[0] * _e2664[2]));
+                                let _e2676 = ((_e2658[0] * _e2664[1]) - (_e2658[1] * _e2664[0]));
+                                let _e2679 = local.member_1[0u];
+                                let _e2685 = local.member_2[1u];
+                                let _e2700 = local.member_1[1u];
+                                let _e2706 = local.member_2[0u];
+                                let _e2719 = (((_e2679[1] * _e2685[2]) - (_e2679[2] * _e2685[1])) + ((_e2700[1] * _e2706[2]) - (_e2700[2] * _e2706[1])));
+                                let _e2720 = (((_e2679[2] * _e2685[0]) - (_e2679[0] * _e2685[2])) + ((_e2700[2] * _e2706[0]) - (_e2700[0] * _e2706[2])));
+                                let _e2721 = (((_e2679[0] * _e2685[1]) - (_e2679[1] * _e2685[0])) + ((_e2700[0] * _e2706[1]) - (_e2700[1] * _e2706[0])));
+                                let _e2724 = local.member[0u];
+                                let _e2735 = local.member[1u];
+                                let _e2746 = local.member[0u];
+                                let _e2755 = ((((_e2735[0] * _e2649) + (_e2735[1] * _e2652)) + (_e2735[2] * _e2655)) + (((_e2746[0] * _e2719) + (_e2746[1] * _e2720)) + (_e2746[2] * _e2721)));
+                                let _e2758 = local.member[0u];
+                                let _e2769 = local.member[1u];
+                                let _e2778 = ((((_e2758[0] * _e2670) + (_e2758[1] * _e2673)) + (_e2758[2] * _e2676)) + (((_e2769[0] * _e2719) + (_e2769[1] * _e2720)) + (_e2769[2] * _e2721)));
+                                let _e2781 = local.member[1u];
+                                let _e2792 = local.member[0u];
+                                if (_e2792[0] < 0f) {
+                                    phi_4905_ = -(_e2792[0]);
                                 } else {
-                                    phi_4901_ = _e2789[0];
+                                    phi_4905_ = _e2792[0];
                                 }
-                                let _e2796 = phi_4901_;
-                                if (_e2789[1] < 0f) {
-                                    phi_4908_ = -(_e2789[1]);
+                                let _e2799 = phi_4905_;
+                                if (_e2792[1] < 0f) {
+                                    phi_4912_ = -(_e2792[1]);
                                 } else {
-                                    phi_4908_ = _e2789[1];
+                                    phi_4912_ = _e2792[1];
                                 }
-                                let _e2800 = phi_4908_;
-                                if (_e2796 > _e2800) {
-                                    phi_4913_ = _e2796;
+                                let _e2803 = phi_4912_;
+                                if (_e2799 > _e2803) {
+                                    phi_4917_ = _e2799;
                                 } else {
-                                    phi_4913_ = _e2800;
+                                    phi_4917_ = _e2803;
                                 }
-                                let _e2803 = phi_4913_;
-                                if (_e2789[2] < 0f) {
-                                    phi_4920_ = -(_e2789[2]);
+                                let _e2806 = phi_4917_;
+                                if (_e2792[2] < 0f) {
+                                    phi_4924_ = -(_e2792[2]);
                                 } else {
-                                    phi_4920_ = _e2789[2];
+                                    phi_4924_ = _e2792[2];
                                 }
-                                let _e2807 = phi_4920_;
-                                if (_e2803 > _e2807) {
-                                    phi_4925_ = _e2803;
+                                let _e2810 = phi_4924_;
+                                if (_e2806 > _e2810) {
+                                    phi_4929_ = _e2806;
                                 } else {
-                                    phi_4925_ = _e2807;
+                                    phi_4929_ = _e2810;
                                 }
-                                let _e2810 = phi_4925_;
-                                let _e2813 = local.member[1u];
-                                if (_e2813[0] < 0f) {
-                                    phi_4938_ = -(_e2813[0]);
+                                let _e2813 = phi_4929_;
+                                let _e2816 = local.member[1u];
+                                if (_e2816[0] < 0f) {
+                                    phi_4942_ = -(_e2816[0]);
                                 } else {
-                                    phi_4938_ = _e2813[0];
+                                    phi_4942_ = _e2816[0];
                                 }
-                                let _e2820 = phi_4938_;
-                                if (_e2813[1] < 0f) {
-                                    phi_4945_ = -(_e2813[1]);
+                                let _e2823 = phi_4942_;
+                                if (_e2816[1] < 0f) {
+                                    phi_4949_ = -(_e2816[1]);
                                 } else {
-                                    phi_4945_ = _e2813[1];
+                                    phi_4949_ = _e2816[1];
                                 }
-                                let _e2824 = phi_4945_;
-                                if (_e2820 > _e2824) {
-                                    phi_4950_ = _e2820;
+                                let _e2827 = phi_4949_;
+                                if (_e2823 > _e2827) {
+                                    phi_4954_ = _e2823;
                                 } else {
-                                    phi_4950_ = _e2824;
+                                    phi_4954_ = _e2827;
                                 }
-                                let _e2827 = phi_4950_;
-                                if (_e2813[2] < 0f) {
-                                    phi_4957_ = -(_e2813[2]);
+                                let _e2830 = phi_4954_;
+                                if (_e2816[2] < 0f) {
+                                    phi_4961_ = -(_e2816[2]);
                                 } else {
-                                    phi_4957_ = _e2813[2];
+                                    phi_4961_ = _e2816[2];
                                 }
-                                let _e2831 = phi_4957_;
-                                if (_e2827 > _e2831) {
-                                    phi_4962_ = _e2827;
+                                let _e2834 = phi_4961_;
+                                if (_e2830 > _e2834) {
+                                    phi_4966_ = _e2830;
                                 } else {
-                                    phi_4962_ = _e2831;
+                                    phi_4966_ = _e2834;
                                 }
-                                let _e2834 = phi_4962_;
-                                if (_e2810 > _e2834) {
-                                    phi_4967_ = _e2810;
+                                let _e2837 = phi_4966_;
+                                if (_e2813 > _e2837) {
+                                    phi_4971_ = _e2813;
                                 } else {
-                                    phi_4967_ = _e2834;
+                                    phi_4971_ = _e2837;
                                 }
-                                let _e2837 = phi_4967_;
-                                let _e2839 = local.member_3;
-                                let _e2840 = (_e2837 + _e2839);
-                                let _e2843 = local.member_1[0u];
-                                if (_e2843[0] < 0f) {
-                                    phi_4984_ = -(_e2843[0]);
+                                let _e2840 = phi_4971_;
+                                let _e2842 = local.member_3;
+                                let _e2843 = (_e2840 + _e2842);
+                                let _e2846 = local.member_1[0u];
+                                if (_e2846[0] < 0f) {
+                                    phi_4988_ = -(_e2846[0]);
                                 } else {
-                                    phi_4984_ = _e2843[0];
+                                    phi_4988_ = _e2846[0];
                                 }
-                                let _e2850 = phi_4984_;
-                                if (_e2843[1] < 0f) {
-                                    phi_4991_ = -(_e2843[1]);
+                                let _e2853 = phi_4988_;
+                                if (_e2846[1] < 0f) {
+                                    phi_4995_ = -(_e2846[1]);
                                 } else {
-                                    phi_4991_ = _e2843[1];
+                                    phi_4995_ = _e2846[1];
                                 }
-                                let _e2854 = phi_4991_;
-                                if (_e2850 > _e2854) {
-                                    phi_4996_ = _e2850;
+                                let _e2857 = phi_4995_;
+                                if (_e2853 > _e2857) {
+                                    phi_5000_ = _e2853;
                                 } else {
-                                    phi_4996_ = _e2854;
+                                    phi_5000_ = _e2857;
                                 }
-                                let _e2857 = phi_4996_;
-                                if (_e2843[2] < 0f) {
-                                    phi_5003_ = -(_e2843[2]);
+                                let _e2860 = phi_5000_;
+                                if (_e2846[2] < 0f) {
+                                    phi_5007_ = -(_e2846[2]);
                                 } else {
-                                    phi_5003_ = _e2843[2];
+                                    phi_5007_ = _e2846[2];
                                 }
-                                let _e2861 = phi_5003_;
-                                if (_e2857 > _e2861) {
-                                    phi_5008_ = _e2857;
+                                let _e2864 = phi_5007_;
+                                if (_e2860 > _e2864) {
+                                    phi_5012_ = _e2860;
                                 } else {
-                                    phi_5008_ = _e2861;
+                                    phi_5012_ = _e2864;
                                 }
-                                let _e2864 = phi_5008_;
-                                let _e2867 = local.member_1[1u];
-                                if (_e2867[0] < 0f) {
-                                    phi_5022_ = -(_e2867[0]);
+                                let _e2867 = phi_5012_;
+                                let _e2870 = local.member_1[1u];
+                                if (_e2870[0] < 0f) {
+                                    phi_5026_ = -(_e2870[0]);
                                 } else {
-                                    phi_5022_ = _e2867[0];
+                                    phi_5026_ = _e2870[0];
                                 }
-                                let _e2874 = phi_5022_;
-                                if (_e2867[1] < 0f) {
-                                    phi_5029_ = -(_e2867[1]);
+                                let _e2877 = phi_5026_;
+                                if (_e2870[1] < 0f) {
+                                    phi_5033_ = -(_e2870[1]);
                                 } else {
-                                    phi_5029_ = _e2867[1];
+                                    phi_5033_ = _e2870[1];
                                 }
-                                let _e2878 = phi_5029_;
-                                if (_e2874 > _e2878) {
-                                    phi_5034_ = _e2874;
+                                let _e2881 = phi_5033_;
+                                if (_e2877 > _e2881) {
+                                    phi_5038_ = _e2877;
                                 } else {
-                                    phi_5034_ = _e2878;
+                                    phi_5038_ = _e2881;
                                 }
-                                let _e2881 = phi_5034_;
-                                if (_e2867[2] < 0f) {
-                                    phi_5041_ = -(_e2867[2]);
+                                let _e2884 = phi_5038_;
+                                if (_e2870[2] < 0f) {
+                                    phi_5045_ = -(_e2870[2]);
                                 } else {
-                                    phi_5041_ = _e2867[2];
+                                    phi_5045_ = _e2870[2];
                                 }
-                                let _e2885 = phi_5041_;
-                                if (_e2881 > _e2885) {
-                                    phi_5046_ = _e2881;
+                                let _e2888 = phi_5045_;
+                                if (_e2884 > _e2888) {
+                                    phi_5050_ = _e2884;
                                 } else {
-                                    phi_5046_ = _e2885;
+                                    phi_5050_ = _e2888;
                                 }
-                                let _e2888 = phi_5046_;
-                                if (_e2864 > _e2888) {
-                                    phi_5051_ = _e2864;
+                                let _e2891 = phi_5050_;
+                                if (_e2867 > _e2891) {
+                                    phi_5055_ = _e2867;
                                 } else {
-                                    phi_5051_ = _e2888;
+                                    phi_5055_ = _e2891;
                                 }
-                                let _e2891 = phi_5051_;
-                                let _e2893 = local.member_3;
-                                let _e2894 = (_e2891 + _e2893);
-                                let _e2897 = local.member_2[0u];
-                                if (_e2897[0] < 0f) {
-                                    phi_5068_ = -(_e2897[0]);
+                                let _e2894 = phi_5055_;
+                                let _e2896 = local.member_3;
+                                let _e2897 = (_e2894 + _e2896);
+                                let _e2900 = local.member_2[0u];
+                                if (_e2900[0] < 0f) {
+                                    phi_5072_ = -(_e2900[0]);
                                 } else {
-                                    phi_5068_ = _e2897[0];
+                                    phi_5072_ = _e2900[0];
                                 }
-                                let _e2904 = phi_5068_;
-                                if (_e2897[1] < 0f) {
-                                    phi_5075_ = -(_e2897[1]);
+                                let _e2907 = phi_5072_;
+                                if (_e2900[1] < 0f) {
+                                    phi_5079_ = -(_e2900[1]);
                                 } else {
-                                    phi_5075_ = _e2897[1];
+                                    phi_5079_ = _e2900[1];
                                 }
-                                let _e2908 = phi_5075_;
-                                if (_e2904 > _e2908) {
-                                    phi_5080_ = _e2904;
+                                let _e2911 = phi_5079_;
+                                if (_e2907 > _e2911) {
+                                    phi_5084_ = _e2907;
                                 } else {
-                                    phi_5080_ = _e2908;
+                                    phi_5084_ = _e2911;
                                 }
-                                let _e2911 = phi_5080_;
-                                if (_e2897[2] < 0f) {
-                                    phi_5087_ = -(_e2897[2]);
+                                let _e2914 = phi_5084_;
+                                if (_e2900[2] < 0f) {
+                                    phi_5091_ = -(_e2900[2]);
                                 } else {
-                                    phi_5087_ = _e2897[2];
+                                    phi_5091_ = _e2900[2];
                                 }
-                                let _e2915 = phi_5087_;
-                                if (_e2911 > _e2915) {
-                                    phi_5092_ = _e2911;
+                                let _e2918 = phi_5091_;
+                                if (_e2914 > _e2918) {
+                                    phi_5096_ = _e2914;
                                 } else {
-                                    phi_5092_ = _e2915;
+                                    phi_5096_ = _e2918;
                                 }
-                                let _e2918 = phi_5092_;
-                                let _e2921 = local.member_2[1u];
-                                if (_e2921[0] < 0f) {
-                                    phi_5106_ = -(_e2921[0]);
+                                let _e2921 = phi_5096_;
+                                let _e2924 = local.member_2[1u];
+                                if (_e2924[0] < 0f) {
+                                    phi_5110_ = -(_e2924[0]);
                                 } else {
-                                    phi_5106_ = _e2921[0];
+                                    phi_5110_ = _e2924[0];
                                 }
-                                let _e2928 = phi_5106_;
-                                if (_e2921[1] < 0f) {
-                                    phi_5113_ = -(_e2921[1]);
+                                let _e2931 = phi_5110_;
+                                if (_e2924[1] < 0f) {
+                                    phi_5117_ = -(_e2924[1]);
                                 } else {
-                                    phi_5113_ = _e2921[1];
+                                    phi_5117_ = _e2924[1];
                                 }
-                                let _e2932 = phi_5113_;
-                                if (_e2928 > _e2932) {
-                                    phi_5118_ = _e2928;
+                                let _e2935 = phi_5117_;
+                                if (_e2931 > _e2935) {
+                                    phi_5122_ = _e2931;
                                 } else {
-                                    phi_5118_ = _e2932;
+                                    phi_5122_ = _e2935;
                                 }
-                                let _e2935 = phi_5118_;
-                                if (_e2921[2] < 0f) {
-                                    phi_5125_ = -(_e2921[2]);
+                                let _e2938 = phi_5122_;
+                                if (_e2924[2] < 0f) {
+                                    phi_5129_ = -(_e2924[2]);
                                 } else {
-                                    phi_5125_ = _e2921[2];
+                                    phi_5129_ = _e2924[2];
                                 }
-                                let _e2939 = phi_5125_;
-                                if (_e2935 > _e2939) {
-                                    phi_5130_ = _e2935;
+                                let _e2942 = phi_5129_;
+                                if (_e2938 > _e2942) {
+                                    phi_5134_ = _e2938;
                                 } else {
-                                    phi_5130_ = _e2939;
+                                    phi_5134_ = _e2942;
                                 }
-                                let _e2942 = phi_5130_;
-                                if (_e2918 > _e2942) {
-                                    phi_5135_ = _e2918;
+                                let _e2945 = phi_5134_;
+                                if (_e2921 > _e2945) {
+                                    phi_5139_ = _e2921;
                                 } else {
-                                    phi_5135_ = _e2942;
+                                    phi_5139_ = _e2945;
                                 }
-                                let _e2945 = phi_5135_;
-                                let _e2947 = local.member_3;
-                                let _e2948 = (_e2945 + _e2947);
-                                let _e2950 = ((_e2894 * 8f) * _e2948);
-                                let _e2957 = local.member_3;
-                                if (_e2646 < 0f) {
-                                    phi_5166_ = -(_e2646);
-                                } else {
-                                    phi_5166_ = _e2646;
-                                }
-                                let _e2974 = phi_5166_;
+                                let _e2948 = phi_5139_;
+                                let _e2950 = local.member_3;
+                                let _e2951 = (_e2948 + _e2950);
+                                let _e2953 = ((_e2897 * 8f) * _e2951);
+                                let _e2960 = local.member_3;
                                 if (_e2649 < 0f) {
-                                    phi_5172_ = -(_e2649);
+                                    phi_5170_ = -(_e2649);
                                 } else {
-                                    phi_5172_ = _e2649;
+                                    phi_5170_ = _e2649;
                                 }
-                                let _e2978 = phi_5172_;
+                                let _e2977 = phi_5170_;
                                 if (_e2652 < 0f) {
-                                    phi_5179_ = -(_e2652);
+                                    phi_5176_ = -(_e2652);
                                 } else {
-                                    phi_5179_ = _e2652;
+                                    phi_5176_ = _e2652;
                                 }
-                                let _e2983 = phi_5179_;
-                                let _e2984 = ((_e2974 + _e2978) + _e2983);
-                                if (_e2667 < 0f) {
-                                    phi_5186_ = -(_e2667);
+                                let _e2981 = phi_5176_;
+                                if (_e2655 < 0f) {
+                                    phi_5183_ = -(_e2655);
                                 } else {
-                                    phi_5186_ = _e2667;
+                                    phi_5183_ = _e2655;
                                 }
-                                let _e2988 = phi_5186_;
+                                let _e2986 = phi_5183_;
+                                let _e2987 = ((_e2977 + _e2981) + _e2986);
                                 if (_e2670 < 0f) {
-                                    phi_5192_ = -(_e2670);
+                                    phi_5190_ = -(_e2670);
                                 } else {
-                                    phi_5192_ = _e2670;
+                                    phi_5190_ = _e2670;
                                 }
-                                let _e2992 = phi_5192_;
+                                let _e2991 = phi_5190_;
                                 if (_e2673 < 0f) {
-                                    phi_5199_ = -(_e2673);
+                                    phi_5196_ = -(_e2673);
                                 } else {
-                                    phi_5199_ = _e2673;
+                                    phi_5196_ = _e2673;
                                 }
-                                let _e2997 = phi_5199_;
-                                let _e2998 = ((_e2988 + _e2992) + _e2997);
-                                if (_e2984 > _e2998) {
-                                    phi_5205_ = _e2984;
+                                let _e2995 = phi_5196_;
+                                if (_e2676 < 0f) {
+                                    phi_5203_ = -(_e2676);
                                 } else {
-                                    phi_5205_ = _e2998;
+                                    phi_5203_ = _e2676;
                                 }
-                                let _e3001 = phi_5205_;
-                                if (_e2716 < 0f) {
-                                    phi_5211_ = -(_e2716);
+                                let _e3000 = phi_5203_;
+                                let _e3001 = ((_e2991 + _e2995) + _e3000);
+                                if (_e2987 > _e3001) {
+                                    phi_5209_ = _e2987;
                                 } else {
-                                    phi_5211_ = _e2716;
+                                    phi_5209_ = _e3001;
                                 }
-                                let _e3005 = phi_5211_;
-                                if (_e2717 < 0f) {
-                                    phi_5217_ = -(_e2717);
+                                let _e3004 = phi_5209_;
+                                if (_e2719 < 0f) {
+                                    phi_5215_ = -(_e2719);
                                 } else {
-                                    phi_5217_ = _e2717;
+                                    phi_5215_ = _e2719;
                                 }
-                                let _e3009 = phi_5217_;
-                                if (_e2718 < 0f) {
-                                    phi_5224_ = -(_e2718);
+                                let _e3008 = phi_5215_;
+                                if (_e2720 < 0f) {
+                                    phi_5221_ = -(_e2720);
                                 } else {
-                                    phi_5224_ = _e2718;
+                                    phi_5221_ = _e2720;
                                 }
-                                let _e3014 = phi_5224_;
-                                let _e3016 = (((_e3005 + _e3009) + _e3014) * 0.5f);
-                                if (_e3001 > _e3016) {
-                                    phi_5231_ = _e3001;
+                                let _e3012 = phi_5221_;
+                                if (_e2721 < 0f) {
+                                    phi_5228_ = -(_e2721);
                                 } else {
-                                    phi_5231_ = _e3016;
+                                    phi_5228_ = _e2721;
                                 }
-                                let _e3019 = phi_5231_;
-                                let _e3024 = local.member_3;
-                                let _e3037 = ((((_e2721[0] * _e2646) + (_e2721[1] * _e2649)) + (_e2721[2] * _e2652)) * 3f);
-                                let _e3038 = ((((_e2778[0] * _e2667) + (_e2778[1] * _e2670)) + (_e2778[2] * _e2673)) * 3f);
-                                if (_e3037 < _e3038) {
-                                    phi_5255_ = _e3037;
+                                let _e3017 = phi_5228_;
+                                let _e3019 = (((_e3008 + _e3012) + _e3017) * 0.5f);
+                                if (_e3004 > _e3019) {
+                                    phi_5235_ = _e3004;
                                 } else {
-                                    phi_5255_ = _e3038;
+                                    phi_5235_ = _e3019;
                                 }
-                                let _e3041 = phi_5255_;
-                                if (_e2752 < _e2775) {
-                                    phi_5260_ = _e2752;
+                                let _e3022 = phi_5235_;
+                                let _e3027 = local.member_3;
+                                let _e3040 = ((((_e2724[0] * _e2649) + (_e2724[1] * _e2652)) + (_e2724[2] * _e2655)) * 3f);
+                                let _e3041 = ((((_e2781[0] * _e2670) + (_e2781[1] * _e2673)) + (_e2781[2] * _e2676)) * 3f);
+                                if (_e3040 < _e3041) {
+                                    phi_5259_ = _e3040;
                                 } else {
-                                    phi_5260_ = _e2775;
+                                    phi_5259_ = _e3041;
                                 }
-                                let _e3044 = phi_5260_;
-                                if (_e3041 < _e3044) {
-                                    phi_5265_ = _e3041;
+                                let _e3044 = phi_5259_;
+                                if (_e2755 < _e2778) {
+                                    phi_5264_ = _e2755;
                                 } else {
-                                    phi_5265_ = _e3044;
+                                    phi_5264_ = _e2778;
                                 }
-                                let _e3047 = phi_5265_;
-                                if (_e3037 > _e3038) {
-                                    phi_5270_ = _e3037;
+                                let _e3047 = phi_5264_;
+                                if (_e3044 < _e3047) {
+                                    phi_5269_ = _e3044;
                                 } else {
-                                    phi_5270_ = _e3038;
+                                    phi_5269_ = _e3047;
                                 }
-                                let _e3050 = phi_5270_;
-                                if (_e2752 > _e2775) {
-                                    phi_5275_ = _e2752;
+                                let _e3050 = phi_5269_;
+                                if (_e3040 > _e3041) {
+                                    phi_5274_ = _e3040;
                                 } else {
-                                    phi_5275_ = _e2775;
+                                    phi_5274_ = _e3041;
                                 }
-                                let _e3053 = phi_5275_;
-                                if (_e3050 > _e3053) {
-                                    phi_5280_ = _e3050;
+                                let _e3053 = phi_5274_;
+                                if (_e2755 > _e2778) {
+                                    phi_5279_ = _e2755;
                                 } else {
-                                    phi_5280_ = _e3053;
+                                    phi_5279_ = _e2778;
                                 }
-                                let _e3056 = phi_5280_;
-                                let _e3061 = -(_e3056);
-                                if (_e3047 > _e3061) {
-                                    phi_5290_ = _e3047;
+                                let _e3056 = phi_5279_;
+                                if (_e3053 > _e3056) {
+                                    phi_5284_ = _e3053;
                                 } else {
-                                    phi_5290_ = _e3061;
+                                    phi_5284_ = _e3056;
                                 }
-                                let _e3064 = phi_5290_;
-                                if ((_e3064 - ((((((_e2840 * 8f) * _e2950) * (0.000000059604645f * (490f / 64f))) + ((_e2957 * 19f) * ((_e2840 * (_e2894 + _e2948)) + (_e2894 * _e2948)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2840) * ((1f + _e2894) * (1f + _e2948))))) + ((_e1525 * (((_e3019 + (_e2950 * (0.000000059604645f * 4f))) + ((_e3024 * 6f) * (_e2894 + _e2948))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2894) * (1f + _e2948))))) * (3f * 1.0001f)))) > 0f) {
-                                    phi_6254_ = true;
+                                let _e3059 = phi_5284_;
+                                let _e3064 = -(_e3059);
+                                if (_e3050 > _e3064) {
+                                    phi_5294_ = _e3050;
                                 } else {
-                                    let _e3069 = local.member_1[0u];
-                                    let _e3075 = local.member_1[1u];
-                                    let _e3079 = (_e3069[0] + _e3075[0]);
-                                    let _e3080 = (_e3069[1] + _e3075[1]);
-                                    let _e3081 = (_e3069[2] + _e3075[2]);
-                                    let _e3084 = local.member_2[0u];
-                                    let _e3090 = local.member_2[1u];
-                                    let _e3094 = (_e3084[0] + _e3090[0]);
-                                    let _e3095 = (_e3084[1] + _e3090[1]);
-                                    let _e3096 = (_e3084[2] + _e3090[2]);
-                                    let _e3099 = ((_e3080 * _e3096) - (_e3081 * _e3095));
-                                    let _e3102 = ((_e3081 * _e3094) - (_e3079 * _e3096));
-                                    let _e3105 = ((_e3079 * _e3095) - (_e3080 * _e3094));
-                                    let _e3108 = local.member[0u];
-                                    let _e3114 = local.member_1[0u];
-                                    let _e3120 = local.member_2[0u];
-                                    let _e3124 = (_e3108[0] - _e3114[0]);
-                                    let _e3125 = (_e3108[1] - _e3114[1]);
-                                    let _e3126 = (_e3108[2] - _e3114[2]);
-                                    let _e3127 = (_e3124 - _e3120[0]);
-                                    let _e3128 = (_e3125 - _e3120[1]);
-                                    let _e3129 = (_e3126 - _e3120[2]);
-                                    let _e3130 = (_e3108[0] - _e3120[0]);
-                                    let _e3131 = (_e3108[1] - _e3120[1]);
-                                    let _e3132 = (_e3108[2] - _e3120[2]);
-                                    let _e3135 = local.member[1u];
-                                    let _e3141 = local.member_1[1u];
-                                    let _e3147 = local.member_2[1u];
-                                    let _e3151 = (_e3135[0] - _e3141[0]);
-                                    let _e3152 = (_e3135[1] - _e3141[1]);
-                                    let _e3153 = (_e3135[2] - _e3141[2]);
-                                    let _e3154 = (_e3151 - _e3147[0]);
-                                    let _e3155 = (_e3152 - _e3147[1]);
-                                    let _e3156 = (_e3153 - _e3147[2]);
-                                    let _e3157 = (_e3135[0] - _e3147[0]);
-                                    let _e3158 = (_e3135[1] - _e3147[1]);
-                                    let _e3159 = (_e3135[2] - _e3147[2]);
-                                    let _e3162 = local.member[0u];
-                                    if (_e3162[0] < 0f) {
-                                        phi_5493_ = -(_e3162[0]);
-                                    } else {
-                                        phi_5493_ = _e3162[0];
-                                    }
-                                    let _e3169 = phi_5493_;
-                                    if (_e3162[1] < 0f) {
-                                        phi_5500_ = -(_e3162[1]);
-                                    } else {
-                                        phi_5500_ = _e3162[1];
-                                    }
-                                    let _e3173 = phi_5500_;
-                                    if (_e3169 > _e3173) {
-                                        phi_5505_ = _e3169;
-                                    } else {
-                                        phi_5505_ = _e3173;
-                                    }
-                                    let _e3176 = phi_5505_;
-                                    if (_e3162[2] < 0f) {
-                                        phi_5512_ = -(_e3162[2]);
-                                    } else {
-                                        phi_5512_ = _e3162[2];
-                                    }
-                                    let _e3180 = phi_5512_;
-                                    if (_e3176 > _e3180) {
-                                        phi_5517_ = _e3176;
-                                    } else {
-                                        phi_5517_ = _e3180;
-                                    }
-                                    let _e3183 = phi_5517_;
-                                    let _e3186 = local.member[1u];
-                                    if (_e3186[0] < 0f) {
-                                        phi_5530_ = -(_e3186[0]);
-                                    } else {
-                                        phi_5530_ = _e3186[0];
-                                    }
-                                    let _e3193 = phi_5530_;
-                                    if (_e3186[1] < 0f) {
-                                        phi_5537_ = -(_e3186[1]);
-                                    } else {
-                                        phi_5537_ = _e3186[1];
-                                    }
-                                    let _e3197 = phi_5537_;
-                                    if (_e3193 > _e3197) {
-                                        phi_5542_ = _e3193;
-                                    } else {
-                                        phi_5542_ = _e3197;
-                                    }
-                                    let _e3200 = phi_5542_;
-                                    if (_e3186[2] < 0f) {
-                                        phi_5549_ = -(_e3186[2]);
-                                    } else {
-                                        phi_5549_ = _e3186[2];
-                                    }
-                                    let _e3204 = phi_5549_;
-                                    if (_e3200 > _e3204) {
-                                        phi_5554_ = _e3200;
-                                    } else {
-                                        phi_5554_ = _e3204;
-                                    }
-                                    let _e3207 = phi_5554_;
-                                    if (_e3183 > _e3207) {
-                                        phi_5559_ = _e3183;
-                                    } else {
-                                        phi_5559_ = _e3207;
-                                    }
-                                    let _e3210 = phi_5559_;
-                                    let _e3212 = local.member_3;
-                                    let _e3216 = local.member_1[0u];
-                                    if (_e3216[0] < 0f) {
-                                        phi_5576_ = -(_e3216[0]);
-                                    } else {
-                                        phi_5576_ = _e3216[0];
-                                    }
-                                    let _e3223 = phi_5576_;
-                                    if (_e3216[1] < 0f) {
-                                        phi_5583_ = -(_e3216[1]);
-                                    } else {
-                                        phi_5583_ = _e3216[1];
-                                    }
-                                    let _e3227 = phi_5583_;
-                                    if (_e3223 > _e3227) {
-                                        phi_5588_ = _e3223;
-                                    } else {
-                                        phi_5588_ = _e3227;
-                                    }
-                                    let _e3230 = phi_5588_;
-                                    if (_e3216[2] < 0f) {
-                                        phi_5595_ = -(_e3216[2]);
-                                    } else {
-                                        phi_5595_ = _e3216[2];
-                                    }
-                                    let _e3234 = phi_5595_;
-                                    if (_e3230 > _e3234) {
-                                        phi_5600_ = _e3230;
-                                    } else {
-                                        phi_5600_ = _e3234;
-                                    }
-                                    let _e3237 = phi_5600_;
-                                    let _e3240 = local.member_1[1u];
-                                    if (_e3240[0] < 0f) {
-                                        phi_5614_ = -(_e3240[0]);
-                                    } else {
-                                        phi_5614_ = _e3240[0];
-                                    }
-                                    let _e3247 = phi_5614_;
-                                    if (_e3240[1] < 0f) {
-                                        phi_5621_ = -(_e3240[1]);
-                                    } else {
-                                        phi_5621_ = _e3240[1];
-                                    }
-                                    let _e3251 = phi_5621_;
-                                    if (_e3247 > _e3251) {
-                                        phi_5626_ = _e3247;
-                                    } else {
-                                        phi_5626_ = _e3251;
-                                    }
-                                    let _e3254 = phi_5626_;
-                                    if (_e3240[2] < 0f) {
-                                        phi_5633_ = -(_e3240[2]);
-                                    } else {
-                                        phi_5633_ = _e3240[2];
-                                    }
-                                    let _e3258 = phi_5633_;
-                                    if (_e3254 > _e3258) {
-                                        phi_5638_ = _e3254;
-                                    } else {
-                                        phi_5638_ = _e3258;
-                                    }
-                                    let _e3261 = phi_5638_;
-                                    if (_e3237 > _e3261) {
-                                        phi_5643_ = _e3237;
-                                    } else {
-                                        phi_5643_ = _e3261;
-                                    }
-                                    let _e3264 = phi_5643_;
-                                    let _e3266 = local.member_3;
-                                    let _e3270 = local.member_2[0u];
-                                    if (_e3270[0] < 0f) {
-                                        phi_5660_ = -(_e3270[0]);
-                                    } else {
-                                        phi_5660_ = _e3270[0];
-                                    }
-                                    let _e3277 = phi_5660_;
-                                    if (_e3270[1] < 0f) {
-                                        phi_5667_ = -(_e3270[1]);
-                                    } else {
-                                        phi_5667_ = _e3270[1];
-                                    }
-                                    let _e3281 = phi_5667_;
-                                    if (_e3277 > _e3281) {
-                                        phi_5672_ = _e3277;
-                                    } else {
-                                        phi_5672_ = _e3281;
-                                    }
-                                    let _e3284 = phi_5672_;
-                                    if (_e3270[2] < 0f) {
-                                        phi_5679_ = -(_e3270[2]);
-                                    } else {
-                                        phi_5679_ = _e3270[2];
-                                    }
-                                    let _e3288 = phi_5679_;
-                                    if (_e3284 > _e3288) {
-                                        phi_5684_ = _e3284;
-                                    } else {
-                                        phi_5684_ = _e3288;
-                                    }
-                                    let _e3291 = phi_5684_;
-                                    let _e3294 = local.member_2[1u];
-                                    if (_e3294[0] < 0f) {
-                                        phi_5698_ = -(_e3294[0]);
-                                    } else {
-                                        phi_5698_ = _e3294[0];
-                                    }
-                                    let _e3301 = phi_5698_;
-                                    if (_e3294[1] < 0f) {
-                                        phi_5705_ = -(_e3294[1]);
-                                    } else {
-                                        phi_5705_ = _e3294[1];
-                                    }
-                                    let _e3305 = phi_5705_;
-                                    if (_e3301 > _e3305) {
-                                        phi_5710_ = _e3301;
-                                    } else {
-                                        phi_5710_ = _e3305;
-                                    }
-                                    let _e3308 = phi_5710_;
-                                    if (_e3294[2] < 0f) {
-                                        phi_5717_ = -(_e3294[2]);
-                                    } else {
-                                        phi_5717_ = _e3294[2];
-                                    }
-                                    let _e3312 = phi_5717_;
-                                    if (_e3308 > _e3312) {
-                                        phi_5722_ = _e3308;
-                                    } else {
-                                        phi_5722_ = _e3312;
-                                    }
-                                    let _e3315 = phi_5722_;
-                                    if (_e3291 > _e3315) {
-                                        phi_5727_ = _e3291;
-                                    } else {
-                                        phi_5727_ = _e3315;
-                                    }
-                                    let _e3318 = phi_5727_;
-                                    let _e3320 = local.member_3;
-                                    let _e3323 = (((_e3210 + _e3212) + (_e3264 + _e3266)) + (_e3318 + _e3320));
-                                    let _e3326 = local.member_3;
-                                    let _e3330 = (((_e1525 * 1.0001f) + (_e3326 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                    let _e3333 = ((_e3102 * _e3081) - (_e3105 * _e3080));
-                                    let _e3336 = ((_e3105 * _e3079) - (_e3099 * _e3081));
-                                    let _e3339 = ((_e3099 * _e3080) - (_e3102 * _e3079));
-                                    let _e3344 = (((_e3333 * _e3108[0]) + (_e3336 * _e3108[1])) + (_e3339 * _e3108[2]));
-                                    let _e3349 = (((_e3333 * _e3124) + (_e3336 * _e3125)) + (_e3339 * _e3126));
-                                    let _e3354 = (((_e3333 * _e3130) + (_e3336 * _e3131)) + (_e3339 * _e3132));
-                                    let _e3359 = (((_e3333 * _e3127) + (_e3336 * _e3128)) + (_e3339 * _e3129));
-                                    let _e3364 = (((_e3333 * _e3135[0]) + (_e3336 * _e3135[1])) + (_e3339 * _e3135[2]));
-                                    let _e3369 = (((_e3333 * _e3151) + (_e3336 * _e3152)) + (_e3339 * _e3153));
-                                    let _e3374 = (((_e3333 * _e3157) + (_e3336 * _e3158)) + (_e3339 * _e3159));
-                                    let _e3379 = (((_e3333 * _e3154) + (_e3336 * _e3155)) + (_e3339 * _e3156));
-                                    if (_e3344 < _e3349) {
-                                        phi_5805_ = _e3344;
-                                    } else {
-                                        phi_5805_ = _e3349;
-                                    }
-                                    let _e3382 = phi_5805_;
-                                    if (_e3354 < _e3359) {
-                                        phi_5810_ = _e3354;
-                                    } else {
-                                        phi_5810_ = _e3359;
-                                    }
-                                    let _e3385 = phi_5810_;
-                                    if (_e3382 < _e3385) {
-                                        phi_5815_ = _e3382;
-                                    } else {
-                                        phi_5815_ = _e3385;
-                                    }
-                                    let _e3388 = phi_5815_;
-                                    if (_e3364 < _e3369) {
-                                        phi_5820_ = _e3364;
-                                    } else {
-                                        phi_5820_ = _e3369;
-                                    }
-                                    let _e3391 = phi_5820_;
-                                    if (_e3374 < _e3379) {
-                                        phi_5825_ = _e3374;
-                                    } else {
-                                        phi_5825_ = _e3379;
-                                    }
-                                    let _e3394 = phi_5825_;
-                                    if (_e3391 < _e3394) {
-                                        phi_5830_ = _e3391;
-                                    } else {
-                                        phi_5830_ = _e3394;
-                                    }
-                                    let _e3397 = phi_5830_;
-                                    if (_e3388 < _e3397) {
-                                        phi_5835_ = _e3388;
-                                    } else {
-                                        phi_5835_ = _e3397;
-                                    }
-                                    let _e3400 = phi_5835_;
-                                    if (_e3344 > _e3349) {
-                                        phi_5840_ = _e3344;
-                                    } else {
-                                        phi_5840_ = _e3349;
-                                    }
-                                    let _e3403 = phi_5840_;
-                                    if (_e3354 > _e3359) {
-                                        phi_5845_ = _e3354;
-                                    } else {
-                                        phi_5845_ = _e3359;
-                                    }
-                                    let _e3406 = phi_5845_;
-                                    if (_e3403 > _e3406) {
-                                        phi_5850_ = _e3403;
-                                    } else {
-                                        phi_5850_ = _e3406;
-                                    }
-                                    let _e3409 = phi_5850_;
-                                    if (_e3364 > _e3369) {
-                                        phi_5855_ = _e3364;
-                                    } else {
-                                        phi_5855_ = _e3369;
-                                    }
-                                    let _e3412 = phi_5855_;
-                                    if (_e3374 > _e3379) {
-                                        phi_5860_ = _e3374;
-                                    } else {
-                                        phi_5860_ = _e3379;
-                                    }
-                                    let _e3415 = phi_5860_;
-                                    if (_e3412 > _e3415) {
-                                        phi_5865_ = _e3412;
-                                    } else {
-                                        phi_5865_ = _e3415;
-                                    }
-                                    let _e3418 = phi_5865_;
-                                    if (_e3409 > _e3418) {
-                                        phi_5870_ = _e3409;
-                                    } else {
-                                        phi_5870_ = _e3418;
-                                    }
-                                    let _e3421 = phi_5870_;
-                                    if (_e3333 < 0f) {
-                                        phi_5876_ = -(_e3333);
-                                    } else {
-                                        phi_5876_ = _e3333;
-                                    }
-                                    let _e3425 = phi_5876_;
-                                    if (_e3336 < 0f) {
-                                        phi_5882_ = -(_e3336);
-                                    } else {
-                                        phi_5882_ = _e3336;
-                                    }
-                                    let _e3429 = phi_5882_;
-                                    if (_e3339 < 0f) {
-                                        phi_5889_ = -(_e3339);
-                                    } else {
-                                        phi_5889_ = _e3339;
-                                    }
-                                    let _e3434 = phi_5889_;
-                                    let _e3435 = ((_e3425 + _e3429) + _e3434);
-                                    let _e3439 = -(_e3421);
-                                    if (_e3400 > _e3439) {
-                                        phi_5899_ = _e3400;
-                                    } else {
-                                        phi_5899_ = _e3439;
-                                    }
-                                    let _e3442 = phi_5899_;
-                                    let _e3447 = (((_e3442 - ((_e3435 * _e3323) * (0.000000059604645f * 17f))) - (_e3435 * _e3330)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    let _e3450 = ((_e3102 * _e3096) - (_e3105 * _e3095));
-                                    let _e3453 = ((_e3105 * _e3094) - (_e3099 * _e3096));
-                                    let _e3456 = ((_e3099 * _e3095) - (_e3102 * _e3094));
-                                    let _e3461 = (((_e3450 * _e3108[0]) + (_e3453 * _e3108[1])) + (_e3456 * _e3108[2]));
-                                    let _e3466 = (((_e3450 * _e3124) + (_e3453 * _e3125)) + (_e3456 * _e3126));
-                                    let _e3471 = (((_e3450 * _e3130) + (_e3453 * _e3131)) + (_e3456 * _e3132));
-                                    let _e3476 = (((_e3450 * _e3127) + (_e3453 * _e3128)) + (_e3456 * _e3129));
-                                    let _e3481 = (((_e3450 * _e3135[0]) + (_e3453 * _e3135[1])) + (_e3456 * _e3135[2]));
-                                    let _e3486 = (((_e3450 * _e3151) + (_e3453 * _e3152)) + (_e3456 * _e3153));
-                                    let _e3491 = (((_e3450 * _e3157) + (_e3453 * _e3158)) + (_e3456 * _e3159));
-                                    let _e3496 = (((_e3450 * _e3154) + (_e3453 * _e3155)) + (_e3456 * _e3156));
-                                    if (_e3461 < _e3466) {
-                                        phi_5970_ = _e3461;
-                                    } else {
-                                        phi_5970_ = _e3466;
-                                    }
-                                    let _e3499 = phi_5970_;
-                                    if (_e3471 < _e3476) {
-                                        phi_5975_ = _e3471;
-                                    } else {
-                                        phi_5975_ = _e3476;
-                                    }
-                                    let _e3502 = phi_5975_;
-                                    if (_e3499 < _e3502) {
-                                        phi_5980_ = _e3499;
-                                    } else {
-                                        phi_5980_ = _e3502;
-                                    }
-                                    let _e3505 = phi_5980_;
-                                    if (_e3481 < _e3486) {
-                                        phi_5985_ = _e3481;
-                                    } else {
-                                        phi_5985_ = _e3486;
-                                    }
-                                    let _e3508 = phi_5985_;
-                                    if (_e3491 < _e3496) {
-                                        phi_5990_ = _e3491;
-                                    } else {
-                                        phi_5990_ = _e3496;
-                                    }
-                                    let _e3511 = phi_5990_;
-                                    if (_e3508 < _e3511) {
-                                        phi_5995_ = _e3508;
-                                    } else {
-                                        phi_5995_ = _e3511;
-                                    }
-                                    let _e3514 = phi_5995_;
-                                    if (_e3505 < _e3514) {
-                                        phi_6000_ = _e3505;
-                                    } else {
-                                        phi_6000_ = _e3514;
-                                    }
-                                    let _e3517 = phi_6000_;
-                                    if (_e3461 > _e3466) {
-                                        phi_6005_ = _e3461;
-                                    } else {
-                                        phi_6005_ = _e3466;
-                                    }
-                                    let _e3520 = phi_6005_;
-                                    if (_e3471 > _e3476) {
-                                        phi_6010_ = _e3471;
-                                    } else {
-                                        phi_6010_ = _e3476;
-                                    }
-                                    let _e3523 = phi_6010_;
-                                    if (_e3520 > _e3523) {
-                                        phi_6015_ = _e3520;
-                                    } else {
-                                        phi_6015_ = _e3523;
-                                    }
-                                    let _e3526 = phi_6015_;
-                                    if (_e3481 > _e3486) {
-                                        phi_6020_ = _e3481;
-                                    } else {
-                                        phi_6020_ = _e3486;
-                                    }
-                                    let _e3529 = phi_6020_;
-                                    if (_e3491 > _e3496) {
-                                        phi_6025_ = _e3491;
-                                    } else {
-                                        phi_6025_ = _e3496;
-                                    }
-                                    let _e3532 = phi_6025_;
-                                    if (_e3529 > _e3532) {
-                                        phi_6030_ = _e3529;
-                                    } else {
-                                        phi_6030_ = _e3532;
-                                    }
-                                    let _e3535 = phi_6030_;
-                                    if (_e3526 > _e3535) {
-                                        phi_6035_ = _e3526;
-                                    } else {
-                                        phi_6035_ = _e3535;
-                                    }
-                                    let _e3538 = phi_6035_;
-                                    if (_e3450 < 0f) {
-                                        phi_6041_ = -(_e3450);
-                                    } else {
-                                        phi_6041_ = _e3450;
-                                    }
-                                    let _e3542 = phi_6041_;
-                                    if (_e3453 < 0f) {
-                                        phi_6047_ = -(_e3453);
-                                    } else {
-                                        phi_6047_ = _e3453;
-                                    }
-                                    let _e3546 = phi_6047_;
-                                    if (_e3456 < 0f) {
-                                        phi_6054_ = -(_e3456);
-                                    } else {
-                                        phi_6054_ = _e3456;
-                                    }
-                                    let _e3551 = phi_6054_;
-                                    let _e3552 = ((_e3542 + _e3546) + _e3551);
-                                    let _e3556 = -(_e3538);
-                                    if (_e3517 > _e3556) {
-                                        phi_6064_ = _e3517;
-                                    } else {
-                                        phi_6064_ = _e3556;
-                                    }
-                                    let _e3559 = phi_6064_;
-                                    let _e3564 = (((_e3559 - ((_e3552 * _e3323) * (0.000000059604645f * 17f))) - (_e3552 * _e3330)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3447 > _e3564) {
-                                        phi_6074_ = _e3447;
-                                    } else {
-                                        phi_6074_ = _e3564;
-                                    }
-                                    let _e3567 = phi_6074_;
-                                    phi_6254_ = (_e3567 > 0f);
+                                    phi_5294_ = _e3064;
                                 }
-                                let _e3570 = phi_6254_;
-                                if _e3570 {
-                                    let _e3573 = local_1.member_1[0u];
-                                    let _e3579 = local_1.member_2[0u];
-                                    let _e3585 = ((_e3573[1] * _e3579[2]) - (_e3573[2] * _e3579[1]));
-                                    let _e3588 = ((_e3573[2] * _e3579[0]) - (_e3573[0] * _e3579[2]));
-                                    let _e3591 = ((_e3573[0] * _e3579[1]) - (_e3573[1] * _e3579[0]));
-                                    let _e3594 = local_1.member_1[1u];
-                                    let _e3600 = local_1.member_2[1u];
-                                    let _e3606 = ((_e3594[1] * _e3600[2]) - (_e3594[2] * _e3600[1]));
-                                    let _e3609 = ((_e3594[2] * _e3600[0]) - (_e3594[0] * _e3600[2]));
-                                    let _e3612 = ((_e3594[0] * _e3600[1]) - (_e3594[1] * _e3600[0]));
-                                    let _e3615 = local_1.member_1[0u];
-                                    let _e3621 = local_1.member_2[1u];
-                                    let _e3636 = local_1.member_1[1u];
-                                    let _e3642 = local_1.member_2[0u];
-                                    let _e3655 = (((_e3615[1] * _e3621[2]) - (_e3615[2] * _e3621[1])) + ((_e3636[1] * _e3642[2]) - (_e3636[2] * _e3642[1])));
-                                    let _e3656 = (((_e3615[2] * _e3621[0]) - (_e3615[0] * _e3621[2])) + ((_e3636[2] * _e3642[0]) - (_e3636[0] * _e3642[2])));
-                                    let _e3657 = (((_e3615[0] * _e3621[1]) - (_e3615[1] * _e3621[0])) + ((_e3636[0] * _e3642[1]) - (_e3636[1] * _e3642[0])));
-                                    let _e3660 = local_1.member[0u];
-                                    let _e3671 = local_1.member[1u];
-                                    let _e3682 = local_1.member[0u];
-                                    let _e3691 = ((((_e3671[0] * _e3585) + (_e3671[1] * _e3588)) + (_e3671[2] * _e3591)) + (((_e3682[0] * _e3655) + (_e3682[1] * _e3656)) + (_e3682[2] * _e3657)));
-                                    let _e3694 = local_1.member[0u];
-                                    let _e3705 = local_1.member[1u];
-                                    let _e3714 = ((((_e3694[0] * _e3606) + (_e3694[1] * _e3609)) + (_e3694[2] * _e3612)) + (((_e3705[0] * _e3655) + (_e3705[1] * _e3656)) + (_e3705[2] * _e3657)));
-                                    let _e3717 = local_1.member[1u];
-                                    let _e3728 = local_1.member[0u];
-                                    if (_e3728[0] < 0f) {
-                                        phi_6499_ = -(_e3728[0]);
+                                let _e3067 = phi_5294_;
+                                if ((_e3067 - ((((((_e2843 * 8f) * _e2953) * (0.000000059604645f * (524f / 64f))) + ((_e2960 * 19f) * ((_e2843 * (_e2897 + _e2951)) + (_e2897 * _e2951)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2843) * ((1f + _e2897) * (1f + _e2951))))) + ((_e1525 * (((_e3022 + (_e2953 * (0.000000059604645f * 8f))) + ((_e3027 * 6f) * (_e2897 + _e2951))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2897) * (1f + _e2951))))) * (3f * 1.0001f)))) > 0f) {
+                                    phi_6262_ = true;
+                                } else {
+                                    let _e3072 = local.member_1[0u];
+                                    let _e3078 = local.member_1[1u];
+                                    let _e3082 = (_e3072[0] + _e3078[0]);
+                                    let _e3083 = (_e3072[1] + _e3078[1]);
+                                    let _e3084 = (_e3072[2] + _e3078[2]);
+                                    let _e3087 = local.member_2[0u];
+                                    let _e3093 = local.member_2[1u];
+                                    let _e3097 = (_e3087[0] + _e3093[0]);
+                                    let _e3098 = (_e3087[1] + _e3093[1]);
+                                    let _e3099 = (_e3087[2] + _e3093[2]);
+                                    let _e3102 = ((_e3083 * _e3099) - (_e3084 * _e3098));
+                                    let _e3105 = ((_e3084 * _e3097) - (_e3082 * _e3099));
+                                    let _e3108 = ((_e3082 * _e3098) - (_e3083 * _e3097));
+                                    let _e3111 = local.member[0u];
+                                    let _e3117 = local.member_1[0u];
+                                    let _e3123 = local.member_2[0u];
+                                    let _e3127 = (_e3111[0] - _e3117[0]);
+                                    let _e3128 = (_e3111[1] - _e3117[1]);
+                                    let _e3129 = (_e3111[2] - _e3117[2]);
+                                    let _e3130 = (_e3127 - _e3123[0]);
+                                    let _e3131 = (_e3128 - _e3123[1]);
+                                    let _e3132 = (_e3129 - _e3123[2]);
+                                    let _e3133 = (_e3111[0] - _e3123[0]);
+                                    let _e3134 = (_e3111[1] - _e3123[1]);
+                                    let _e3135 = (_e3111[2] - _e3123[2]);
+                                    let _e3138 = local.member[1u];
+                                    let _e3144 = local.member_1[1u];
+                                    let _e3150 = local.member_2[1u];
+                                    let _e3154 = (_e3138[0] - _e3144[0]);
+                                    let _e3155 = (_e3138[1] - _e3144[1]);
+                                    let _e3156 = (_e3138[2] - _e3144[2]);
+                                    let _e3157 = (_e3154 - _e3150[0]);
+                                    let _e3158 = (_e3155 - _e3150[1]);
+                                    let _e3159 = (_e3156 - _e3150[2]);
+                                    let _e3160 = (_e3138[0] - _e3150[0]);
+                                    let _e3161 = (_e3138[1] - _e3150[1]);
+                                    let _e3162 = (_e3138[2] - _e3150[2]);
+                                    let _e3165 = local.member[0u];
+                                    if (_e3165[0] < 0f) {
+                                        phi_5497_ = -(_e3165[0]);
                                     } else {
-                                        phi_6499_ = _e3728[0];
+                                        phi_5497_ = _e3165[0];
                                     }
-                                    let _e3735 = phi_6499_;
-                                    if (_e3728[1] < 0f) {
-                                        phi_6506_ = -(_e3728[1]);
+                                    let _e3172 = phi_5497_;
+                                    if (_e3165[1] < 0f) {
+                                        phi_5504_ = -(_e3165[1]);
                                     } else {
-                                        phi_6506_ = _e3728[1];
+                                        phi_5504_ = _e3165[1];
                                     }
-                                    let _e3739 = phi_6506_;
-                                    if (_e3735 > _e3739) {
-                                        phi_6511_ = _e3735;
+                                    let _e3176 = phi_5504_;
+                                    if (_e3172 > _e3176) {
+                                        phi_5509_ = _e3172;
                                     } else {
-                                        phi_6511_ = _e3739;
+                                        phi_5509_ = _e3176;
                                     }
-                                    let _e3742 = phi_6511_;
-                                    if (_e3728[2] < 0f) {
-                                        phi_6518_ = -(_e3728[2]);
+                                    let _e3179 = phi_5509_;
+                                    if (_e3165[2] < 0f) {
+                                        phi_5516_ = -(_e3165[2]);
                                     } else {
-                                        phi_6518_ = _e3728[2];
+                                        phi_5516_ = _e3165[2];
                                     }
-                                    let _e3746 = phi_6518_;
-                                    if (_e3742 > _e3746) {
-                                        phi_6523_ = _e3742;
+                                    let _e3183 = phi_5516_;
+                                    if (_e3179 > _e3183) {
+                                        phi_5521_ = _e3179;
                                     } else {
-                                        phi_6523_ = _e3746;
+                                        phi_5521_ = _e3183;
                                     }
-                                    let _e3749 = phi_6523_;
-                                    let _e3752 = local_1.member[1u];
-                                    if (_e3752[0] < 0f) {
-                                        phi_6536_ = -(_e3752[0]);
+                                    let _e3186 = phi_5521_;
+                                    let _e3189 = local.member[1u];
+                                    if (_e3189[0] < 0f) {
+                                        phi_5534_ = -(_e3189[0]);
                                     } else {
-                                        phi_6536_ = _e3752[0];
+                                        phi_5534_ = _e3189[0];
                                     }
-                                    let _e3759 = phi_6536_;
-                                    if (_e3752[1] < 0f) {
-                                        phi_6543_ = -(_e3752[1]);
+                                    let _e3196 = phi_5534_;
+                                    if (_e3189[1] < 0f) {
+                                        phi_5541_ = -(_e3189[1]);
                                     } else {
-                                        phi_6543_ = _e3752[1];
+                                        phi_5541_ = _e3189[1];
                                     }
-                                    let _e3763 = phi_6543_;
-                                    if (_e3759 > _e3763) {
-                                        phi_6548_ = _e3759;
+                                    let _e3200 = phi_5541_;
+                                    if (_e3196 > _e3200) {
+                                        phi_5546_ = _e3196;
                                     } else {
-                                        phi_6548_ = _e3763;
+                                        phi_5546_ = _e3200;
                                     }
-                                    let _e3766 = phi_6548_;
-                                    if (_e3752[2] < 0f) {
-                                        phi_6555_ = -(_e3752[2]);
+                                    let _e3203 = phi_5546_;
+                                    if (_e3189[2] < 0f) {
+                                        phi_5553_ = -(_e3189[2]);
                                     } else {
-                                        phi_6555_ = _e3752[2];
+                                        phi_5553_ = _e3189[2];
                                     }
-                                    let _e3770 = phi_6555_;
-                                    if (_e3766 > _e3770) {
-                                        phi_6560_ = _e3766;
+                                    let _e3207 = phi_5553_;
+                                    if (_e3203 > _e3207) {
+                                        phi_5558_ = _e3203;
                                     } else {
-                                        phi_6560_ = _e3770;
+                                        phi_5558_ = _e3207;
                                     }
-                                    let _e3773 = phi_6560_;
-                                    if (_e3749 > _e3773) {
-                                        phi_6565_ = _e3749;
+                                    let _e3210 = phi_5558_;
+                                    if (_e3186 > _e3210) {
+                                        phi_5563_ = _e3186;
                                     } else {
-                                        phi_6565_ = _e3773;
+                                        phi_5563_ = _e3210;
                                     }
-                                    let _e3776 = phi_6565_;
-                                    let _e3778 = local_1.member_3;
-                                    let _e3779 = (_e3776 + _e3778);
-                                    let _e3782 = local_1.member_1[0u];
-                                    if (_e3782[0] < 0f) {
-                                        phi_6582_ = -(_e3782[0]);
+                                    let _e3213 = phi_5563_;
+                                    let _e3215 = local.member_3;
+                                    let _e3219 = local.member_1[0u];
+                                    if (_e3219[0] < 0f) {
+                                        phi_5580_ = -(_e3219[0]);
                                     } else {
-                                        phi_6582_ = _e3782[0];
+                                        phi_5580_ = _e3219[0];
                                     }
-                                    let _e3789 = phi_6582_;
-                                    if (_e3782[1] < 0f) {
-                                        phi_6589_ = -(_e3782[1]);
+                                    let _e3226 = phi_5580_;
+                                    if (_e3219[1] < 0f) {
+                                        phi_5587_ = -(_e3219[1]);
                                     } else {
-                                        phi_6589_ = _e3782[1];
+                                        phi_5587_ = _e3219[1];
                                     }
-                                    let _e3793 = phi_6589_;
-                                    if (_e3789 > _e3793) {
-                                        phi_6594_ = _e3789;
+                                    let _e3230 = phi_5587_;
+                                    if (_e3226 > _e3230) {
+                                        phi_5592_ = _e3226;
                                     } else {
-                                        phi_6594_ = _e3793;
+                                        phi_5592_ = _e3230;
                                     }
-                                    let _e3796 = phi_6594_;
-                                    if (_e3782[2] < 0f) {
-                                        phi_6601_ = -(_e3782[2]);
+                                    let _e3233 = phi_5592_;
+                                    if (_e3219[2] < 0f) {
+                                        phi_5599_ = -(_e3219[2]);
                                     } else {
-                                        phi_6601_ = _e3782[2];
+                                        phi_5599_ = _e3219[2];
                                     }
-                                    let _e3800 = phi_6601_;
-                                    if (_e3796 > _e3800) {
-                                        phi_6606_ = _e3796;
+                                    let _e3237 = phi_5599_;
+                                    if (_e3233 > _e3237) {
+                                        phi_5604_ = _e3233;
                                     } else {
-                                        phi_6606_ = _e3800;
+                                        phi_5604_ = _e3237;
                                     }
-                                    let _e3803 = phi_6606_;
-                                    let _e3806 = local_1.member_1[1u];
-                                    if (_e3806[0] < 0f) {
-                                        phi_6620_ = -(_e3806[0]);
+                                    let _e3240 = phi_5604_;
+                                    let _e3243 = local.member_1[1u];
+                                    if (_e3243[0] < 0f) {
+                                        phi_5618_ = -(_e3243[0]);
                                     } else {
-                                        phi_6620_ = _e3806[0];
+                                        phi_5618_ = _e3243[0];
                                     }
-                                    let _e3813 = phi_6620_;
-                                    if (_e3806[1] < 0f) {
-                                        phi_6627_ = -(_e3806[1]);
+                                    let _e3250 = phi_5618_;
+                                    if (_e3243[1] < 0f) {
+                                        phi_5625_ = -(_e3243[1]);
                                     } else {
-                                        phi_6627_ = _e3806[1];
+                                        phi_5625_ = _e3243[1];
                                     }
-                                    let _e3817 = phi_6627_;
-                                    if (_e3813 > _e3817) {
-                                        phi_6632_ = _e3813;
+                                    let _e3254 = phi_5625_;
+                                    if (_e3250 > _e3254) {
+                                        phi_5630_ = _e3250;
                                     } else {
-                                        phi_6632_ = _e3817;
+                                        phi_5630_ = _e3254;
                                     }
-                                    let _e3820 = phi_6632_;
-                                    if (_e3806[2] < 0f) {
-                                        phi_6639_ = -(_e3806[2]);
+                                    let _e3257 = phi_5630_;
+                                    if (_e3243[2] < 0f) {
+                                        phi_5637_ = -(_e3243[2]);
                                     } else {
-                                        phi_6639_ = _e3806[2];
+                                        phi_5637_ = _e3243[2];
                                     }
-                                    let _e3824 = phi_6639_;
-                                    if (_e3820 > _e3824) {
-                                        phi_6644_ = _e3820;
+                                    let _e3261 = phi_5637_;
+                                    if (_e3257 > _e3261) {
+                                        phi_5642_ = _e3257;
                                     } else {
-                                        phi_6644_ = _e3824;
+                                        phi_5642_ = _e3261;
                                     }
-                                    let _e3827 = phi_6644_;
-                                    if (_e3803 > _e3827) {
-                                        phi_6649_ = _e3803;
+                                    let _e3264 = phi_5642_;
+                                    if (_e3240 > _e3264) {
+                                        phi_5647_ = _e3240;
                                     } else {
-                                        phi_6649_ = _e3827;
+                                        phi_5647_ = _e3264;
                                     }
-                                    let _e3830 = phi_6649_;
-                                    let _e3832 = local_1.member_3;
-                                    let _e3833 = (_e3830 + _e3832);
-                                    let _e3836 = local_1.member_2[0u];
-                                    if (_e3836[0] < 0f) {
-                                        phi_6666_ = -(_e3836[0]);
+                                    let _e3267 = phi_5647_;
+                                    let _e3269 = local.member_3;
+                                    let _e3273 = local.member_2[0u];
+                                    if (_e3273[0] < 0f) {
+                                        phi_5664_ = -(_e3273[0]);
                                     } else {
-                                        phi_6666_ = _e3836[0];
+                                        phi_5664_ = _e3273[0];
                                     }
-                                    let _e3843 = phi_6666_;
-                                    if (_e3836[1] < 0f) {
-                                        phi_6673_ = -(_e3836[1]);
+                                    let _e3280 = phi_5664_;
+                                    if (_e3273[1] < 0f) {
+                                        phi_5671_ = -(_e3273[1]);
                                     } else {
-                                        phi_6673_ = _e3836[1];
+                                        phi_5671_ = _e3273[1];
                                     }
-                                    let _e3847 = phi_6673_;
-                                    if (_e3843 > _e3847) {
-                                        phi_6678_ = _e3843;
+                                    let _e3284 = phi_5671_;
+                                    if (_e3280 > _e3284) {
+                                        phi_5676_ = _e3280;
                                     } else {
-                                        phi_6678_ = _e3847;
+                                        phi_5676_ = _e3284;
                                     }
-                                    let _e3850 = phi_6678_;
-                                    if (_e3836[2] < 0f) {
-                                        phi_6685_ = -(_e3836[2]);
+                                    let _e3287 = phi_5676_;
+                                    if (_e3273[2] < 0f) {
+                                        phi_5683_ = -(_e3273[2]);
                                     } else {
-                                        phi_6685_ = _e3836[2];
+                                        phi_5683_ = _e3273[2];
                                     }
-                                    let _e3854 = phi_6685_;
-                                    if (_e3850 > _e3854) {
-                                        phi_6690_ = _e3850;
+                                    let _e3291 = phi_5683_;
+                                    if (_e3287 > _e3291) {
+                                        phi_5688_ = _e3287;
                                     } else {
-                                        phi_6690_ = _e3854;
+                                        phi_5688_ = _e3291;
                                     }
-                                    let _e3857 = phi_6690_;
-                                    let _e3860 = local_1.member_2[1u];
-                                    if (_e3860[0] < 0f) {
-                                        phi_6704_ = -(_e3860[0]);
+                                    let _e3294 = phi_5688_;
+                                    let _e3297 = local.member_2[1u];
+                                    if (_e3297[0] < 0f) {
+                                        phi_5702_ = -(_e3297[0]);
                                     } else {
-                                        phi_6704_ = _e3860[0];
+                                        phi_5702_ = _e3297[0];
                                     }
-                                    let _e3867 = phi_6704_;
-                                    if (_e3860[1] < 0f) {
-                                        phi_6711_ = -(_e3860[1]);
+                                    let _e3304 = phi_5702_;
+                                    if (_e3297[1] < 0f) {
+                                        phi_5709_ = -(_e3297[1]);
                                     } else {
-                                        phi_6711_ = _e3860[1];
+                                        phi_5709_ = _e3297[1];
                                     }
-                                    let _e3871 = phi_6711_;
-                                    if (_e3867 > _e3871) {
-                                        phi_6716_ = _e3867;
+                                    let _e3308 = phi_5709_;
+                                    if (_e3304 > _e3308) {
+                                        phi_5714_ = _e3304;
                                     } else {
-                                        phi_6716_ = _e3871;
+                                        phi_5714_ = _e3308;
                                     }
-                                    let _e3874 = phi_6716_;
-                                    if (_e3860[2] < 0f) {
-                                        phi_6723_ = -(_e3860[2]);
+                                    let _e3311 = phi_5714_;
+                                    if (_e3297[2] < 0f) {
+                                        phi_5721_ = -(_e3297[2]);
                                     } else {
-                                        phi_6723_ = _e3860[2];
+                                        phi_5721_ = _e3297[2];
                                     }
-                                    let _e3878 = phi_6723_;
-                                    if (_e3874 > _e3878) {
-                                        phi_6728_ = _e3874;
+                                    let _e3315 = phi_5721_;
+                                    if (_e3311 > _e3315) {
+                                        phi_5726_ = _e3311;
                                     } else {
-                                        phi_6728_ = _e3878;
+                                        phi_5726_ = _e3315;
                                     }
-                                    let _e3881 = phi_6728_;
-                                    if (_e3857 > _e3881) {
-                                        phi_6733_ = _e3857;
+                                    let _e3318 = phi_5726_;
+                                    if (_e3294 > _e3318) {
+                                        phi_5731_ = _e3294;
                                     } else {
-                                        phi_6733_ = _e3881;
+                                        phi_5731_ = _e3318;
                                     }
-                                    let _e3884 = phi_6733_;
-                                    let _e3886 = local_1.member_3;
-                                    let _e3887 = (_e3884 + _e3886);
-                                    let _e3889 = ((_e3833 * 8f) * _e3887);
-                                    let _e3896 = local_1.member_3;
-                                    if (_e3585 < 0f) {
-                                        phi_6764_ = -(_e3585);
+                                    let _e3321 = phi_5731_;
+                                    let _e3323 = local.member_3;
+                                    let _e3327 = ((((_e3213 + _e3215) + (_e3267 + _e3269)) + (_e3321 + _e3323)) * 2f);
+                                    let _e3330 = local.member_3;
+                                    let _e3334 = (((_e1525 * 1.0001f) + (_e3330 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                    let _e3337 = ((_e3105 * _e3084) - (_e3108 * _e3083));
+                                    let _e3340 = ((_e3108 * _e3082) - (_e3102 * _e3084));
+                                    let _e3343 = ((_e3102 * _e3083) - (_e3105 * _e3082));
+                                    let _e3348 = (((_e3337 * _e3111[0]) + (_e3340 * _e3111[1])) + (_e3343 * _e3111[2]));
+                                    let _e3353 = (((_e3337 * _e3127) + (_e3340 * _e3128)) + (_e3343 * _e3129));
+                                    let _e3358 = (((_e3337 * _e3133) + (_e3340 * _e3134)) + (_e3343 * _e3135));
+                                    let _e3363 = (((_e3337 * _e3130) + (_e3340 * _e3131)) + (_e3343 * _e3132));
+                                    let _e3368 = (((_e3337 * _e3138[0]) + (_e3340 * _e3138[1])) + (_e3343 * _e3138[2]));
+                                    let _e3373 = (((_e3337 * _e3154) + (_e3340 * _e3155)) + (_e3343 * _e3156));
+                                    let _e3378 = (((_e3337 * _e3160) + (_e3340 * _e3161)) + (_e3343 * _e3162));
+                                    let _e3383 = (((_e3337 * _e3157) + (_e3340 * _e3158)) + (_e3343 * _e3159));
+                                    if (_e3348 < _e3353) {
+                                        phi_5810_ = _e3348;
                                     } else {
-                                        phi_6764_ = _e3585;
+                                        phi_5810_ = _e3353;
                                     }
-                                    let _e3913 = phi_6764_;
-                                    if (_e3588 < 0f) {
-                                        phi_6770_ = -(_e3588);
+                                    let _e3386 = phi_5810_;
+                                    if (_e3358 < _e3363) {
+                                        phi_5815_ = _e3358;
                                     } else {
-                                        phi_6770_ = _e3588;
+                                        phi_5815_ = _e3363;
                                     }
-                                    let _e3917 = phi_6770_;
+                                    let _e3389 = phi_5815_;
+                                    if (_e3386 < _e3389) {
+                                        phi_5820_ = _e3386;
+                                    } else {
+                                        phi_5820_ = _e3389;
+                                    }
+                                    let _e3392 = phi_5820_;
+                                    if (_e3368 < _e3373) {
+                                        phi_5825_ = _e3368;
+                                    } else {
+                                        phi_5825_ = _e3373;
+                                    }
+                                    let _e3395 = phi_5825_;
+                                    if (_e3378 < _e3383) {
+                                        phi_5830_ = _e3378;
+                                    } else {
+                                        phi_5830_ = _e3383;
+                                    }
+                                    let _e3398 = phi_5830_;
+                                    if (_e3395 < _e3398) {
+                                        phi_5835_ = _e3395;
+                                    } else {
+                                        phi_5835_ = _e3398;
+                                    }
+                                    let _e3401 = phi_5835_;
+                                    if (_e3392 < _e3401) {
+                                        phi_5840_ = _e3392;
+                                    } else {
+                                        phi_5840_ = _e3401;
+                                    }
+                                    let _e3404 = phi_5840_;
+                                    if (_e3348 > _e3353) {
+                                        phi_5845_ = _e3348;
+                                    } else {
+                                        phi_5845_ = _e3353;
+                                    }
+                                    let _e3407 = phi_5845_;
+                                    if (_e3358 > _e3363) {
+                                        phi_5850_ = _e3358;
+                                    } else {
+                                        phi_5850_ = _e3363;
+                                    }
+                                    let _e3410 = phi_5850_;
+                                    if (_e3407 > _e3410) {
+                                        phi_5855_ = _e3407;
+                                    } else {
+                                        phi_5855_ = _e3410;
+                                    }
+                                    let _e3413 = phi_5855_;
+                                    if (_e3368 > _e3373) {
+                                        phi_5860_ = _e3368;
+                                    } else {
+                                        phi_5860_ = _e3373;
+                                    }
+                                    let _e3416 = phi_5860_;
+                                    if (_e3378 > _e3383) {
+                                        phi_5865_ = _e3378;
+                                    } else {
+                                        phi_5865_ = _e3383;
+                                    }
+                                    let _e3419 = phi_5865_;
+                                    if (_e3416 > _e3419) {
+                                        phi_5870_ = _e3416;
+                                    } else {
+                                        phi_5870_ = _e3419;
+                                    }
+                                    let _e3422 = phi_5870_;
+                                    if (_e3413 > _e3422) {
+                                        phi_5875_ = _e3413;
+                                    } else {
+                                        phi_5875_ = _e3422;
+                                    }
+                                    let _e3425 = phi_5875_;
+                                    if (_e3337 < 0f) {
+                                        phi_5881_ = -(_e3337);
+                                    } else {
+                                        phi_5881_ = _e3337;
+                                    }
+                                    let _e3429 = phi_5881_;
+                                    if (_e3340 < 0f) {
+                                        phi_5887_ = -(_e3340);
+                                    } else {
+                                        phi_5887_ = _e3340;
+                                    }
+                                    let _e3433 = phi_5887_;
+                                    if (_e3343 < 0f) {
+                                        phi_5894_ = -(_e3343);
+                                    } else {
+                                        phi_5894_ = _e3343;
+                                    }
+                                    let _e3438 = phi_5894_;
+                                    let _e3439 = ((_e3429 + _e3433) + _e3438);
+                                    let _e3444 = -(_e3425);
+                                    if (_e3404 > _e3444) {
+                                        phi_5905_ = _e3404;
+                                    } else {
+                                        phi_5905_ = _e3444;
+                                    }
+                                    let _e3447 = phi_5905_;
+                                    let _e3452 = (((_e3447 - ((_e3439 * _e3327) * (0.000000059604645f * (17f / 2f)))) - (_e3439 * _e3334)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    let _e3455 = ((_e3105 * _e3099) - (_e3108 * _e3098));
+                                    let _e3458 = ((_e3108 * _e3097) - (_e3102 * _e3099));
+                                    let _e3461 = ((_e3102 * _e3098) - (_e3105 * _e3097));
+                                    let _e3466 = (((_e3455 * _e3111[0]) + (_e3458 * _e3111[1])) + (_e3461 * _e3111[2]));
+                                    let _e3471 = (((_e3455 * _e3127) + (_e3458 * _e3128)) + (_e3461 * _e3129));
+                                    let _e3476 = (((_e3455 * _e3133) + (_e3458 * _e3134)) + (_e3461 * _e3135));
+                                    let _e3481 = (((_e3455 * _e3130) + (_e3458 * _e3131)) + (_e3461 * _e3132));
+                                    let _e3486 = (((_e3455 * _e3138[0]) + (_e3458 * _e3138[1])) + (_e3461 * _e3138[2]));
+                                    let _e3491 = (((_e3455 * _e3154) + (_e3458 * _e3155)) + (_e3461 * _e3156));
+                                    let _e3496 = (((_e3455 * _e3160) + (_e3458 * _e3161)) + (_e3461 * _e3162));
+                                    let _e3501 = (((_e3455 * _e3157) + (_e3458 * _e3158)) + (_e3461 * _e3159));
+                                    if (_e3466 < _e3471) {
+                                        phi_5976_ = _e3466;
+                                    } else {
+                                        phi_5976_ = _e3471;
+                                    }
+                                    let _e3504 = phi_5976_;
+                                    if (_e3476 < _e3481) {
+                                        phi_5981_ = _e3476;
+                                    } else {
+                                        phi_5981_ = _e3481;
+                                    }
+                                    let _e3507 = phi_5981_;
+                                    if (_e3504 < _e3507) {
+                                        phi_5986_ = _e3504;
+                                    } else {
+                                        phi_5986_ = _e3507;
+                                    }
+                                    let _e3510 = phi_5986_;
+                                    if (_e3486 < _e3491) {
+                                        phi_5991_ = _e3486;
+                                    } else {
+                                        phi_5991_ = _e3491;
+                                    }
+                                    let _e3513 = phi_5991_;
+                                    if (_e3496 < _e3501) {
+                                        phi_5996_ = _e3496;
+                                    } else {
+                                        phi_5996_ = _e3501;
+                                    }
+                                    let _e3516 = phi_5996_;
+                                    if (_e3513 < _e3516) {
+                                        phi_6001_ = _e3513;
+                                    } else {
+                                        phi_6001_ = _e3516;
+                                    }
+                                    let _e3519 = phi_6001_;
+                                    if (_e3510 < _e3519) {
+                                        phi_6006_ = _e3510;
+                                    } else {
+                                        phi_6006_ = _e3519;
+                                    }
+                                    let _e3522 = phi_6006_;
+                                    if (_e3466 > _e3471) {
+                                        phi_6011_ = _e3466;
+                                    } else {
+                                        phi_6011_ = _e3471;
+                                    }
+                                    let _e3525 = phi_6011_;
+                                    if (_e3476 > _e3481) {
+                                        phi_6016_ = _e3476;
+                                    } else {
+                                        phi_6016_ = _e3481;
+                                    }
+                                    let _e3528 = phi_6016_;
+                                    if (_e3525 > _e3528) {
+                                        phi_6021_ = _e3525;
+                                    } else {
+                                        phi_6021_ = _e3528;
+                                    }
+                                    let _e3531 = phi_6021_;
+                                    if (_e3486 > _e3491) {
+                                        phi_6026_ = _e3486;
+                                    } else {
+                                        phi_6026_ = _e3491;
+                                    }
+                                    let _e3534 = phi_6026_;
+                                    if (_e3496 > _e3501) {
+                                        phi_6031_ = _e3496;
+                                    } else {
+                                        phi_6031_ = _e3501;
+                                    }
+                                    let _e3537 = phi_6031_;
+                                    if (_e3534 > _e3537) {
+                                        phi_6036_ = _e3534;
+                                    } else {
+                                        phi_6036_ = _e3537;
+                                    }
+                                    let _e3540 = phi_6036_;
+                                    if (_e3531 > _e3540) {
+                                        phi_6041_ = _e3531;
+                                    } else {
+                                        phi_6041_ = _e3540;
+                                    }
+                                    let _e3543 = phi_6041_;
+                                    if (_e3455 < 0f) {
+                                        phi_6047_ = -(_e3455);
+                                    } else {
+                                        phi_6047_ = _e3455;
+                                    }
+                                    let _e3547 = phi_6047_;
+                                    if (_e3458 < 0f) {
+                                        phi_6053_ = -(_e3458);
+                                    } else {
+                                        phi_6053_ = _e3458;
+                                    }
+                                    let _e3551 = phi_6053_;
+                                    if (_e3461 < 0f) {
+                                        phi_6060_ = -(_e3461);
+                                    } else {
+                                        phi_6060_ = _e3461;
+                                    }
+                                    let _e3556 = phi_6060_;
+                                    let _e3557 = ((_e3547 + _e3551) + _e3556);
+                                    let _e3562 = -(_e3543);
+                                    if (_e3522 > _e3562) {
+                                        phi_6071_ = _e3522;
+                                    } else {
+                                        phi_6071_ = _e3562;
+                                    }
+                                    let _e3565 = phi_6071_;
+                                    let _e3570 = (((_e3565 - ((_e3557 * _e3327) * (0.000000059604645f * (17f / 2f)))) - (_e3557 * _e3334)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e3452 > _e3570) {
+                                        phi_6081_ = _e3452;
+                                    } else {
+                                        phi_6081_ = _e3570;
+                                    }
+                                    let _e3573 = phi_6081_;
+                                    phi_6262_ = (_e3573 > 0f);
+                                }
+                                let _e3576 = phi_6262_;
+                                if _e3576 {
+                                    let _e3579 = local_1.member_1[0u];
+                                    let _e3585 = local_1.member_2[0u];
+                                    let _e3591 = ((_e3579[1] * _e3585[2]) - (_e3579[2] * _e3585[1]));
+                                    let _e3594 = ((_e3579[2] * _e3585[0]) - (_e3579[0] * _e3585[2]));
+                                    let _e3597 = ((_e3579[0] * _e3585[1]) - (_e3579[1] * _e3585[0]));
+                                    let _e3600 = local_1.member_1[1u];
+                                    let _e3606 = local_1.member_2[1u];
+                                    let _e3612 = ((_e3600[1] * _e3606[2]) - (_e3600[2] * _e3606[1]));
+                                    let _e3615 = ((_e3600[2] * _e3606[0]) - (_e3600[0] * _e3606[2]));
+                                    let _e3618 = ((_e3600[0] * _e3606[1]) - (_e3600[1] * _e3606[0]));
+                                    let _e3621 = local_1.member_1[0u];
+                                    let _e3627 = local_1.member_2[1u];
+                                    let _e3642 = local_1.member_1[1u];
+                                    let _e3648 = local_1.member_2[0u];
+                                    let _e3661 = (((_e3621[1] * _e3627[2]) - (_e3621[2] * _e3627[1])) + ((_e3642[1] * _e3648[2]) - (_e3642[2] * _e3648[1])));
+                                    let _e3662 = (((_e3621[2] * _e3627[0]) - (_e3621[0] * _e3627[2])) + ((_e3642[2] * _e3648[0]) - (_e3642[0] * _e3648[2])));
+                                    let _e3663 = (((_e3621[0] * _e3627[1]) - (_e3621[1] * _e3627[0])) + ((_e3642[0] * _e3648[1]) - (_e3642[1] * _e3648[0])));
+                                    let _e3666 = local_1.member[0u];
+                                    let _e3677 = local_1.member[1u];
+                                    let _e3688 = local_1.member[0u];
+                                    let _e3697 = ((((_e3677[0] * _e3591) + (_e3677[1] * _e3594)) + (_e3677[2] * _e3597)) + (((_e3688[0] * _e3661) + (_e3688[1] * _e3662)) + (_e3688[2] * _e3663)));
+                                    let _e3700 = local_1.member[0u];
+                                    let _e3711 = local_1.member[1u];
+                                    let _e3720 = ((((_e3700[0] * _e3612) + (_e3700[1] * _e3615)) + (_e3700[2] * _e3618)) + (((_e3711[0] * _e3661) + (_e3711[1] * _e3662)) + (_e3711[2] * _e3663)));
+                                    let _e3723 = local_1.member[1u];
+                                    let _e3734 = local_1.member[0u];
+                                    if (_e3734[0] < 0f) {
+                                        phi_6507_ = -(_e3734[0]);
+                                    } else {
+                                        phi_6507_ = _e3734[0];
+                                    }
+                                    let _e3741 = phi_6507_;
+                                    if (_e3734[1] < 0f) {
+                                        phi_6514_ = -(_e3734[1]);
+                                    } else {
+                                        phi_6514_ = _e3734[1];
+                                    }
+                                    let _e3745 = phi_6514_;
+                                    if (_e3741 > _e3745) {
+                                        phi_6519_ = _e3741;
+                                    } else {
+                                        phi_6519_ = _e3745;
+                                    }
+                                    let _e3748 = phi_6519_;
+                                    if (_e3734[2] < 0f) {
+                                        phi_6526_ = -(_e3734[2]);
+                                    } else {
+                                        phi_6526_ = _e3734[2];
+                                    }
+                                    let _e3752 = phi_6526_;
+                                    if (_e3748 > _e3752) {
+                                        phi_6531_ = _e3748;
+                                    } else {
+                                        phi_6531_ = _e3752;
+                                    }
+                                    let _e3755 = phi_6531_;
+                                    let _e3758 = local_1.member[1u];
+                                    if (_e3758[0] < 0f) {
+                                        phi_6544_ = -(_e3758[0]);
+                                    } else {
+                                        phi_6544_ = _e3758[0];
+                                    }
+                                    let _e3765 = phi_6544_;
+                                    if (_e3758[1] < 0f) {
+                                        phi_6551_ = -(_e3758[1]);
+                                    } else {
+                                        phi_6551_ = _e3758[1];
+                                    }
+                                    let _e3769 = phi_6551_;
+                                    if (_e3765 > _e3769) {
+                                        phi_6556_ = _e3765;
+                                    } else {
+                                        phi_6556_ = _e3769;
+                                    }
+                                    let _e3772 = phi_6556_;
+                                    if (_e3758[2] < 0f) {
+                                        phi_6563_ = -(_e3758[2]);
+                                    } else {
+                                        phi_6563_ = _e3758[2];
+                                    }
+                                    let _e3776 = phi_6563_;
+                                    if (_e3772 > _e3776) {
+                                        phi_6568_ = _e3772;
+                                    } else {
+                                        phi_6568_ = _e3776;
+                                    }
+                                    let _e3779 = phi_6568_;
+                                    if (_e3755 > _e3779) {
+                                        phi_6573_ = _e3755;
+                                    } else {
+                                        phi_6573_ = _e3779;
+                                    }
+                                    let _e3782 = phi_6573_;
+                                    let _e3784 = local_1.member_3;
+                                    let _e3785 = (_e3782 + _e3784);
+                                    let _e3788 = local_1.member_1[0u];
+                                    if (_e3788[0] < 0f) {
+                                        phi_6590_ = -(_e3788[0]);
+                                    } else {
+                                        phi_6590_ = _e3788[0];
+                                    }
+                                    let _e3795 = phi_6590_;
+                                    if (_e3788[1] < 0f) {
+                                        phi_6597_ = -(_e3788[1]);
+                                    } else {
+                                        phi_6597_ = _e3788[1];
+                                    }
+                                    let _e3799 = phi_6597_;
+                                    if (_e3795 > _e3799) {
+                                        phi_6602_ = _e3795;
+                                    } else {
+                                        phi_6602_ = _e3799;
+                                    }
+                                    let _e3802 = phi_6602_;
+                                    if (_e3788[2] < 0f) {
+                                        phi_6609_ = -(_e3788[2]);
+                                    } else {
+                                        phi_6609_ = _e3788[2];
+                                    }
+                                    let _e3806 = phi_6609_;
+                                    if (_e3802 > _e3806) {
+                                        phi_6614_ = _e3802;
+                                    } else {
+                                        phi_6614_ = _e3806;
+                                    }
+                                    let _e3809 = phi_6614_;
+                                    let _e3812 = local_1.member_1[1u];
+                                    if (_e3812[0] < 0f) {
+                                        phi_6628_ = -(_e3812[0]);
+                                    } else {
+                                        phi_6628_ = _e3812[0];
+                                    }
+                                    let _e3819 = phi_6628_;
+                                    if (_e3812[1] < 0f) {
+                                        phi_6635_ = -(_e3812[1]);
+                                    } else {
+                                        phi_6635_ = _e3812[1];
+                                    }
+                                    let _e3823 = phi_6635_;
+                                    if (_e3819 > _e3823) {
+                                        phi_6640_ = _e3819;
+                                    } else {
+                                        phi_6640_ = _e3823;
+                                    }
+                                    let _e3826 = phi_6640_;
+                                    if (_e3812[2] < 0f) {
+                                        phi_6647_ = -(_e3812[2]);
+                                    } else {
+                                        phi_6647_ = _e3812[2];
+                                    }
+                                    let _e3830 = phi_6647_;
+                                    if (_e3826 > _e3830) {
+                                        phi_6652_ = _e3826;
+                                    } else {
+                                        phi_6652_ = _e3830;
+                                    }
+                                    let _e3833 = phi_6652_;
+                                    if (_e3809 > _e3833) {
+                                        phi_6657_ = _e3809;
+                                    } else {
+                                        phi_6657_ = _e3833;
+                                    }
+                                    let _e3836 = phi_6657_;
+                                    let _e3838 = local_1.member_3;
+                                    let _e3839 = (_e3836 + _e3838);
+                                    let _e3842 = local_1.member_2[0u];
+                                    if (_e3842[0] < 0f) {
+                                        phi_6674_ = -(_e3842[0]);
+                                    } else {
+                                        phi_6674_ = _e3842[0];
+                                    }
+                                    let _e3849 = phi_6674_;
+                                    if (_e3842[1] < 0f) {
+                                        phi_6681_ = -(_e3842[1]);
+                                    } else {
+                                        phi_6681_ = _e3842[1];
+                                    }
+                                    let _e3853 = phi_6681_;
+                                    if (_e3849 > _e3853) {
+                                        phi_6686_ = _e3849;
+                                    } else {
+                                        phi_6686_ = _e3853;
+                                    }
+                                    let _e3856 = phi_6686_;
+                                    if (_e3842[2] < 0f) {
+                                        phi_6693_ = -(_e3842[2]);
+                                    } else {
+                                        phi_6693_ = _e3842[2];
+                                    }
+                                    let _e3860 = phi_6693_;
+                                    if (_e3856 > _e3860) {
+                                        phi_6698_ = _e3856;
+                                    } else {
+                                        phi_6698_ = _e3860;
+                                    }
+                                    let _e3863 = phi_6698_;
+                                    let _e3866 = local_1.member_2[1u];
+                                    if (_e3866[0] < 0f) {
+                                        phi_6712_ = -(_e3866[0]);
+                                    } else {
+                                        phi_6712_ = _e3866[0];
+                                    }
+                                    let _e3873 = phi_6712_;
+                                    if (_e3866[1] < 0f) {
+                                        phi_6719_ = -(_e3866[1]);
+                                    } else {
+                                        phi_6719_ = _e3866[1];
+                                    }
+                                    let _e3877 = phi_6719_;
+                                    if (_e3873 > _e3877) {
+                                        phi_6724_ = _e3873;
+                                    } else {
+                                        phi_6724_ = _e3877;
+                                    }
+                                    let _e3880 = phi_6724_;
+                                    if (_e3866[2] < 0f) {
+                                        phi_6731_ = -(_e3866[2]);
+                                    } else {
+                                        phi_6731_ = _e3866[2];
+                                    }
+                                    let _e3884 = phi_6731_;
+                                    if (_e3880 > _e3884) {
+                                        phi_6736_ = _e3880;
+                                    } else {
+                                        phi_6736_ = _e3884;
+                                    }
+                                    let _e3887 = phi_6736_;
+                                    if (_e3863 > _e3887) {
+                                        phi_6741_ = _e3863;
+                                    } else {
+                                        phi_6741_ = _e3887;
+                                    }
+                                    let _e3890 = phi_6741_;
+                                    let _e3892 = local_1.member_3;
+                                    let _e3893 = (_e3890 + _e3892);
+                                    let _e3895 = ((_e3839 * 8f) * _e3893);
+                                    let _e3902 = local_1.member_3;
                                     if (_e3591 < 0f) {
-                                        phi_6777_ = -(_e3591);
+                                        phi_6772_ = -(_e3591);
                                     } else {
-                                        phi_6777_ = _e3591;
+                                        phi_6772_ = _e3591;
                                     }
-                                    let _e3922 = phi_6777_;
-                                    let _e3923 = ((_e3913 + _e3917) + _e3922);
-                                    if (_e3606 < 0f) {
-                                        phi_6784_ = -(_e3606);
+                                    let _e3919 = phi_6772_;
+                                    if (_e3594 < 0f) {
+                                        phi_6778_ = -(_e3594);
                                     } else {
-                                        phi_6784_ = _e3606;
+                                        phi_6778_ = _e3594;
                                     }
-                                    let _e3927 = phi_6784_;
-                                    if (_e3609 < 0f) {
-                                        phi_6790_ = -(_e3609);
+                                    let _e3923 = phi_6778_;
+                                    if (_e3597 < 0f) {
+                                        phi_6785_ = -(_e3597);
                                     } else {
-                                        phi_6790_ = _e3609;
+                                        phi_6785_ = _e3597;
                                     }
-                                    let _e3931 = phi_6790_;
+                                    let _e3928 = phi_6785_;
+                                    let _e3929 = ((_e3919 + _e3923) + _e3928);
                                     if (_e3612 < 0f) {
-                                        phi_6797_ = -(_e3612);
+                                        phi_6792_ = -(_e3612);
                                     } else {
-                                        phi_6797_ = _e3612;
+                                        phi_6792_ = _e3612;
                                     }
-                                    let _e3936 = phi_6797_;
-                                    let _e3937 = ((_e3927 + _e3931) + _e3936);
-                                    if (_e3923 > _e3937) {
-                                        phi_6803_ = _e3923;
+                                    let _e3933 = phi_6792_;
+                                    if (_e3615 < 0f) {
+                                        phi_6798_ = -(_e3615);
                                     } else {
-                                        phi_6803_ = _e3937;
+                                        phi_6798_ = _e3615;
                                     }
-                                    let _e3940 = phi_6803_;
-                                    if (_e3655 < 0f) {
-                                        phi_6809_ = -(_e3655);
+                                    let _e3937 = phi_6798_;
+                                    if (_e3618 < 0f) {
+                                        phi_6805_ = -(_e3618);
                                     } else {
-                                        phi_6809_ = _e3655;
+                                        phi_6805_ = _e3618;
                                     }
-                                    let _e3944 = phi_6809_;
-                                    if (_e3656 < 0f) {
-                                        phi_6815_ = -(_e3656);
+                                    let _e3942 = phi_6805_;
+                                    let _e3943 = ((_e3933 + _e3937) + _e3942);
+                                    if (_e3929 > _e3943) {
+                                        phi_6811_ = _e3929;
                                     } else {
-                                        phi_6815_ = _e3656;
+                                        phi_6811_ = _e3943;
                                     }
-                                    let _e3948 = phi_6815_;
-                                    if (_e3657 < 0f) {
-                                        phi_6822_ = -(_e3657);
+                                    let _e3946 = phi_6811_;
+                                    if (_e3661 < 0f) {
+                                        phi_6817_ = -(_e3661);
                                     } else {
-                                        phi_6822_ = _e3657;
+                                        phi_6817_ = _e3661;
                                     }
-                                    let _e3953 = phi_6822_;
-                                    let _e3955 = (((_e3944 + _e3948) + _e3953) * 0.5f);
-                                    if (_e3940 > _e3955) {
-                                        phi_6829_ = _e3940;
+                                    let _e3950 = phi_6817_;
+                                    if (_e3662 < 0f) {
+                                        phi_6823_ = -(_e3662);
                                     } else {
-                                        phi_6829_ = _e3955;
+                                        phi_6823_ = _e3662;
                                     }
-                                    let _e3958 = phi_6829_;
-                                    let _e3963 = local_1.member_3;
-                                    let _e3976 = ((((_e3660[0] * _e3585) + (_e3660[1] * _e3588)) + (_e3660[2] * _e3591)) * 3f);
-                                    let _e3977 = ((((_e3717[0] * _e3606) + (_e3717[1] * _e3609)) + (_e3717[2] * _e3612)) * 3f);
-                                    if (_e3976 < _e3977) {
-                                        phi_6853_ = _e3976;
+                                    let _e3954 = phi_6823_;
+                                    if (_e3663 < 0f) {
+                                        phi_6830_ = -(_e3663);
                                     } else {
-                                        phi_6853_ = _e3977;
+                                        phi_6830_ = _e3663;
                                     }
-                                    let _e3980 = phi_6853_;
-                                    if (_e3691 < _e3714) {
-                                        phi_6858_ = _e3691;
+                                    let _e3959 = phi_6830_;
+                                    let _e3961 = (((_e3950 + _e3954) + _e3959) * 0.5f);
+                                    if (_e3946 > _e3961) {
+                                        phi_6837_ = _e3946;
                                     } else {
-                                        phi_6858_ = _e3714;
+                                        phi_6837_ = _e3961;
                                     }
-                                    let _e3983 = phi_6858_;
-                                    if (_e3980 < _e3983) {
-                                        phi_6863_ = _e3980;
+                                    let _e3964 = phi_6837_;
+                                    let _e3969 = local_1.member_3;
+                                    let _e3982 = ((((_e3666[0] * _e3591) + (_e3666[1] * _e3594)) + (_e3666[2] * _e3597)) * 3f);
+                                    let _e3983 = ((((_e3723[0] * _e3612) + (_e3723[1] * _e3615)) + (_e3723[2] * _e3618)) * 3f);
+                                    if (_e3982 < _e3983) {
+                                        phi_6861_ = _e3982;
                                     } else {
-                                        phi_6863_ = _e3983;
+                                        phi_6861_ = _e3983;
                                     }
-                                    let _e3986 = phi_6863_;
-                                    if (_e3976 > _e3977) {
-                                        phi_6868_ = _e3976;
+                                    let _e3986 = phi_6861_;
+                                    if (_e3697 < _e3720) {
+                                        phi_6866_ = _e3697;
                                     } else {
-                                        phi_6868_ = _e3977;
+                                        phi_6866_ = _e3720;
                                     }
-                                    let _e3989 = phi_6868_;
-                                    if (_e3691 > _e3714) {
-                                        phi_6873_ = _e3691;
+                                    let _e3989 = phi_6866_;
+                                    if (_e3986 < _e3989) {
+                                        phi_6871_ = _e3986;
                                     } else {
-                                        phi_6873_ = _e3714;
+                                        phi_6871_ = _e3989;
                                     }
-                                    let _e3992 = phi_6873_;
-                                    if (_e3989 > _e3992) {
-                                        phi_6878_ = _e3989;
+                                    let _e3992 = phi_6871_;
+                                    if (_e3982 > _e3983) {
+                                        phi_6876_ = _e3982;
                                     } else {
-                                        phi_6878_ = _e3992;
+                                        phi_6876_ = _e3983;
                                     }
-                                    let _e3995 = phi_6878_;
-                                    let _e4000 = -(_e3995);
-                                    if (_e3986 > _e4000) {
-                                        phi_6888_ = _e3986;
+                                    let _e3995 = phi_6876_;
+                                    if (_e3697 > _e3720) {
+                                        phi_6881_ = _e3697;
                                     } else {
-                                        phi_6888_ = _e4000;
+                                        phi_6881_ = _e3720;
                                     }
-                                    let _e4003 = phi_6888_;
-                                    if ((_e4003 - ((((((_e3779 * 8f) * _e3889) * (0.000000059604645f * (490f / 64f))) + ((_e3896 * 19f) * ((_e3779 * (_e3833 + _e3887)) + (_e3833 * _e3887)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3779) * ((1f + _e3833) * (1f + _e3887))))) + ((_e1525 * (((_e3958 + (_e3889 * (0.000000059604645f * 4f))) + ((_e3963 * 6f) * (_e3833 + _e3887))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3833) * (1f + _e3887))))) * (3f * 1.0001f)))) > 0f) {
-                                        phi_7852_ = true;
+                                    let _e3998 = phi_6881_;
+                                    if (_e3995 > _e3998) {
+                                        phi_6886_ = _e3995;
                                     } else {
-                                        let _e4008 = local_1.member_1[0u];
-                                        let _e4014 = local_1.member_1[1u];
-                                        let _e4018 = (_e4008[0] + _e4014[0]);
-                                        let _e4019 = (_e4008[1] + _e4014[1]);
-                                        let _e4020 = (_e4008[2] + _e4014[2]);
-                                        let _e4023 = local_1.member_2[0u];
-                                        let _e4029 = local_1.member_2[1u];
-                                        let _e4033 = (_e4023[0] + _e4029[0]);
-                                        let _e4034 = (_e4023[1] + _e4029[1]);
-                                        let _e4035 = (_e4023[2] + _e4029[2]);
-                                        let _e4038 = ((_e4019 * _e4035) - (_e4020 * _e4034));
-                                        let _e4041 = ((_e4020 * _e4033) - (_e4018 * _e4035));
-                                        let _e4044 = ((_e4018 * _e4034) - (_e4019 * _e4033));
-                                        let _e4047 = local_1.member[0u];
-                                        let _e4053 = local_1.member_1[0u];
-                                        let _e4059 = local_1.member_2[0u];
-                                        let _e4063 = (_e4047[0] - _e4053[0]);
-                                        let _e4064 = (_e4047[1] - _e4053[1]);
-                                        let _e4065 = (_e4047[2] - _e4053[2]);
-                                        let _e4066 = (_e4063 - _e4059[0]);
-                                        let _e4067 = (_e4064 - _e4059[1]);
-                                        let _e4068 = (_e4065 - _e4059[2]);
-                                        let _e4069 = (_e4047[0] - _e4059[0]);
-                                        let _e4070 = (_e4047[1] - _e4059[1]);
-                                        let _e4071 = (_e4047[2] - _e4059[2]);
-                                        let _e4074 = local_1.member[1u];
-                                        let _e4080 = local_1.member_1[1u];
-                                        let _e4086 = local_1.member_2[1u];
-                                        let _e4090 = (_e4074[0] - _e4080[0]);
-                                        let _e4091 = (_e4074[1] - _e4080[1]);
-                                        let _e4092 = (_e4074[2] - _e4080[2]);
-                                        let _e4093 = (_e4090 - _e4086[0]);
-                                        let _e4094 = (_e4091 - _e4086[1]);
-                                        let _e4095 = (_e4092 - _e4086[2]);
-                                        let _e4096 = (_e4074[0] - _e4086[0]);
-                                        let _e4097 = (_e4074[1] - _e4086[1]);
-                                        let _e4098 = (_e4074[2] - _e4086[2]);
-                                        let _e4101 = local_1.member[0u];
-                                        if (_e4101[0] < 0f) {
-                                            phi_7091_ = -(_e4101[0]);
+                                        phi_6886_ = _e3998;
+                                    }
+                                    let _e4001 = phi_6886_;
+                                    let _e4006 = -(_e4001);
+                                    if (_e3992 > _e4006) {
+                                        phi_6896_ = _e3992;
+                                    } else {
+                                        phi_6896_ = _e4006;
+                                    }
+                                    let _e4009 = phi_6896_;
+                                    if ((_e4009 - ((((((_e3785 * 8f) * _e3895) * (0.000000059604645f * (524f / 64f))) + ((_e3902 * 19f) * ((_e3785 * (_e3839 + _e3893)) + (_e3839 * _e3893)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3785) * ((1f + _e3839) * (1f + _e3893))))) + ((_e1525 * (((_e3964 + (_e3895 * (0.000000059604645f * 8f))) + ((_e3969 * 6f) * (_e3839 + _e3893))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3839) * (1f + _e3893))))) * (3f * 1.0001f)))) > 0f) {
+                                        phi_7864_ = true;
+                                    } else {
+                                        let _e4014 = local_1.member_1[0u];
+                                        let _e4020 = local_1.member_1[1u];
+                                        let _e4024 = (_e4014[0] + _e4020[0]);
+                                        let _e4025 = (_e4014[1] + _e4020[1]);
+                                        let _e4026 = (_e4014[2] + _e4020[2]);
+                                        let _e4029 = local_1.member_2[0u];
+                                        let _e4035 = local_1.member_2[1u];
+                                        let _e4039 = (_e4029[0] + _e4035[0]);
+                                        let _e4040 = (_e4029[1] + _e4035[1]);
+                                        let _e4041 = (_e4029[2] + _e4035[2]);
+                                        let _e4044 = ((_e4025 * _e4041) - (_e4026 * _e4040));
+                                        let _e4047 = ((_e4026 * _e4039) - (_e4024 * _e4041));
+                                        let _e4050 = ((_e4024 * _e4040) - (_e4025 * _e4039));
+                                        let _e4053 = local_1.member[0u];
+                                        let _e4059 = local_1.member_1[0u];
+                                        let _e4065 = local_1.member_2[0u];
+                                        let _e4069 = (_e4053[0] - _e4059[0]);
+                                        let _e4070 = (_e4053[1] - _e4059[1]);
+                                        let _e4071 = (_e4053[2] - _e4059[2]);
+                                        let _e4072 = (_e4069 - _e4065[0]);
+                                        let _e4073 = (_e4070 - _e4065[1]);
+                                        let _e4074 = (_e4071 - _e4065[2]);
+                                        let _e4075 = (_e4053[0] - _e4065[0]);
+                                        let _e4076 = (_e4053[1] - _e4065[1]);
+                                        let _e4077 = (_e4053[2] - _e4065[2]);
+                                        let _e4080 = local_1.member[1u];
+                                        let _e4086 = local_1.member_1[1u];
+                                        let _e4092 = local_1.member_2[1u];
+                                        let _e4096 = (_e4080[0] - _e4086[0]);
+                                        let _e4097 = (_e4080[1] - _e4086[1]);
+                                        let _e4098 = (_e4080[2] - _e4086[2]);
+                                        let _e4099 = (_e4096 - _e4092[0]);
+                                        let _e4100 = (_e4097 - _e4092[1]);
+                                        let _e4101 = (_e4098 - _e4092[2]);
+                                        let _e4102 = (_e4080[0] - _e4092[0]);
+                                        let _e4103 = (_e4080[1] - _e4092[1]);
+                                        let _e4104 = (_e4080[2] - _e4092[2]);
+                                        let _e4107 = local_1.member[0u];
+                                        if (_e4107[0] < 0f) {
+                                            phi_7099_ = -(_e4107[0]);
                                         } else {
-                                            phi_7091_ = _e4101[0];
+                                            phi_7099_ = _e4107[0];
                                         }
-                                        let _e4108 = phi_7091_;
-                                        if (_e4101[1] < 0f) {
-                                            phi_7098_ = -(_e4101[1]);
+                                        let _e4114 = phi_7099_;
+                                        if (_e4107[1] < 0f) {
+                                            phi_7106_ = -(_e4107[1]);
                                         } else {
-                                            phi_7098_ = _e4101[1];
+                                            phi_7106_ = _e4107[1];
                                         }
-                                        let _e4112 = phi_7098_;
-                                        if (_e4108 > _e4112) {
-                                            phi_7103_ = _e4108;
+                                        let _e4118 = phi_7106_;
+                                        if (_e4114 > _e4118) {
+                                            phi_7111_ = _e4114;
                                         } else {
-                                            phi_7103_ = _e4112;
+                                            phi_7111_ = _e4118;
                                         }
-                                        let _e4115 = phi_7103_;
-                                        if (_e4101[2] < 0f) {
-                                            phi_7110_ = -(_e4101[2]);
+                                        let _e4121 = phi_7111_;
+                                        if (_e4107[2] < 0f) {
+                                            phi_7118_ = -(_e4107[2]);
                                         } else {
-                                            phi_7110_ = _e4101[2];
+                                            phi_7118_ = _e4107[2];
                                         }
-                                        let _e4119 = phi_7110_;
-                                        if (_e4115 > _e4119) {
-                                            phi_7115_ = _e4115;
+                                        let _e4125 = phi_7118_;
+                                        if (_e4121 > _e4125) {
+                                            phi_7123_ = _e4121;
                                         } else {
-                                            phi_7115_ = _e4119;
+                                            phi_7123_ = _e4125;
                                         }
-                                        let _e4122 = phi_7115_;
-                                        let _e4125 = local_1.member[1u];
-                                        if (_e4125[0] < 0f) {
-                                            phi_7128_ = -(_e4125[0]);
+                                        let _e4128 = phi_7123_;
+                                        let _e4131 = local_1.member[1u];
+                                        if (_e4131[0] < 0f) {
+                                            phi_7136_ = -(_e4131[0]);
                                         } else {
-                                            phi_7128_ = _e4125[0];
+                                            phi_7136_ = _e4131[0];
                                         }
-                                        let _e4132 = phi_7128_;
-                                        if (_e4125[1] < 0f) {
-                                            phi_7135_ = -(_e4125[1]);
+                                        let _e4138 = phi_7136_;
+                                        if (_e4131[1] < 0f) {
+                                            phi_7143_ = -(_e4131[1]);
                                         } else {
-                                            phi_7135_ = _e4125[1];
+                                            phi_7143_ = _e4131[1];
                                         }
-                                        let _e4136 = phi_7135_;
-                                        if (_e4132 > _e4136) {
-                                            phi_7140_ = _e4132;
+                                        let _e4142 = phi_7143_;
+                                        if (_e4138 > _e4142) {
+                                            phi_7148_ = _e4138;
                                         } else {
-                                            phi_7140_ = _e4136;
+                                            phi_7148_ = _e4142;
                                         }
-                                        let _e4139 = phi_7140_;
-                                        if (_e4125[2] < 0f) {
-                                            phi_7147_ = -(_e4125[2]);
+                                        let _e4145 = phi_7148_;
+                                        if (_e4131[2] < 0f) {
+                                            phi_7155_ = -(_e4131[2]);
                                         } else {
-                                            phi_7147_ = _e4125[2];
+                                            phi_7155_ = _e4131[2];
                                         }
-                                        let _e4143 = phi_7147_;
-                                        if (_e4139 > _e4143) {
-                                            phi_7152_ = _e4139;
+                                        let _e4149 = phi_7155_;
+                                        if (_e4145 > _e4149) {
+                                            phi_7160_ = _e4145;
                                         } else {
-                                            phi_7152_ = _e4143;
+                                            phi_7160_ = _e4149;
                                         }
-                                        let _e4146 = phi_7152_;
-                                        if (_e4122 > _e4146) {
-                                            phi_7157_ = _e4122;
+                                        let _e4152 = phi_7160_;
+                                        if (_e4128 > _e4152) {
+                                            phi_7165_ = _e4128;
                                         } else {
-                                            phi_7157_ = _e4146;
+                                            phi_7165_ = _e4152;
                                         }
-                                        let _e4149 = phi_7157_;
-                                        let _e4151 = local_1.member_3;
-                                        let _e4155 = local_1.member_1[0u];
-                                        if (_e4155[0] < 0f) {
-                                            phi_7174_ = -(_e4155[0]);
+                                        let _e4155 = phi_7165_;
+                                        let _e4157 = local_1.member_3;
+                                        let _e4161 = local_1.member_1[0u];
+                                        if (_e4161[0] < 0f) {
+                                            phi_7182_ = -(_e4161[0]);
                                         } else {
-                                            phi_7174_ = _e4155[0];
+                                            phi_7182_ = _e4161[0];
                                         }
-                                        let _e4162 = phi_7174_;
-                                        if (_e4155[1] < 0f) {
-                                            phi_7181_ = -(_e4155[1]);
+                                        let _e4168 = phi_7182_;
+                                        if (_e4161[1] < 0f) {
+                                            phi_7189_ = -(_e4161[1]);
                                         } else {
-                                            phi_7181_ = _e4155[1];
+                                            phi_7189_ = _e4161[1];
                                         }
-                                        let _e4166 = phi_7181_;
-                                        if (_e4162 > _e4166) {
-                                            phi_7186_ = _e4162;
+                                        let _e4172 = phi_7189_;
+                                        if (_e4168 > _e4172) {
+                                            phi_7194_ = _e4168;
                                         } else {
-                                            phi_7186_ = _e4166;
+                                            phi_7194_ = _e4172;
                                         }
-                                        let _e4169 = phi_7186_;
-                                        if (_e4155[2] < 0f) {
-                                            phi_7193_ = -(_e4155[2]);
+                                        let _e4175 = phi_7194_;
+                                        if (_e4161[2] < 0f) {
+                                            phi_7201_ = -(_e4161[2]);
                                         } else {
-                                            phi_7193_ = _e4155[2];
+                                            phi_7201_ = _e4161[2];
                                         }
-                                        let _e4173 = phi_7193_;
-                                        if (_e4169 > _e4173) {
-                                            phi_7198_ = _e4169;
+                                        let _e4179 = phi_7201_;
+                                        if (_e4175 > _e4179) {
+                                            phi_7206_ = _e4175;
                                         } else {
-                                            phi_7198_ = _e4173;
+                                            phi_7206_ = _e4179;
                                         }
-                                        let _e4176 = phi_7198_;
-                                        let _e4179 = local_1.member_1[1u];
-                                        if (_e4179[0] < 0f) {
-                                            phi_7212_ = -(_e4179[0]);
+                                        let _e4182 = phi_7206_;
+                                        let _e4185 = local_1.member_1[1u];
+                                        if (_e4185[0] < 0f) {
+                                            phi_7220_ = -(_e4185[0]);
                                         } else {
-                                            phi_7212_ = _e4179[0];
+                                            phi_7220_ = _e4185[0];
                                         }
-                                        let _e4186 = phi_7212_;
-                                        if (_e4179[1] < 0f) {
-                                            phi_7219_ = -(_e4179[1]);
+                                        let _e4192 = phi_7220_;
+                                        if (_e4185[1] < 0f) {
+                                            phi_7227_ = -(_e4185[1]);
                                         } else {
-                                            phi_7219_ = _e4179[1];
+                                            phi_7227_ = _e4185[1];
                                         }
-                                        let _e4190 = phi_7219_;
-                                        if (_e4186 > _e4190) {
-                                            phi_7224_ = _e4186;
+                                        let _e4196 = phi_7227_;
+                                        if (_e4192 > _e4196) {
+                                            phi_7232_ = _e4192;
                                         } else {
-                                            phi_7224_ = _e4190;
+                                            phi_7232_ = _e4196;
                                         }
-                                        let _e4193 = phi_7224_;
-                                        if (_e4179[2] < 0f) {
-                                            phi_7231_ = -(_e4179[2]);
+                                        let _e4199 = phi_7232_;
+                                        if (_e4185[2] < 0f) {
+                                            phi_7239_ = -(_e4185[2]);
                                         } else {
-                                            phi_7231_ = _e4179[2];
+                                            phi_7239_ = _e4185[2];
                                         }
-                                        let _e4197 = phi_7231_;
-                                        if (_e4193 > _e4197) {
-                                            phi_7236_ = _e4193;
+                                        let _e4203 = phi_7239_;
+                                        if (_e4199 > _e4203) {
+                                            phi_7244_ = _e4199;
                                         } else {
-                                            phi_7236_ = _e4197;
+                                            phi_7244_ = _e4203;
                                         }
-                                        let _e4200 = phi_7236_;
-                                        if (_e4176 > _e4200) {
-                                            phi_7241_ = _e4176;
+                                        let _e4206 = phi_7244_;
+                                        if (_e4182 > _e4206) {
+                                            phi_7249_ = _e4182;
                                         } else {
-                                            phi_7241_ = _e4200;
+                                            phi_7249_ = _e4206;
                                         }
-                                        let _e4203 = phi_7241_;
-                                        let _e4205 = local_1.member_3;
-                                        let _e4209 = local_1.member_2[0u];
-                                        if (_e4209[0] < 0f) {
-                                            phi_7258_ = -(_e4209[0]);
+                                        let _e4209 = phi_7249_;
+                                        let _e4211 = local_1.member_3;
+                                        let _e4215 = local_1.member_2[0u];
+                                        if (_e4215[0] < 0f) {
+                                            phi_7266_ = -(_e4215[0]);
                                         } else {
-                                            phi_7258_ = _e4209[0];
+                                            phi_7266_ = _e4215[0];
                                         }
-                                        let _e4216 = phi_7258_;
-                                        if (_e4209[1] < 0f) {
-                                            phi_7265_ = -(_e4209[1]);
+                                        let _e4222 = phi_7266_;
+                                        if (_e4215[1] < 0f) {
+                                            phi_7273_ = -(_e4215[1]);
                                         } else {
-                                            phi_7265_ = _e4209[1];
+                                            phi_7273_ = _e4215[1];
                                         }
-                                        let _e4220 = phi_7265_;
-                                        if (_e4216 > _e4220) {
-                                            phi_7270_ = _e4216;
+                                        let _e4226 = phi_7273_;
+                                        if (_e4222 > _e4226) {
+                                            phi_7278_ = _e4222;
                                         } else {
-                                            phi_7270_ = _e4220;
+                                            phi_7278_ = _e4226;
                                         }
-                                        let _e4223 = phi_7270_;
-                                        if (_e4209[2] < 0f) {
-                                            phi_7277_ = -(_e4209[2]);
+                                        let _e4229 = phi_7278_;
+                                        if (_e4215[2] < 0f) {
+                                            phi_7285_ = -(_e4215[2]);
                                         } else {
-                                            phi_7277_ = _e4209[2];
+                                            phi_7285_ = _e4215[2];
                                         }
-                                        let _e4227 = phi_7277_;
-                                        if (_e4223 > _e4227) {
-                                            phi_7282_ = _e4223;
+                                        let _e4233 = phi_7285_;
+                                        if (_e4229 > _e4233) {
+                                            phi_7290_ = _e4229;
                                         } else {
-                                            phi_7282_ = _e4227;
+                                            phi_7290_ = _e4233;
                                         }
-                                        let _e4230 = phi_7282_;
-                                        let _e4233 = local_1.member_2[1u];
-                                        if (_e4233[0] < 0f) {
-                                            phi_7296_ = -(_e4233[0]);
+                                        let _e4236 = phi_7290_;
+                                        let _e4239 = local_1.member_2[1u];
+                                        if (_e4239[0] < 0f) {
+                                            phi_7304_ = -(_e4239[0]);
                                         } else {
-                                            phi_7296_ = _e4233[0];
+                                            phi_7304_ = _e4239[0];
                                         }
-                                        let _e4240 = phi_7296_;
-                                        if (_e4233[1] < 0f) {
-                                            phi_7303_ = -(_e4233[1]);
+                                        let _e4246 = phi_7304_;
+                                        if (_e4239[1] < 0f) {
+                                            phi_7311_ = -(_e4239[1]);
                                         } else {
-                                            phi_7303_ = _e4233[1];
+                                            phi_7311_ = _e4239[1];
                                         }
-                                        let _e4244 = phi_7303_;
-                                        if (_e4240 > _e4244) {
-                                            phi_7308_ = _e4240;
+                                        let _e4250 = phi_7311_;
+                                        if (_e4246 > _e4250) {
+                                            phi_7316_ = _e4246;
                                         } else {
-                                            phi_7308_ = _e4244;
+                                            phi_7316_ = _e4250;
                                         }
-                                        let _e4247 = phi_7308_;
-                                        if (_e4233[2] < 0f) {
-                                            phi_7315_ = -(_e4233[2]);
+                                        let _e4253 = phi_7316_;
+                                        if (_e4239[2] < 0f) {
+                                            phi_7323_ = -(_e4239[2]);
                                         } else {
-                                            phi_7315_ = _e4233[2];
+                                            phi_7323_ = _e4239[2];
                                         }
-                                        let _e4251 = phi_7315_;
-                                        if (_e4247 > _e4251) {
-                                            phi_7320_ = _e4247;
+                                        let _e4257 = phi_7323_;
+                                        if (_e4253 > _e4257) {
+                                            phi_7328_ = _e4253;
                                         } else {
-                                            phi_7320_ = _e4251;
+                                            phi_7328_ = _e4257;
                                         }
-                                        let _e4254 = phi_7320_;
-                                        if (_e4230 > _e4254) {
-                                            phi_7325_ = _e4230;
+                                        let _e4260 = phi_7328_;
+                                        if (_e4236 > _e4260) {
+                                            phi_7333_ = _e4236;
                                         } else {
-                                            phi_7325_ = _e4254;
+                                            phi_7333_ = _e4260;
                                         }
-                                        let _e4257 = phi_7325_;
-                                        let _e4259 = local_1.member_3;
-                                        let _e4262 = (((_e4149 + _e4151) + (_e4203 + _e4205)) + (_e4257 + _e4259));
+                                        let _e4263 = phi_7333_;
                                         let _e4265 = local_1.member_3;
-                                        let _e4269 = (((_e1525 * 1.0001f) + (_e4265 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                        let _e4272 = ((_e4041 * _e4020) - (_e4044 * _e4019));
-                                        let _e4275 = ((_e4044 * _e4018) - (_e4038 * _e4020));
-                                        let _e4278 = ((_e4038 * _e4019) - (_e4041 * _e4018));
-                                        let _e4283 = (((_e4272 * _e4047[0]) + (_e4275 * _e4047[1])) + (_e4278 * _e4047[2]));
-                                        let _e4288 = (((_e4272 * _e4063) + (_e4275 * _e4064)) + (_e4278 * _e4065));
-                                        let _e4293 = (((_e4272 * _e4069) + (_e4275 * _e4070)) + (_e4278 * _e4071));
-                                        let _e4298 = (((_e4272 * _e4066) + (_e4275 * _e4067)) + (_e4278 * _e4068));
-                                        let _e4303 = (((_e4272 * _e4074[0]) + (_e4275 * _e4074[1])) + (_e4278 * _e4074[2]));
-                                        let _e4308 = (((_e4272 * _e4090) + (_e4275 * _e4091)) + (_e4278 * _e4092));
-                                        let _e4313 = (((_e4272 * _e4096) + (_e4275 * _e4097)) + (_e4278 * _e4098));
-                                        let _e4318 = (((_e4272 * _e4093) + (_e4275 * _e4094)) + (_e4278 * _e4095));
-                                        if (_e4283 < _e4288) {
-                                            phi_7403_ = _e4283;
+                                        let _e4269 = ((((_e4155 + _e4157) + (_e4209 + _e4211)) + (_e4263 + _e4265)) * 2f);
+                                        let _e4272 = local_1.member_3;
+                                        let _e4276 = (((_e1525 * 1.0001f) + (_e4272 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                        let _e4279 = ((_e4047 * _e4026) - (_e4050 * _e4025));
+                                        let _e4282 = ((_e4050 * _e4024) - (_e4044 * _e4026));
+                                        let _e4285 = ((_e4044 * _e4025) - (_e4047 * _e4024));
+                                        let _e4290 = (((_e4279 * _e4053[0]) + (_e4282 * _e4053[1])) + (_e4285 * _e4053[2]));
+                                        let _e4295 = (((_e4279 * _e4069) + (_e4282 * _e4070)) + (_e4285 * _e4071));
+                                        let _e4300 = (((_e4279 * _e4075) + (_e4282 * _e4076)) + (_e4285 * _e4077));
+                                        let _e4305 = (((_e4279 * _e4072) + (_e4282 * _e4073)) + (_e4285 * _e4074));
+                                        let _e4310 = (((_e4279 * _e4080[0]) + (_e4282 * _e4080[1])) + (_e4285 * _e4080[2]));
+                                        let _e4315 = (((_e4279 * _e4096) + (_e4282 * _e4097)) + (_e4285 * _e4098));
+                                        let _e4320 = (((_e4279 * _e4102) + (_e4282 * _e4103)) + (_e4285 * _e4104));
+                                        let _e4325 = (((_e4279 * _e4099) + (_e4282 * _e4100)) + (_e4285 * _e4101));
+                                        if (_e4290 < _e4295) {
+                                            phi_7412_ = _e4290;
                                         } else {
-                                            phi_7403_ = _e4288;
+                                            phi_7412_ = _e4295;
                                         }
-                                        let _e4321 = phi_7403_;
-                                        if (_e4293 < _e4298) {
-                                            phi_7408_ = _e4293;
+                                        let _e4328 = phi_7412_;
+                                        if (_e4300 < _e4305) {
+                                            phi_7417_ = _e4300;
                                         } else {
-                                            phi_7408_ = _e4298;
+                                            phi_7417_ = _e4305;
                                         }
-                                        let _e4324 = phi_7408_;
-                                        if (_e4321 < _e4324) {
-                                            phi_7413_ = _e4321;
+                                        let _e4331 = phi_7417_;
+                                        if (_e4328 < _e4331) {
+                                            phi_7422_ = _e4328;
                                         } else {
-                                            phi_7413_ = _e4324;
+                                            phi_7422_ = _e4331;
                                         }
-                                        let _e4327 = phi_7413_;
-                                        if (_e4303 < _e4308) {
-                                            phi_7418_ = _e4303;
+                                        let _e4334 = phi_7422_;
+                                        if (_e4310 < _e4315) {
+                                            phi_7427_ = _e4310;
                                         } else {
-                                            phi_7418_ = _e4308;
+                                            phi_7427_ = _e4315;
                                         }
-                                        let _e4330 = phi_7418_;
-                                        if (_e4313 < _e4318) {
-                                            phi_7423_ = _e4313;
+                                        let _e4337 = phi_7427_;
+                                        if (_e4320 < _e4325) {
+                                            phi_7432_ = _e4320;
                                         } else {
-                                            phi_7423_ = _e4318;
+                                            phi_7432_ = _e4325;
                                         }
-                                        let _e4333 = phi_7423_;
-                                        if (_e4330 < _e4333) {
-                                            phi_7428_ = _e4330;
+                                        let _e4340 = phi_7432_;
+                                        if (_e4337 < _e4340) {
+                                            phi_7437_ = _e4337;
                                         } else {
-                                            phi_7428_ = _e4333;
+                                            phi_7437_ = _e4340;
                                         }
-                                        let _e4336 = phi_7428_;
-                                        if (_e4327 < _e4336) {
-                                            phi_7433_ = _e4327;
+                                        let _e4343 = phi_7437_;
+                                        if (_e4334 < _e4343) {
+                                            phi_7442_ = _e4334;
                                         } else {
-                                            phi_7433_ = _e4336;
+                                            phi_7442_ = _e4343;
                                         }
-                                        let _e4339 = phi_7433_;
-                                        if (_e4283 > _e4288) {
-                                            phi_7438_ = _e4283;
+                                        let _e4346 = phi_7442_;
+                                        if (_e4290 > _e4295) {
+                                            phi_7447_ = _e4290;
                                         } else {
-                                            phi_7438_ = _e4288;
+                                            phi_7447_ = _e4295;
                                         }
-                                        let _e4342 = phi_7438_;
-                                        if (_e4293 > _e4298) {
-                                            phi_7443_ = _e4293;
+                                        let _e4349 = phi_7447_;
+                                        if (_e4300 > _e4305) {
+                                            phi_7452_ = _e4300;
                                         } else {
-                                            phi_7443_ = _e4298;
+                                            phi_7452_ = _e4305;
                                         }
-                                        let _e4345 = phi_7443_;
-                                        if (_e4342 > _e4345) {
-                                            phi_7448_ = _e4342;
+                                        let _e4352 = phi_7452_;
+                                        if (_e4349 > _e4352) {
+                                            phi_7457_ = _e4349;
                                         } else {
-                                            phi_7448_ = _e4345;
+                                            phi_7457_ = _e4352;
                                         }
-                                        let _e4348 = phi_7448_;
-                                        if (_e4303 > _e4308) {
-                                            phi_7453_ = _e4303;
+                                        let _e4355 = phi_7457_;
+                                        if (_e4310 > _e4315) {
+                                            phi_7462_ = _e4310;
                                         } else {
-                                            phi_7453_ = _e4308;
+                                            phi_7462_ = _e4315;
                                         }
-                                        let _e4351 = phi_7453_;
-                                        if (_e4313 > _e4318) {
-                                            phi_7458_ = _e4313;
+                                        let _e4358 = phi_7462_;
+                                        if (_e4320 > _e4325) {
+                                            phi_7467_ = _e4320;
                                         } else {
-                                            phi_7458_ = _e4318;
+                                            phi_7467_ = _e4325;
                                         }
-                                        let _e4354 = phi_7458_;
-                                        if (_e4351 > _e4354) {
-                                            phi_7463_ = _e4351;
+                                        let _e4361 = phi_7467_;
+                                        if (_e4358 > _e4361) {
+                                            phi_7472_ = _e4358;
                                         } else {
-                                            phi_7463_ = _e4354;
+                                            phi_7472_ = _e4361;
                                         }
-                                        let _e4357 = phi_7463_;
-                                        if (_e4348 > _e4357) {
-                                            phi_7468_ = _e4348;
+                                        let _e4364 = phi_7472_;
+                                        if (_e4355 > _e4364) {
+                                            phi_7477_ = _e4355;
                                         } else {
-                                            phi_7468_ = _e4357;
+                                            phi_7477_ = _e4364;
                                         }
-                                        let _e4360 = phi_7468_;
-                                        if (_e4272 < 0f) {
-                                            phi_7474_ = -(_e4272);
+                                        let _e4367 = phi_7477_;
+                                        if (_e4279 < 0f) {
+                                            phi_7483_ = -(_e4279);
                                         } else {
-                                            phi_7474_ = _e4272;
+                                            phi_7483_ = _e4279;
                                         }
-                                        let _e4364 = phi_7474_;
-                                        if (_e4275 < 0f) {
-                                            phi_7480_ = -(_e4275);
+                                        let _e4371 = phi_7483_;
+                                        if (_e4282 < 0f) {
+                                            phi_7489_ = -(_e4282);
                                         } else {
-                                            phi_7480_ = _e4275;
+                                            phi_7489_ = _e4282;
                                         }
-                                        let _e4368 = phi_7480_;
-                                        if (_e4278 < 0f) {
-                                            phi_7487_ = -(_e4278);
+                                        let _e4375 = phi_7489_;
+                                        if (_e4285 < 0f) {
+                                            phi_7496_ = -(_e4285);
                                         } else {
-                                            phi_7487_ = _e4278;
+                                            phi_7496_ = _e4285;
                                         }
-                                        let _e4373 = phi_7487_;
-                                        let _e4374 = ((_e4364 + _e4368) + _e4373);
-                                        let _e4378 = -(_e4360);
-                                        if (_e4339 > _e4378) {
-                                            phi_7497_ = _e4339;
+                                        let _e4380 = phi_7496_;
+                                        let _e4381 = ((_e4371 + _e4375) + _e4380);
+                                        let _e4386 = -(_e4367);
+                                        if (_e4346 > _e4386) {
+                                            phi_7507_ = _e4346;
                                         } else {
-                                            phi_7497_ = _e4378;
+                                            phi_7507_ = _e4386;
                                         }
-                                        let _e4381 = phi_7497_;
-                                        let _e4386 = (((_e4381 - ((_e4374 * _e4262) * (0.000000059604645f * 17f))) - (_e4374 * _e4269)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        let _e4389 = ((_e4041 * _e4035) - (_e4044 * _e4034));
-                                        let _e4392 = ((_e4044 * _e4033) - (_e4038 * _e4035));
-                                        let _e4395 = ((_e4038 * _e4034) - (_e4041 * _e4033));
-                                        let _e4400 = (((_e4389 * _e4047[0]) + (_e4392 * _e4047[1])) + (_e4395 * _e4047[2]));
-                                        let _e4405 = (((_e4389 * _e4063) + (_e4392 * _e4064)) + (_e4395 * _e4065));
-                                        let _e4410 = (((_e4389 * _e4069) + (_e4392 * _e4070)) + (_e4395 * _e4071));
-                                        let _e4415 = (((_e4389 * _e4066) + (_e4392 * _e4067)) + (_e4395 * _e4068));
-                                        let _e4420 = (((_e4389 * _e4074[0]) + (_e4392 * _e4074[1])) + (_e4395 * _e4074[2]));
-                                        let _e4425 = (((_e4389 * _e4090) + (_e4392 * _e4091)) + (_e4395 * _e4092));
-                                        let _e4430 = (((_e4389 * _e4096) + (_e4392 * _e4097)) + (_e4395 * _e4098));
-                                        let _e4435 = (((_e4389 * _e4093) + (_e4392 * _e4094)) + (_e4395 * _e4095));
-                                        if (_e4400 < _e4405) {
-                                            phi_7568_ = _e4400;
+                                        let _e4389 = phi_7507_;
+                                        let _e4394 = (((_e4389 - ((_e4381 * _e4269) * (0.000000059604645f * (17f / 2f)))) - (_e4381 * _e4276)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        let _e4397 = ((_e4047 * _e4041) - (_e4050 * _e4040));
+                                        let _e4400 = ((_e4050 * _e4039) - (_e4044 * _e4041));
+                                        let _e4403 = ((_e4044 * _e4040) - (_e4047 * _e4039));
+                                        let _e4408 = (((_e4397 * _e4053[0]) + (_e4400 * _e4053[1])) + (_e4403 * _e4053[2]));
+                                        let _e4413 = (((_e4397 * _e4069) + (_e4400 * _e4070)) + (_e4403 * _e4071));
+                                        let _e4418 = (((_e4397 * _e4075) + (_e4400 * _e4076)) + (_e4403 * _e4077));
+                                        let _e4423 = (((_e4397 * _e4072) + (_e4400 * _e4073)) + (_e4403 * _e4074));
+                                        let _e4428 = (((_e4397 * _e4080[0]) + (_e4400 * _e4080[1])) + (_e4403 * _e4080[2]));
+                                        let _e4433 = (((_e4397 * _e4096) + (_e4400 * _e4097)) + (_e4403 * _e4098));
+                                        let _e4438 = (((_e4397 * _e4102) + (_e4400 * _e4103)) + (_e4403 * _e4104));
+                                        let _e4443 = (((_e4397 * _e4099) + (_e4400 * _e4100)) + (_e4403 * _e4101));
+                                        if (_e4408 < _e4413) {
+                                            phi_7578_ = _e4408;
                                         } else {
-                                            phi_7568_ = _e4405;
+                                            phi_7578_ = _e4413;
                                         }
-                                        let _e4438 = phi_7568_;
-                                        if (_e4410 < _e4415) {
-                                            phi_7573_ = _e4410;
+                                        let _e4446 = phi_7578_;
+                                        if (_e4418 < _e4423) {
+                                            phi_7583_ = _e4418;
                                         } else {
-                                            phi_7573_ = _e4415;
+                                            phi_7583_ = _e4423;
                                         }
-                                        let _e4441 = phi_7573_;
-                                        if (_e4438 < _e4441) {
-                                            phi_7578_ = _e4438;
+                                        let _e4449 = phi_7583_;
+                                        if (_e4446 < _e4449) {
+                                            phi_7588_ = _e4446;
                                         } else {
-                                            phi_7578_ = _e4441;
+                                            phi_7588_ = _e4449;
                                         }
-                                        let _e4444 = phi_7578_;
-                                        if (_e4420 < _e4425) {
-                                            phi_7583_ = _e4420;
+                                        let _e4452 = phi_7588_;
+                                        if (_e4428 < _e4433) {
+                                            phi_7593_ = _e4428;
                                         } else {
-                                            phi_7583_ = _e4425;
+                                            phi_7593_ = _e4433;
                                         }
-                                        let _e4447 = phi_7583_;
-                                        if (_e4430 < _e4435) {
-                                            phi_7588_ = _e4430;
+                                        let _e4455 = phi_7593_;
+                                        if (_e4438 < _e4443) {
+                                            phi_7598_ = _e4438;
                                         } else {
-                                            phi_7588_ = _e4435;
+                                            phi_7598_ = _e4443;
                                         }
-                                        let _e4450 = phi_7588_;
-                                        if (_e4447 < _e4450) {
-                                            phi_7593_ = _e4447;
+                                        let _e4458 = phi_7598_;
+                                        if (_e4455 < _e4458) {
+                                            phi_7603_ = _e4455;
                                         } else {
-                                            phi_7593_ = _e4450;
+                                            phi_7603_ = _e4458;
                                         }
-                                        let _e4453 = phi_7593_;
-                                        if (_e4444 < _e4453) {
-                                            phi_7598_ = _e4444;
+                                        let _e4461 = phi_7603_;
+                                        if (_e4452 < _e4461) {
+                                            phi_7608_ = _e4452;
                                         } else {
-                                            phi_7598_ = _e4453;
+                                            phi_7608_ = _e4461;
                                         }
-                                        let _e4456 = phi_7598_;
-                                        if (_e4400 > _e4405) {
-                                            phi_7603_ = _e4400;
+                                        let _e4464 = phi_7608_;
+                                        if (_e4408 > _e4413) {
+                                            phi_7613_ = _e4408;
                                         } else {
-                                            phi_7603_ = _e4405;
+                                            phi_7613_ = _e4413;
                                         }
-                                        let _e4459 = phi_7603_;
-                                        if (_e4410 > _e4415) {
-                                            phi_7608_ = _e4410;
+                                        let _e4467 = phi_7613_;
+                                        if (_e4418 > _e4423) {
+                                            phi_7618_ = _e4418;
                                         } else {
-                                            phi_7608_ = _e4415;
+                                            phi_7618_ = _e4423;
                                         }
-                                        let _e4462 = phi_7608_;
-                                        if (_e4459 > _e4462) {
-                                            phi_7613_ = _e4459;
+                                        let _e4470 = phi_7618_;
+                                        if (_e4467 > _e4470) {
+                                            phi_7623_ = _e4467;
                                         } else {
-                                            phi_7613_ = _e4462;
+                                            phi_7623_ = _e4470;
                                         }
-                                        let _e4465 = phi_7613_;
-                                        if (_e4420 > _e4425) {
-                                            phi_7618_ = _e4420;
+                                        let _e4473 = phi_7623_;
+                                        if (_e4428 > _e4433) {
+                                            phi_7628_ = _e4428;
                                         } else {
-                                            phi_7618_ = _e4425;
+                                            phi_7628_ = _e4433;
                                         }
-                                        let _e4468 = phi_7618_;
-                                        if (_e4430 > _e4435) {
-                                            phi_7623_ = _e4430;
+                                        let _e4476 = phi_7628_;
+                                        if (_e4438 > _e4443) {
+                                            phi_7633_ = _e4438;
                                         } else {
-                                            phi_7623_ = _e4435;
+                                            phi_7633_ = _e4443;
                                         }
-                                        let _e4471 = phi_7623_;
-                                        if (_e4468 > _e4471) {
-                                            phi_7628_ = _e4468;
+                                        let _e4479 = phi_7633_;
+                                        if (_e4476 > _e4479) {
+                                            phi_7638_ = _e4476;
                                         } else {
-                                            phi_7628_ = _e4471;
+                                            phi_7638_ = _e4479;
                                         }
-                                        let _e4474 = phi_7628_;
-                                        if (_e4465 > _e4474) {
-                                            phi_7633_ = _e4465;
+                                        let _e4482 = phi_7638_;
+                                        if (_e4473 > _e4482) {
+                                            phi_7643_ = _e4473;
                                         } else {
-                                            phi_7633_ = _e4474;
+                                            phi_7643_ = _e4482;
                                         }
-                                        let _e4477 = phi_7633_;
-                                        if (_e4389 < 0f) {
-                                            phi_7639_ = -(_e4389);
+                                        let _e4485 = phi_7643_;
+                                        if (_e4397 < 0f) {
+                                            phi_7649_ = -(_e4397);
                                         } else {
-                                            phi_7639_ = _e4389;
+                                            phi_7649_ = _e4397;
                                         }
-                                        let _e4481 = phi_7639_;
-                                        if (_e4392 < 0f) {
-                                            phi_7645_ = -(_e4392);
+                                        let _e4489 = phi_7649_;
+                                        if (_e4400 < 0f) {
+                                            phi_7655_ = -(_e4400);
                                         } else {
-                                            phi_7645_ = _e4392;
+                                            phi_7655_ = _e4400;
                                         }
-                                        let _e4485 = phi_7645_;
-                                        if (_e4395 < 0f) {
-                                            phi_7652_ = -(_e4395);
+                                        let _e4493 = phi_7655_;
+                                        if (_e4403 < 0f) {
+                                            phi_7662_ = -(_e4403);
                                         } else {
-                                            phi_7652_ = _e4395;
-                                        }
-                                        let _e4490 = phi_7652_;
-                                        let _e4491 = ((_e4481 + _e4485) + _e4490);
-                                        let _e4495 = -(_e4477);
-                                        if (_e4456 > _e4495) {
-                                            phi_7662_ = _e4456;
-                                        } else {
-                                            phi_7662_ = _e4495;
+                                            phi_7662_ = _e4403;
                                         }
                                         let _e4498 = phi_7662_;
-                                        let _e4503 = (((_e4498 - ((_e4491 * _e4262) * (0.000000059604645f * 17f))) - (_e4491 * _e4269)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4386 > _e4503) {
-                                            phi_7672_ = _e4386;
+                                        let _e4499 = ((_e4489 + _e4493) + _e4498);
+                                        let _e4504 = -(_e4485);
+                                        if (_e4464 > _e4504) {
+                                            phi_7673_ = _e4464;
                                         } else {
-                                            phi_7672_ = _e4503;
+                                            phi_7673_ = _e4504;
                                         }
-                                        let _e4506 = phi_7672_;
-                                        phi_7852_ = (_e4506 > 0f);
+                                        let _e4507 = phi_7673_;
+                                        let _e4512 = (((_e4507 - ((_e4499 * _e4269) * (0.000000059604645f * (17f / 2f)))) - (_e4499 * _e4276)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4394 > _e4512) {
+                                            phi_7683_ = _e4394;
+                                        } else {
+                                            phi_7683_ = _e4512;
+                                        }
+                                        let _e4515 = phi_7683_;
+                                        phi_7864_ = (_e4515 > 0f);
                                     }
-                                    let _e4509 = phi_7852_;
-                                    phi_7853_ = _e4509;
+                                    let _e4518 = phi_7864_;
+                                    phi_7865_ = _e4518;
                                 } else {
-                                    phi_7853_ = false;
+                                    phi_7865_ = false;
                                 }
-                                let _e4511 = phi_7853_;
-                                phi_7855_ = !(_e4511);
+                                let _e4520 = phi_7865_;
+                                phi_7867_ = !(_e4520);
                             }
-                            let _e4514 = phi_7855_;
-                            if _e4514 {
-                                let _e4516 = atomicAdd((&counters[5u]), 1u);
-                                hits[_e1026] = ((2147483648u | (_e4516 << bitcast<u32>(12i))) | _e1029);
+                            let _e4523 = phi_7867_;
+                            if _e4523 {
+                                let _e4525 = atomicAdd((&counters[5u]), 1u);
+                                hits[_e1026] = ((2147483648u | (_e4525 << bitcast<u32>(12i))) | _e1029);
                             }
                         }
-                        phi_7865_ = true;
+                        phi_7877_ = true;
                     }
-                    let _e4523 = phi_7865_;
-                    phi_7866_ = _e4523;
+                    let _e4532 = phi_7877_;
+                    phi_7878_ = _e4532;
                 } else {
-                    phi_7866_ = false;
+                    phi_7878_ = false;
                 }
-                let _e4525 = phi_7866_;
+                let _e4534 = phi_7878_;
                 continue;
                 continuing {
                     phi_1842_ = _e1018;
-                    break if !(_e4525);
+                    break if !(_e4534);
                 }
             }
             workgroupBarrier();
             if (_e67 == 0u) {
-                let _e4529 = atomicLoad((&counters[5u]));
-                if (_e4529 > 0u) {
-                    let _e4532 = atomicAdd((&output.member[0u]), _e4529);
-                    if ((_e4532 + _e4529) < _e4532) {
-                        let _e4536 = atomicAdd((&output.member[2u]), 1u);
+                let _e4538 = atomicLoad((&counters[5u]));
+                if (_e4538 > 0u) {
+                    let _e4541 = atomicAdd((&output.member[0u]), _e4538);
+                    if ((_e4541 + _e4538) < _e4541) {
+                        let _e4545 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e4532);
+                    atomicStore((&counters[6u]), _e4541);
                 }
             }
             workgroupBarrier();
-            let _e4539 = atomicLoad((&counters[6u]));
+            let _e4548 = atomicLoad((&counters[6u]));
             if (_e67 == 0u) {
-                let _e4542 = atomicLoad((&counters[7u]));
-                if (_e4542 > 0u) {
-                    let _e4545 = atomicAdd((&output.member[1u]), _e4542);
-                    if ((_e4545 + _e4542) < _e4545) {
-                        let _e4549 = atomicAdd((&output.member[3u]), 1u);
+                let _e4551 = atomicLoad((&counters[7u]));
+                if (_e4551 > 0u) {
+                    let _e4554 = atomicAdd((&output.member[1u]), _e4551);
+                    if ((_e4554 + _e4551) < _e4554) {
+                        let _e4558 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
-            phi_7916_ = type_21(0u, 16u);
+            phi_7928_ = type_21(0u, 16u);
             loop {
-                let _e4551 = phi_7916_;
-                if (_e4551.member < _e4551.member_1) {
-                    phi_7917_ = type_21((_e4551.member + 1u), _e4551.member_1);
-                    phi_7940_ = type_21(1u, _e4551.member);
+                let _e4560 = phi_7928_;
+                if (_e4560.member < _e4560.member_1) {
+                    phi_7929_ = type_21((_e4560.member + 1u), _e4560.member_1);
+                    phi_7952_ = type_21(1u, _e4560.member);
                 } else {
-                    phi_7917_ = _e4551;
-                    phi_7940_ = type_21(0u, type_21().member_1);
+                    phi_7929_ = _e4560;
+                    phi_7952_ = type_21(0u, type_21().member_1);
                 }
-                let _e4563 = phi_7917_;
-                let _e4565 = phi_7940_;
-                if (bitcast<i32>(_e4565.member) != 0i) {
-                    let _e4571 = (_e67 + (_e4565.member_1 * 128u));
-                    if (_e4571 >= _e1004) {
-                        phi_8038_ = false;
+                let _e4572 = phi_7929_;
+                let _e4574 = phi_7952_;
+                if (bitcast<i32>(_e4574.member) != 0i) {
+                    let _e4580 = (_e67 + (_e4574.member_1 * 128u));
+                    if (_e4580 >= _e1004) {
+                        phi_8050_ = false;
                     } else {
-                        let _e4574 = hits[_e4571];
-                        if ((_e4574 & 2147483648u) == 0u) {
-                            phi_7963_ = 4294967295u;
+                        let _e4583 = hits[_e4580];
+                        if ((_e4583 & 2147483648u) == 0u) {
+                            phi_7975_ = 4294967295u;
                         } else {
-                            phi_7963_ = ((_e4574 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_7975_ = ((_e4583 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e4581 = phi_7963_;
-                        if (_e4581 != 4294967295u) {
-                            let _e4585 = ((_e4574 >> bitcast<u32>(10i)) & 3u);
-                            let _e4592 = firsts[(2u * _e4585)];
-                            let _e4595 = leaves.member[(_e4592 + ((_e4574 >> bitcast<u32>(5i)) & 31u))];
-                            let _e4599 = firsts[((2u * _e4585) + 1u)];
-                            let _e4602 = leaves.member[(_e4599 + (_e4574 & 31u))];
-                            let _e4606 = params.member.member_16;
-                            let _e4607 = (_e4539 + _e4581);
-                            if (_e4595.member_1 < _e4602.member_1) {
-                                phi_8017_ = type_21(_e4595.member_1, _e4602.member_1);
+                        let _e4590 = phi_7975_;
+                        if (_e4590 != 4294967295u) {
+                            let _e4594 = ((_e4583 >> bitcast<u32>(10i)) & 3u);
+                            let _e4601 = firsts[(2u * _e4594)];
+                            let _e4604 = leaves.member[(_e4601 + ((_e4583 >> bitcast<u32>(5i)) & 31u))];
+                            let _e4608 = firsts[((2u * _e4594) + 1u)];
+                            let _e4611 = leaves.member[(_e4608 + (_e4583 & 31u))];
+                            let _e4615 = params.member.member_16;
+                            let _e4616 = (_e4548 + _e4590);
+                            if (_e4604.member_1 < _e4611.member_1) {
+                                phi_8029_ = type_21(_e4604.member_1, _e4611.member_1);
                             } else {
-                                phi_8017_ = type_21(_e4602.member_1, _e4595.member_1);
+                                phi_8029_ = type_21(_e4611.member_1, _e4604.member_1);
                             }
-                            let _e4612 = phi_8017_;
-                            if (_e4607 < _e4606) {
-                                atomicStore((&output.member[(4u + (2u * _e4607))]), _e4612.member);
-                                atomicStore((&output.member[((2u * _e4607) + 5u)]), _e4612.member_1);
+                            let _e4621 = phi_8029_;
+                            if (_e4616 < _e4615) {
+                                atomicStore((&output.member[(4u + (2u * _e4616))]), _e4621.member);
+                                atomicStore((&output.member[((2u * _e4616) + 5u)]), _e4621.member_1);
                             }
                         }
-                        phi_8038_ = true;
+                        phi_8050_ = true;
                     }
-                    let _e4623 = phi_8038_;
-                    phi_8039_ = _e4623;
+                    let _e4632 = phi_8050_;
+                    phi_8051_ = _e4632;
                 } else {
-                    phi_8039_ = false;
+                    phi_8051_ = false;
                 }
-                let _e4625 = phi_8039_;
+                let _e4634 = phi_8051_;
                 continue;
                 continuing {
-                    phi_7916_ = _e4563;
-                    break if !(_e4625);
+                    phi_7928_ = _e4572;
+                    break if !(_e4634);
                 }
             }
             workgroupBarrier();

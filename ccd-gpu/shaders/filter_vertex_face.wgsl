@@ -458,148 +458,147 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_3904_: f32;
     var phi_3909_: f32;
     var phi_3914_: f32;
-    var phi_3992_: f32;
-    var phi_3997_: f32;
-    var phi_4002_: f32;
-    var phi_4007_: f32;
-    var phi_4012_: f32;
-    var phi_4017_: f32;
-    var phi_4022_: f32;
-    var phi_4027_: f32;
-    var phi_4032_: f32;
-    var phi_4037_: f32;
-    var phi_4042_: f32;
-    var phi_4047_: f32;
-    var phi_4052_: f32;
-    var phi_4057_: f32;
-    var phi_4063_: f32;
-    var phi_4069_: f32;
-    var phi_4076_: f32;
-    var phi_4086_: f32;
-    var phi_4157_: f32;
-    var phi_4162_: f32;
-    var phi_4167_: f32;
-    var phi_4172_: f32;
-    var phi_4177_: f32;
-    var phi_4182_: f32;
-    var phi_4187_: f32;
-    var phi_4192_: f32;
-    var phi_4197_: f32;
-    var phi_4202_: f32;
-    var phi_4207_: f32;
-    var phi_4212_: f32;
-    var phi_4217_: f32;
-    var phi_4222_: f32;
-    var phi_4228_: f32;
-    var phi_4234_: f32;
-    var phi_4241_: f32;
-    var phi_4251_: f32;
-    var phi_4261_: f32;
-    var phi_4334_: f32;
-    var phi_4339_: f32;
-    var phi_4344_: f32;
-    var phi_4349_: f32;
-    var phi_4354_: f32;
-    var phi_4359_: f32;
-    var phi_4364_: f32;
-    var phi_4369_: f32;
-    var phi_4374_: f32;
-    var phi_4379_: f32;
-    var phi_4384_: f32;
-    var phi_4389_: f32;
-    var phi_4394_: f32;
-    var phi_4399_: f32;
-    var phi_4405_: f32;
-    var phi_4411_: f32;
-    var phi_4418_: f32;
-    var phi_4428_: f32;
-    var phi_4438_: f32;
-    var phi_4441_: bool;
-    var phi_4893_: f32;
-    var phi_4900_: f32;
-    var phi_4905_: f32;
-    var phi_4912_: f32;
-    var phi_4917_: f32;
-    var phi_4930_: f32;
-    var phi_4937_: f32;
-    var phi_4942_: f32;
-    var phi_4949_: f32;
-    var phi_4954_: f32;
-    var phi_4959_: f32;
-    var phi_4976_: f32;
-    var phi_4983_: f32;
-    var phi_4988_: f32;
-    var phi_4995_: f32;
-    var phi_5000_: f32;
-    var phi_5014_: f32;
-    var phi_5021_: f32;
-    var phi_5026_: f32;
-    var phi_5033_: f32;
-    var phi_5038_: f32;
-    var phi_5043_: f32;
-    var phi_5060_: f32;
-    var phi_5067_: f32;
-    var phi_5072_: f32;
-    var phi_5079_: f32;
-    var phi_5084_: f32;
-    var phi_5098_: f32;
-    var phi_5105_: f32;
-    var phi_5110_: f32;
-    var phi_5117_: f32;
-    var phi_5122_: f32;
-    var phi_5127_: f32;
-    var phi_5158_: f32;
-    var phi_5164_: f32;
-    var phi_5171_: f32;
-    var phi_5178_: f32;
-    var phi_5184_: f32;
-    var phi_5191_: f32;
-    var phi_5197_: f32;
-    var phi_5203_: f32;
-    var phi_5209_: f32;
-    var phi_5216_: f32;
-    var phi_5223_: f32;
-    var phi_5247_: f32;
-    var phi_5252_: f32;
-    var phi_5257_: f32;
-    var phi_5262_: f32;
-    var phi_5267_: f32;
-    var phi_5272_: f32;
-    var phi_5282_: f32;
-    var phi_5485_: f32;
-    var phi_5492_: f32;
-    var phi_5497_: f32;
-    var phi_5504_: f32;
-    var phi_5509_: f32;
-    var phi_5522_: f32;
-    var phi_5529_: f32;
-    var phi_5534_: f32;
-    var phi_5541_: f32;
-    var phi_5546_: f32;
-    var phi_5551_: f32;
-    var phi_5568_: f32;
-    var phi_5575_: f32;
-    var phi_5580_: f32;
-    var phi_5587_: f32;
-    var phi_5592_: f32;
-    var phi_5606_: f32;
-    var phi_5613_: f32;
-    var phi_5618_: f32;
-    var phi_5625_: f32;
-    var phi_5630_: f32;
-    var phi_5635_: f32;
-    var phi_5652_: f32;
-    var phi_5659_: f32;
-    var phi_5664_: f32;
-    var phi_5671_: f32;
-    var phi_5676_: f32;
-    var phi_5690_: f32;
-    var phi_5697_: f32;
-    var phi_5702_: f32;
-    var phi_5709_: f32;
-    var phi_5714_: f32;
-    var phi_5719_: f32;
-    var phi_5797_: f32;
+    var phi_3993_: f32;
+    var phi_3998_: f32;
+    var phi_4003_: f32;
+    var phi_4008_: f32;
+    var phi_4013_: f32;
+    var phi_4018_: f32;
+    var phi_4023_: f32;
+    var phi_4028_: f32;
+    var phi_4033_: f32;
+    var phi_4038_: f32;
+    var phi_4043_: f32;
+    var phi_4048_: f32;
+    var phi_4053_: f32;
+    var phi_4058_: f32;
+    var phi_4064_: f32;
+    var phi_4070_: f32;
+    var phi_4077_: f32;
+    var phi_4088_: f32;
+    var phi_4159_: f32;
+    var phi_4164_: f32;
+    var phi_4169_: f32;
+    var phi_4174_: f32;
+    var phi_4179_: f32;
+    var phi_4184_: f32;
+    var phi_4189_: f32;
+    var phi_4194_: f32;
+    var phi_4199_: f32;
+    var phi_4204_: f32;
+    var phi_4209_: f32;
+    var phi_4214_: f32;
+    var phi_4219_: f32;
+    var phi_4224_: f32;
+    var phi_4230_: f32;
+    var phi_4236_: f32;
+    var phi_4243_: f32;
+    var phi_4254_: f32;
+    var phi_4264_: f32;
+    var phi_4337_: f32;
+    var phi_4342_: f32;
+    var phi_4347_: f32;
+    var phi_4352_: f32;
+    var phi_4357_: f32;
+    var phi_4362_: f32;
+    var phi_4367_: f32;
+    var phi_4372_: f32;
+    var phi_4377_: f32;
+    var phi_4382_: f32;
+    var phi_4387_: f32;
+    var phi_4392_: f32;
+    var phi_4397_: f32;
+    var phi_4402_: f32;
+    var phi_4408_: f32;
+    var phi_4414_: f32;
+    var phi_4421_: f32;
+    var phi_4432_: f32;
+    var phi_4442_: f32;
+    var phi_4445_: bool;
+    var phi_4897_: f32;
+    var phi_4904_: f32;
+    var phi_4909_: f32;
+    var phi_4916_: f32;
+    var phi_4921_: f32;
+    var phi_4934_: f32;
+    var phi_4941_: f32;
+    var phi_4946_: f32;
+    var phi_4953_: f32;
+    var phi_4958_: f32;
+    var phi_4963_: f32;
+    var phi_4980_: f32;
+    var phi_4987_: f32;
+    var phi_4992_: f32;
+    var phi_4999_: f32;
+    var phi_5004_: f32;
+    var phi_5018_: f32;
+    var phi_5025_: f32;
+    var phi_5030_: f32;
+    var phi_5037_: f32;
+    var phi_5042_: f32;
+    var phi_5047_: f32;
+    var phi_5064_: f32;
+    var phi_5071_: f32;
+    var phi_5076_: f32;
+    var phi_5083_: f32;
+    var phi_5088_: f32;
+    var phi_5102_: f32;
+    var phi_5109_: f32;
+    var phi_5114_: f32;
+    var phi_5121_: f32;
+    var phi_5126_: f32;
+    var phi_5131_: f32;
+    var phi_5162_: f32;
+    var phi_5168_: f32;
+    var phi_5175_: f32;
+    var phi_5182_: f32;
+    var phi_5188_: f32;
+    var phi_5195_: f32;
+    var phi_5201_: f32;
+    var phi_5207_: f32;
+    var phi_5213_: f32;
+    var phi_5220_: f32;
+    var phi_5227_: f32;
+    var phi_5251_: f32;
+    var phi_5256_: f32;
+    var phi_5261_: f32;
+    var phi_5266_: f32;
+    var phi_5271_: f32;
+    var phi_5276_: f32;
+    var phi_5286_: f32;
+    var phi_5489_: f32;
+    var phi_5496_: f32;
+    var phi_5501_: f32;
+    var phi_5508_: f32;
+    var phi_5513_: f32;
+    var phi_5526_: f32;
+    var phi_5533_: f32;
+    var phi_5538_: f32;
+    var phi_5545_: f32;
+    var phi_5550_: f32;
+    var phi_5555_: f32;
+    var phi_5572_: f32;
+    var phi_5579_: f32;
+    var phi_5584_: f32;
+    var phi_5591_: f32;
+    var phi_5596_: f32;
+    var phi_5610_: f32;
+    var phi_5617_: f32;
+    var phi_5622_: f32;
+    var phi_5629_: f32;
+    var phi_5634_: f32;
+    var phi_5639_: f32;
+    var phi_5656_: f32;
+    var phi_5663_: f32;
+    var phi_5668_: f32;
+    var phi_5675_: f32;
+    var phi_5680_: f32;
+    var phi_5694_: f32;
+    var phi_5701_: f32;
+    var phi_5706_: f32;
+    var phi_5713_: f32;
+    var phi_5718_: f32;
+    var phi_5723_: f32;
     var phi_5802_: f32;
     var phi_5807_: f32;
     var phi_5812_: f32;
@@ -613,153 +612,152 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_5852_: f32;
     var phi_5857_: f32;
     var phi_5862_: f32;
-    var phi_5868_: f32;
-    var phi_5874_: f32;
-    var phi_5881_: f32;
-    var phi_5891_: f32;
-    var phi_5962_: f32;
-    var phi_5967_: f32;
-    var phi_5972_: f32;
-    var phi_5977_: f32;
-    var phi_5982_: f32;
-    var phi_5987_: f32;
-    var phi_5992_: f32;
-    var phi_5997_: f32;
-    var phi_6002_: f32;
-    var phi_6007_: f32;
-    var phi_6012_: f32;
-    var phi_6017_: f32;
-    var phi_6022_: f32;
-    var phi_6027_: f32;
+    var phi_5867_: f32;
+    var phi_5873_: f32;
+    var phi_5879_: f32;
+    var phi_5886_: f32;
+    var phi_5897_: f32;
+    var phi_5968_: f32;
+    var phi_5973_: f32;
+    var phi_5978_: f32;
+    var phi_5983_: f32;
+    var phi_5988_: f32;
+    var phi_5993_: f32;
+    var phi_5998_: f32;
+    var phi_6003_: f32;
+    var phi_6008_: f32;
+    var phi_6013_: f32;
+    var phi_6018_: f32;
+    var phi_6023_: f32;
+    var phi_6028_: f32;
     var phi_6033_: f32;
     var phi_6039_: f32;
-    var phi_6046_: f32;
-    var phi_6056_: f32;
-    var phi_6066_: f32;
-    var phi_6139_: f32;
-    var phi_6144_: f32;
-    var phi_6149_: f32;
-    var phi_6154_: f32;
-    var phi_6159_: f32;
-    var phi_6164_: f32;
-    var phi_6169_: f32;
-    var phi_6174_: f32;
-    var phi_6179_: f32;
-    var phi_6184_: f32;
-    var phi_6189_: f32;
-    var phi_6194_: f32;
-    var phi_6199_: f32;
-    var phi_6204_: f32;
-    var phi_6210_: f32;
-    var phi_6216_: f32;
+    var phi_6045_: f32;
+    var phi_6052_: f32;
+    var phi_6063_: f32;
+    var phi_6073_: f32;
+    var phi_6146_: f32;
+    var phi_6151_: f32;
+    var phi_6156_: f32;
+    var phi_6161_: f32;
+    var phi_6166_: f32;
+    var phi_6171_: f32;
+    var phi_6176_: f32;
+    var phi_6181_: f32;
+    var phi_6186_: f32;
+    var phi_6191_: f32;
+    var phi_6196_: f32;
+    var phi_6201_: f32;
+    var phi_6206_: f32;
+    var phi_6211_: f32;
+    var phi_6217_: f32;
     var phi_6223_: f32;
-    var phi_6233_: f32;
-    var phi_6243_: f32;
-    var phi_6246_: bool;
-    var phi_6491_: f32;
-    var phi_6498_: f32;
-    var phi_6503_: f32;
-    var phi_6510_: f32;
-    var phi_6515_: f32;
-    var phi_6528_: f32;
-    var phi_6535_: f32;
-    var phi_6540_: f32;
-    var phi_6547_: f32;
-    var phi_6552_: f32;
-    var phi_6557_: f32;
-    var phi_6574_: f32;
-    var phi_6581_: f32;
-    var phi_6586_: f32;
-    var phi_6593_: f32;
-    var phi_6598_: f32;
-    var phi_6612_: f32;
-    var phi_6619_: f32;
-    var phi_6624_: f32;
-    var phi_6631_: f32;
-    var phi_6636_: f32;
-    var phi_6641_: f32;
-    var phi_6658_: f32;
-    var phi_6665_: f32;
-    var phi_6670_: f32;
-    var phi_6677_: f32;
-    var phi_6682_: f32;
-    var phi_6696_: f32;
-    var phi_6703_: f32;
-    var phi_6708_: f32;
-    var phi_6715_: f32;
-    var phi_6720_: f32;
-    var phi_6725_: f32;
-    var phi_6756_: f32;
-    var phi_6762_: f32;
-    var phi_6769_: f32;
-    var phi_6776_: f32;
-    var phi_6782_: f32;
-    var phi_6789_: f32;
-    var phi_6795_: f32;
-    var phi_6801_: f32;
-    var phi_6807_: f32;
-    var phi_6814_: f32;
-    var phi_6821_: f32;
-    var phi_6845_: f32;
-    var phi_6850_: f32;
-    var phi_6855_: f32;
-    var phi_6860_: f32;
-    var phi_6865_: f32;
-    var phi_6870_: f32;
-    var phi_6880_: f32;
-    var phi_7083_: f32;
-    var phi_7090_: f32;
-    var phi_7095_: f32;
-    var phi_7102_: f32;
-    var phi_7107_: f32;
-    var phi_7120_: f32;
-    var phi_7127_: f32;
-    var phi_7132_: f32;
-    var phi_7139_: f32;
-    var phi_7144_: f32;
-    var phi_7149_: f32;
-    var phi_7166_: f32;
-    var phi_7173_: f32;
-    var phi_7178_: f32;
-    var phi_7185_: f32;
-    var phi_7190_: f32;
-    var phi_7204_: f32;
-    var phi_7211_: f32;
-    var phi_7216_: f32;
-    var phi_7223_: f32;
-    var phi_7228_: f32;
-    var phi_7233_: f32;
-    var phi_7250_: f32;
-    var phi_7257_: f32;
-    var phi_7262_: f32;
-    var phi_7269_: f32;
-    var phi_7274_: f32;
-    var phi_7288_: f32;
-    var phi_7295_: f32;
-    var phi_7300_: f32;
-    var phi_7307_: f32;
-    var phi_7312_: f32;
-    var phi_7317_: f32;
-    var phi_7395_: f32;
-    var phi_7400_: f32;
-    var phi_7405_: f32;
-    var phi_7410_: f32;
-    var phi_7415_: f32;
-    var phi_7420_: f32;
-    var phi_7425_: f32;
-    var phi_7430_: f32;
-    var phi_7435_: f32;
-    var phi_7440_: f32;
-    var phi_7445_: f32;
-    var phi_7450_: f32;
-    var phi_7455_: f32;
-    var phi_7460_: f32;
-    var phi_7466_: f32;
-    var phi_7472_: f32;
-    var phi_7479_: f32;
-    var phi_7489_: f32;
-    var phi_7560_: f32;
-    var phi_7565_: f32;
+    var phi_6230_: f32;
+    var phi_6241_: f32;
+    var phi_6251_: f32;
+    var phi_6254_: bool;
+    var phi_6499_: f32;
+    var phi_6506_: f32;
+    var phi_6511_: f32;
+    var phi_6518_: f32;
+    var phi_6523_: f32;
+    var phi_6536_: f32;
+    var phi_6543_: f32;
+    var phi_6548_: f32;
+    var phi_6555_: f32;
+    var phi_6560_: f32;
+    var phi_6565_: f32;
+    var phi_6582_: f32;
+    var phi_6589_: f32;
+    var phi_6594_: f32;
+    var phi_6601_: f32;
+    var phi_6606_: f32;
+    var phi_6620_: f32;
+    var phi_6627_: f32;
+    var phi_6632_: f32;
+    var phi_6639_: f32;
+    var phi_6644_: f32;
+    var phi_6649_: f32;
+    var phi_6666_: f32;
+    var phi_6673_: f32;
+    var phi_6678_: f32;
+    var phi_6685_: f32;
+    var phi_6690_: f32;
+    var phi_6704_: f32;
+    var phi_6711_: f32;
+    var phi_6716_: f32;
+    var phi_6723_: f32;
+    var phi_6728_: f32;
+    var phi_6733_: f32;
+    var phi_6764_: f32;
+    var phi_6770_: f32;
+    var phi_6777_: f32;
+    var phi_6784_: f32;
+    var phi_6790_: f32;
+    var phi_6797_: f32;
+    var phi_6803_: f32;
+    var phi_6809_: f32;
+    var phi_6815_: f32;
+    var phi_6822_: f32;
+    var phi_6829_: f32;
+    var phi_6853_: f32;
+    var phi_6858_: f32;
+    var phi_6863_: f32;
+    var phi_6868_: f32;
+    var phi_6873_: f32;
+    var phi_6878_: f32;
+    var phi_6888_: f32;
+    var phi_7091_: f32;
+    var phi_7098_: f32;
+    var phi_7103_: f32;
+    var phi_7110_: f32;
+    var phi_7115_: f32;
+    var phi_7128_: f32;
+    var phi_7135_: f32;
+    var phi_7140_: f32;
+    var phi_7147_: f32;
+    var phi_7152_: f32;
+    var phi_7157_: f32;
+    var phi_7174_: f32;
+    var phi_7181_: f32;
+    var phi_7186_: f32;
+    var phi_7193_: f32;
+    var phi_7198_: f32;
+    var phi_7212_: f32;
+    var phi_7219_: f32;
+    var phi_7224_: f32;
+    var phi_7231_: f32;
+    var phi_7236_: f32;
+    var phi_7241_: f32;
+    var phi_7258_: f32;
+    var phi_7265_: f32;
+    var phi_7270_: f32;
+    var phi_7277_: f32;
+    var phi_7282_: f32;
+    var phi_7296_: f32;
+    var phi_7303_: f32;
+    var phi_7308_: f32;
+    var phi_7315_: f32;
+    var phi_7320_: f32;
+    var phi_7325_: f32;
+    var phi_7404_: f32;
+    var phi_7409_: f32;
+    var phi_7414_: f32;
+    var phi_7419_: f32;
+    var phi_7424_: f32;
+    var phi_7429_: f32;
+    var phi_7434_: f32;
+    var phi_7439_: f32;
+    var phi_7444_: f32;
+    var phi_7449_: f32;
+    var phi_7454_: f32;
+    var phi_7459_: f32;
+    var phi_7464_: f32;
+    var phi_7469_: f32;
+    var phi_7475_: f32;
+    var phi_7481_: f32;
+    var phi_7488_: f32;
+    var phi_7499_: f32;
     var phi_7570_: f32;
     var phi_7575_: f32;
     var phi_7580_: f32;
@@ -772,41 +770,43 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_7615_: f32;
     var phi_7620_: f32;
     var phi_7625_: f32;
-    var phi_7631_: f32;
-    var phi_7637_: f32;
-    var phi_7644_: f32;
+    var phi_7630_: f32;
+    var phi_7635_: f32;
+    var phi_7641_: f32;
+    var phi_7647_: f32;
     var phi_7654_: f32;
-    var phi_7664_: f32;
-    var phi_7737_: f32;
-    var phi_7742_: f32;
-    var phi_7747_: f32;
-    var phi_7752_: f32;
-    var phi_7757_: f32;
-    var phi_7762_: f32;
-    var phi_7767_: f32;
-    var phi_7772_: f32;
-    var phi_7777_: f32;
-    var phi_7782_: f32;
-    var phi_7787_: f32;
-    var phi_7792_: f32;
-    var phi_7797_: f32;
-    var phi_7802_: f32;
+    var phi_7665_: f32;
+    var phi_7675_: f32;
+    var phi_7748_: f32;
+    var phi_7753_: f32;
+    var phi_7758_: f32;
+    var phi_7763_: f32;
+    var phi_7768_: f32;
+    var phi_7773_: f32;
+    var phi_7778_: f32;
+    var phi_7783_: f32;
+    var phi_7788_: f32;
+    var phi_7793_: f32;
+    var phi_7798_: f32;
+    var phi_7803_: f32;
     var phi_7808_: f32;
-    var phi_7814_: f32;
-    var phi_7821_: f32;
-    var phi_7831_: f32;
-    var phi_7841_: f32;
-    var phi_7844_: bool;
-    var phi_7845_: bool;
-    var phi_7847_: bool;
+    var phi_7813_: f32;
+    var phi_7819_: f32;
+    var phi_7825_: f32;
+    var phi_7832_: f32;
+    var phi_7843_: f32;
+    var phi_7853_: f32;
+    var phi_7856_: bool;
     var phi_7857_: bool;
-    var phi_7858_: bool;
-    var phi_7908_: type_21;
-    var phi_7909_: type_21;
-    var phi_7932_: type_21;
-    var phi_7955_: u32;
-    var phi_8030_: bool;
-    var phi_8031_: bool;
+    var phi_7859_: bool;
+    var phi_7869_: bool;
+    var phi_7870_: bool;
+    var phi_7920_: type_21;
+    var phi_7921_: type_21;
+    var phi_7944_: type_21;
+    var phi_7967_: u32;
+    var phi_8042_: bool;
+    var phi_8043_: bool;
     var local_3: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -1052,8 +1052,8 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
             }
             phi_921_ = type_21(0u, 32u);
-            let _e4974 = local_3;
-            phi_924_ = _e4974;
+            let _e4986 = local_3;
+            phi_924_ = _e4986;
             loop {
                 let _e450 = phi_921_;
                 let _e452 = phi_924_;
@@ -1423,7 +1423,7 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 if (bitcast<i32>(_e1001.member) != 0i) {
                     let _e1007 = (_e67 + (_e1001.member_1 * 128u));
                     if (_e1007 >= _e985) {
-                        phi_7857_ = false;
+                        phi_7869_ = false;
                     } else {
                         let _e1010 = hits[_e1007];
                         let _e1013 = ((_e1010 >> bitcast<u32>(10i)) & 3u);
@@ -2083,8 +2083,8 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_3477_ = _e2006;
                             }
                             let _e2009 = phi_3477_;
-                            if ((_e2009 - ((((((_e1785 * 8f) * _e1895) * (0.000000059604645f * (490f / 64f))) + ((_e1902 * 19f) * ((_e1785 * (_e1839 + _e1893)) + (_e1839 * _e1893)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1785) * ((1f + _e1839) * (1f + _e1893))))) + ((_e1499 * (((_e1964 + (_e1895 * (0.000000059604645f * 4f))) + ((_e1969 * 6f) * (_e1839 + _e1893))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1839) * (1f + _e1893))))) * (3f * 1.0001f)))) > 0f) {
-                                phi_4441_ = true;
+                            if ((_e2009 - ((((((_e1785 * 8f) * _e1895) * (0.000000059604645f * (524f / 64f))) + ((_e1902 * 19f) * ((_e1785 * (_e1839 + _e1893)) + (_e1839 * _e1893)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1785) * ((1f + _e1839) * (1f + _e1893))))) + ((_e1499 * (((_e1964 + (_e1895 * (0.000000059604645f * 8f))) + ((_e1969 * 6f) * (_e1839 + _e1893))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1839) * (1f + _e1893))))) * (3f * 1.0001f)))) > 0f) {
+                                phi_4445_ = true;
                             } else {
                                 let _e2014 = local_2.member_1[0u];
                                 let _e2020 = local_2.member_1[1u];
@@ -2324,2480 +2324,2480 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 }
                                 let _e2257 = phi_3914_;
                                 let _e2259 = local_2.member_3;
-                                let _e2262 = (((_e2149 + _e2151) + (_e2203 + _e2205)) + (_e2257 + _e2259));
-                                let _e2265 = local_2.member_3;
-                                let _e2269 = (((_e1499 * 1.0001f) + (_e2265 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                let _e2272 = ((_e2047 * _e2026) - (_e2050 * _e2025));
-                                let _e2275 = ((_e2050 * _e2024) - (_e2044 * _e2026));
-                                let _e2278 = ((_e2044 * _e2025) - (_e2047 * _e2024));
-                                let _e2283 = (((_e2272 * _e2053[0]) + (_e2275 * _e2053[1])) + (_e2278 * _e2053[2]));
-                                let _e2288 = (((_e2272 * _e2069) + (_e2275 * _e2070)) + (_e2278 * _e2071));
-                                let _e2293 = (((_e2272 * _e2072) + (_e2275 * _e2073)) + (_e2278 * _e2074));
-                                let _e2298 = (((_e2272 * _e2053[0]) + (_e2275 * _e2053[1])) + (_e2278 * _e2053[2]));
-                                let _e2303 = (((_e2272 * _e2077[0]) + (_e2275 * _e2077[1])) + (_e2278 * _e2077[2]));
-                                let _e2308 = (((_e2272 * _e2093) + (_e2275 * _e2094)) + (_e2278 * _e2095));
-                                let _e2313 = (((_e2272 * _e2096) + (_e2275 * _e2097)) + (_e2278 * _e2098));
-                                let _e2318 = (((_e2272 * _e2077[0]) + (_e2275 * _e2077[1])) + (_e2278 * _e2077[2]));
-                                if (_e2283 < _e2288) {
-                                    phi_3992_ = _e2283;
+                                let _e2263 = ((((_e2149 + _e2151) + (_e2203 + _e2205)) + (_e2257 + _e2259)) * 2f);
+                                let _e2266 = local_2.member_3;
+                                let _e2270 = (((_e1499 * 1.0001f) + (_e2266 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                let _e2273 = ((_e2047 * _e2026) - (_e2050 * _e2025));
+                                let _e2276 = ((_e2050 * _e2024) - (_e2044 * _e2026));
+                                let _e2279 = ((_e2044 * _e2025) - (_e2047 * _e2024));
+                                let _e2284 = (((_e2273 * _e2053[0]) + (_e2276 * _e2053[1])) + (_e2279 * _e2053[2]));
+                                let _e2289 = (((_e2273 * _e2069) + (_e2276 * _e2070)) + (_e2279 * _e2071));
+                                let _e2294 = (((_e2273 * _e2072) + (_e2276 * _e2073)) + (_e2279 * _e2074));
+                                let _e2299 = (((_e2273 * _e2053[0]) + (_e2276 * _e2053[1])) + (_e2279 * _e2053[2]));
+                                let _e2304 = (((_e2273 * _e2077[0]) + (_e2276 * _e2077[1])) + (_e2279 * _e2077[2]));
+                                let _e2309 = (((_e2273 * _e2093) + (_e2276 * _e2094)) + (_e2279 * _e2095));
+                                let _e2314 = (((_e2273 * _e2096) + (_e2276 * _e2097)) + (_e2279 * _e2098));
+                                let _e2319 = (((_e2273 * _e2077[0]) + (_e2276 * _e2077[1])) + (_e2279 * _e2077[2]));
+                                if (_e2284 < _e2289) {
+                                    phi_3993_ = _e2284;
                                 } else {
-                                    phi_3992_ = _e2288;
+                                    phi_3993_ = _e2289;
                                 }
-                                let _e2321 = phi_3992_;
-                                if (_e2293 < _e2298) {
-                                    phi_3997_ = _e2293;
+                                let _e2322 = phi_3993_;
+                                if (_e2294 < _e2299) {
+                                    phi_3998_ = _e2294;
                                 } else {
-                                    phi_3997_ = _e2298;
+                                    phi_3998_ = _e2299;
                                 }
-                                let _e2324 = phi_3997_;
-                                if (_e2321 < _e2324) {
-                                    phi_4002_ = _e2321;
+                                let _e2325 = phi_3998_;
+                                if (_e2322 < _e2325) {
+                                    phi_4003_ = _e2322;
                                 } else {
-                                    phi_4002_ = _e2324;
+                                    phi_4003_ = _e2325;
                                 }
-                                let _e2327 = phi_4002_;
-                                if (_e2303 < _e2308) {
-                                    phi_4007_ = _e2303;
+                                let _e2328 = phi_4003_;
+                                if (_e2304 < _e2309) {
+                                    phi_4008_ = _e2304;
                                 } else {
-                                    phi_4007_ = _e2308;
+                                    phi_4008_ = _e2309;
                                 }
-                                let _e2330 = phi_4007_;
-                                if (_e2313 < _e2318) {
-                                    phi_4012_ = _e2313;
+                                let _e2331 = phi_4008_;
+                                if (_e2314 < _e2319) {
+                                    phi_4013_ = _e2314;
                                 } else {
-                                    phi_4012_ = _e2318;
+                                    phi_4013_ = _e2319;
                                 }
-                                let _e2333 = phi_4012_;
-                                if (_e2330 < _e2333) {
-                                    phi_4017_ = _e2330;
+                                let _e2334 = phi_4013_;
+                                if (_e2331 < _e2334) {
+                                    phi_4018_ = _e2331;
                                 } else {
-                                    phi_4017_ = _e2333;
+                                    phi_4018_ = _e2334;
                                 }
-                                let _e2336 = phi_4017_;
-                                if (_e2327 < _e2336) {
-                                    phi_4022_ = _e2327;
+                                let _e2337 = phi_4018_;
+                                if (_e2328 < _e2337) {
+                                    phi_4023_ = _e2328;
                                 } else {
-                                    phi_4022_ = _e2336;
+                                    phi_4023_ = _e2337;
                                 }
-                                let _e2339 = phi_4022_;
-                                if (_e2283 > _e2288) {
-                                    phi_4027_ = _e2283;
+                                let _e2340 = phi_4023_;
+                                if (_e2284 > _e2289) {
+                                    phi_4028_ = _e2284;
                                 } else {
-                                    phi_4027_ = _e2288;
+                                    phi_4028_ = _e2289;
                                 }
-                                let _e2342 = phi_4027_;
-                                if (_e2293 > _e2298) {
-                                    phi_4032_ = _e2293;
+                                let _e2343 = phi_4028_;
+                                if (_e2294 > _e2299) {
+                                    phi_4033_ = _e2294;
                                 } else {
-                                    phi_4032_ = _e2298;
+                                    phi_4033_ = _e2299;
                                 }
-                                let _e2345 = phi_4032_;
-                                if (_e2342 > _e2345) {
-                                    phi_4037_ = _e2342;
+                                let _e2346 = phi_4033_;
+                                if (_e2343 > _e2346) {
+                                    phi_4038_ = _e2343;
                                 } else {
-                                    phi_4037_ = _e2345;
+                                    phi_4038_ = _e2346;
                                 }
-                                let _e2348 = phi_4037_;
-                                if (_e2303 > _e2308) {
-                                    phi_4042_ = _e2303;
+                                let _e2349 = phi_4038_;
+                                if (_e2304 > _e2309) {
+                                    phi_4043_ = _e2304;
                                 } else {
-                                    phi_4042_ = _e2308;
+                                    phi_4043_ = _e2309;
                                 }
-                                let _e2351 = phi_4042_;
-                                if (_e2313 > _e2318) {
-                                    phi_4047_ = _e2313;
+                                let _e2352 = phi_4043_;
+                                if (_e2314 > _e2319) {
+                                    phi_4048_ = _e2314;
                                 } else {
-                                    phi_4047_ = _e2318;
+                                    phi_4048_ = _e2319;
                                 }
-                                let _e2354 = phi_4047_;
-                                if (_e2351 > _e2354) {
-                                    phi_4052_ = _e2351;
+                                let _e2355 = phi_4048_;
+                                if (_e2352 > _e2355) {
+                                    phi_4053_ = _e2352;
                                 } else {
-                                    phi_4052_ = _e2354;
+                                    phi_4053_ = _e2355;
                                 }
-                                let _e2357 = phi_4052_;
-                                if (_e2348 > _e2357) {
-                                    phi_4057_ = _e2348;
+                                let _e2358 = phi_4053_;
+                                if (_e2349 > _e2358) {
+                                    phi_4058_ = _e2349;
                                 } else {
-                                    phi_4057_ = _e2357;
+                                    phi_4058_ = _e2358;
                                 }
-                                let _e2360 = phi_4057_;
-                                if (_e2272 < 0f) {
-                                    phi_4063_ = -(_e2272);
+                                let _e2361 = phi_4058_;
+                                if (_e2273 < 0f) {
+                                    phi_4064_ = -(_e2273);
                                 } else {
-                                    phi_4063_ = _e2272;
+                                    phi_4064_ = _e2273;
                                 }
-                                let _e2364 = phi_4063_;
-                                if (_e2275 < 0f) {
-                                    phi_4069_ = -(_e2275);
+                                let _e2365 = phi_4064_;
+                                if (_e2276 < 0f) {
+                                    phi_4070_ = -(_e2276);
                                 } else {
-                                    phi_4069_ = _e2275;
+                                    phi_4070_ = _e2276;
                                 }
-                                let _e2368 = phi_4069_;
-                                if (_e2278 < 0f) {
-                                    phi_4076_ = -(_e2278);
+                                let _e2369 = phi_4070_;
+                                if (_e2279 < 0f) {
+                                    phi_4077_ = -(_e2279);
                                 } else {
-                                    phi_4076_ = _e2278;
+                                    phi_4077_ = _e2279;
                                 }
-                                let _e2373 = phi_4076_;
-                                let _e2374 = ((_e2364 + _e2368) + _e2373);
-                                let _e2378 = -(_e2360);
-                                if (_e2339 > _e2378) {
-                                    phi_4086_ = _e2339;
+                                let _e2374 = phi_4077_;
+                                let _e2375 = ((_e2365 + _e2369) + _e2374);
+                                let _e2380 = -(_e2361);
+                                if (_e2340 > _e2380) {
+                                    phi_4088_ = _e2340;
                                 } else {
-                                    phi_4086_ = _e2378;
+                                    phi_4088_ = _e2380;
                                 }
-                                let _e2381 = phi_4086_;
-                                let _e2386 = (((_e2381 - ((_e2374 * _e2262) * (0.000000059604645f * 17f))) - (_e2374 * _e2269)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                let _e2389 = ((_e2047 * _e2041) - (_e2050 * _e2040));
-                                let _e2392 = ((_e2050 * _e2039) - (_e2044 * _e2041));
-                                let _e2395 = ((_e2044 * _e2040) - (_e2047 * _e2039));
-                                let _e2400 = (((_e2389 * _e2053[0]) + (_e2392 * _e2053[1])) + (_e2395 * _e2053[2]));
-                                let _e2405 = (((_e2389 * _e2069) + (_e2392 * _e2070)) + (_e2395 * _e2071));
-                                let _e2410 = (((_e2389 * _e2072) + (_e2392 * _e2073)) + (_e2395 * _e2074));
-                                let _e2415 = (((_e2389 * _e2053[0]) + (_e2392 * _e2053[1])) + (_e2395 * _e2053[2]));
-                                let _e2420 = (((_e2389 * _e2077[0]) + (_e2392 * _e2077[1])) + (_e2395 * _e2077[2]));
-                                let _e2425 = (((_e2389 * _e2093) + (_e2392 * _e2094)) + (_e2395 * _e2095));
-                                let _e2430 = (((_e2389 * _e2096) + (_e2392 * _e2097)) + (_e2395 * _e2098));
-                                let _e2435 = (((_e2389 * _e2077[0]) + (_e2392 * _e2077[1])) + (_e2395 * _e2077[2]));
-                                if (_e2400 < _e2405) {
-                                    phi_4157_ = _e2400;
+                                let _e2383 = phi_4088_;
+                                let _e2388 = (((_e2383 - ((_e2375 * _e2263) * (0.000000059604645f * (17f / 2f)))) - (_e2375 * _e2270)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                let _e2391 = ((_e2047 * _e2041) - (_e2050 * _e2040));
+                                let _e2394 = ((_e2050 * _e2039) - (_e2044 * _e2041));
+                                let _e2397 = ((_e2044 * _e2040) - (_e2047 * _e2039));
+                                let _e2402 = (((_e2391 * _e2053[0]) + (_e2394 * _e2053[1])) + (_e2397 * _e2053[2]));
+                                let _e2407 = (((_e2391 * _e2069) + (_e2394 * _e2070)) + (_e2397 * _e2071));
+                                let _e2412 = (((_e2391 * _e2072) + (_e2394 * _e2073)) + (_e2397 * _e2074));
+                                let _e2417 = (((_e2391 * _e2053[0]) + (_e2394 * _e2053[1])) + (_e2397 * _e2053[2]));
+                                let _e2422 = (((_e2391 * _e2077[0]) + (_e2394 * _e2077[1])) + (_e2397 * _e2077[2]));
+                                let _e2427 = (((_e2391 * _e2093) + (_e2394 * _e2094)) + (_e2397 * _e2095));
+                                let _e2432 = (((_e2391 * _e2096) + (_e2394 * _e2097)) + (_e2397 * _e2098));
+                                let _e2437 = (((_e2391 * _e2077[0]) + (_e2394 * _e2077[1])) + (_e2397 * _e2077[2]));
+                                if (_e2402 < _e2407) {
+                                    phi_4159_ = _e2402;
                                 } else {
-                                    phi_4157_ = _e2405;
+                                    phi_4159_ = _e2407;
                                 }
-                                let _e2438 = phi_4157_;
-                                if (_e2410 < _e2415) {
-                                    phi_4162_ = _e2410;
+                                let _e2440 = phi_4159_;
+                                if (_e2412 < _e2417) {
+                                    phi_4164_ = _e2412;
                                 } else {
-                                    phi_4162_ = _e2415;
+                                    phi_4164_ = _e2417;
                                 }
-                                let _e2441 = phi_4162_;
-                                if (_e2438 < _e2441) {
-                                    phi_4167_ = _e2438;
+                                let _e2443 = phi_4164_;
+                                if (_e2440 < _e2443) {
+                                    phi_4169_ = _e2440;
                                 } else {
-                                    phi_4167_ = _e2441;
+                                    phi_4169_ = _e2443;
                                 }
-                                let _e2444 = phi_4167_;
-                                if (_e2420 < _e2425) {
-                                    phi_4172_ = _e2420;
+                                let _e2446 = phi_4169_;
+                                if (_e2422 < _e2427) {
+                                    phi_4174_ = _e2422;
                                 } else {
-                                    phi_4172_ = _e2425;
+                                    phi_4174_ = _e2427;
                                 }
-                                let _e2447 = phi_4172_;
-                                if (_e2430 < _e2435) {
-                                    phi_4177_ = _e2430;
+                                let _e2449 = phi_4174_;
+                                if (_e2432 < _e2437) {
+                                    phi_4179_ = _e2432;
                                 } else {
-                                    phi_4177_ = _e2435;
+                                    phi_4179_ = _e2437;
                                 }
-                                let _e2450 = phi_4177_;
-                                if (_e2447 < _e2450) {
-                                    phi_4182_ = _e2447;
+                                let _e2452 = phi_4179_;
+                                if (_e2449 < _e2452) {
+                                    phi_4184_ = _e2449;
                                 } else {
-                                    phi_4182_ = _e2450;
+                                    phi_4184_ = _e2452;
                                 }
-                                let _e2453 = phi_4182_;
-                                if (_e2444 < _e2453) {
-                                    phi_4187_ = _e2444;
+                                let _e2455 = phi_4184_;
+                                if (_e2446 < _e2455) {
+                                    phi_4189_ = _e2446;
                                 } else {
-                                    phi_4187_ = _e2453;
+                                    phi_4189_ = _e2455;
                                 }
-                                let _e2456 = phi_4187_;
-                                if (_e2400 > _e2405) {
-                                    phi_4192_ = _e2400;
+                                let _e2458 = phi_4189_;
+                                if (_e2402 > _e2407) {
+                                    phi_4194_ = _e2402;
                                 } else {
-                                    phi_4192_ = _e2405;
+                                    phi_4194_ = _e2407;
                                 }
-                                let _e2459 = phi_4192_;
-                                if (_e2410 > _e2415) {
-                                    phi_4197_ = _e2410;
+                                let _e2461 = phi_4194_;
+                                if (_e2412 > _e2417) {
+                                    phi_4199_ = _e2412;
                                 } else {
-                                    phi_4197_ = _e2415;
+                                    phi_4199_ = _e2417;
                                 }
-                                let _e2462 = phi_4197_;
-                                if (_e2459 > _e2462) {
-                                    phi_4202_ = _e2459;
+                                let _e2464 = phi_4199_;
+                                if (_e2461 > _e2464) {
+                                    phi_4204_ = _e2461;
                                 } else {
-                                    phi_4202_ = _e2462;
+                                    phi_4204_ = _e2464;
                                 }
-                                let _e2465 = phi_4202_;
-                                if (_e2420 > _e2425) {
-                                    phi_4207_ = _e2420;
+                                let _e2467 = phi_4204_;
+                                if (_e2422 > _e2427) {
+                                    phi_4209_ = _e2422;
                                 } else {
-                                    phi_4207_ = _e2425;
+                                    phi_4209_ = _e2427;
                                 }
-                                let _e2468 = phi_4207_;
-                                if (_e2430 > _e2435) {
-                                    phi_4212_ = _e2430;
+                                let _e2470 = phi_4209_;
+                                if (_e2432 > _e2437) {
+                                    phi_4214_ = _e2432;
                                 } else {
-                                    phi_4212_ = _e2435;
+                                    phi_4214_ = _e2437;
                                 }
-                                let _e2471 = phi_4212_;
-                                if (_e2468 > _e2471) {
-                                    phi_4217_ = _e2468;
+                                let _e2473 = phi_4214_;
+                                if (_e2470 > _e2473) {
+                                    phi_4219_ = _e2470;
                                 } else {
-                                    phi_4217_ = _e2471;
+                                    phi_4219_ = _e2473;
                                 }
-                                let _e2474 = phi_4217_;
-                                if (_e2465 > _e2474) {
-                                    phi_4222_ = _e2465;
+                                let _e2476 = phi_4219_;
+                                if (_e2467 > _e2476) {
+                                    phi_4224_ = _e2467;
                                 } else {
-                                    phi_4222_ = _e2474;
+                                    phi_4224_ = _e2476;
                                 }
-                                let _e2477 = phi_4222_;
-                                if (_e2389 < 0f) {
-                                    phi_4228_ = -(_e2389);
+                                let _e2479 = phi_4224_;
+                                if (_e2391 < 0f) {
+                                    phi_4230_ = -(_e2391);
                                 } else {
-                                    phi_4228_ = _e2389;
+                                    phi_4230_ = _e2391;
                                 }
-                                let _e2481 = phi_4228_;
-                                if (_e2392 < 0f) {
-                                    phi_4234_ = -(_e2392);
+                                let _e2483 = phi_4230_;
+                                if (_e2394 < 0f) {
+                                    phi_4236_ = -(_e2394);
                                 } else {
-                                    phi_4234_ = _e2392;
+                                    phi_4236_ = _e2394;
                                 }
-                                let _e2485 = phi_4234_;
-                                if (_e2395 < 0f) {
-                                    phi_4241_ = -(_e2395);
+                                let _e2487 = phi_4236_;
+                                if (_e2397 < 0f) {
+                                    phi_4243_ = -(_e2397);
                                 } else {
-                                    phi_4241_ = _e2395;
+                                    phi_4243_ = _e2397;
                                 }
-                                let _e2490 = phi_4241_;
-                                let _e2491 = ((_e2481 + _e2485) + _e2490);
-                                let _e2495 = -(_e2477);
-                                if (_e2456 > _e2495) {
-                                    phi_4251_ = _e2456;
+                                let _e2492 = phi_4243_;
+                                let _e2493 = ((_e2483 + _e2487) + _e2492);
+                                let _e2498 = -(_e2479);
+                                if (_e2458 > _e2498) {
+                                    phi_4254_ = _e2458;
                                 } else {
-                                    phi_4251_ = _e2495;
+                                    phi_4254_ = _e2498;
                                 }
-                                let _e2498 = phi_4251_;
-                                let _e2503 = (((_e2498 - ((_e2491 * _e2262) * (0.000000059604645f * 17f))) - (_e2491 * _e2269)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2386 > _e2503) {
-                                    phi_4261_ = _e2386;
+                                let _e2501 = phi_4254_;
+                                let _e2506 = (((_e2501 - ((_e2493 * _e2263) * (0.000000059604645f * (17f / 2f)))) - (_e2493 * _e2270)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e2388 > _e2506) {
+                                    phi_4264_ = _e2388;
                                 } else {
-                                    phi_4261_ = _e2503;
+                                    phi_4264_ = _e2506;
                                 }
-                                let _e2506 = phi_4261_;
-                                let _e2507 = (_e2039 - _e2024);
-                                let _e2508 = (_e2040 - _e2025);
-                                let _e2509 = (_e2041 - _e2026);
-                                let _e2512 = ((_e2047 * _e2509) - (_e2050 * _e2508));
-                                let _e2515 = ((_e2050 * _e2507) - (_e2044 * _e2509));
-                                let _e2518 = ((_e2044 * _e2508) - (_e2047 * _e2507));
-                                let _e2523 = (((_e2512 * _e2053[0]) + (_e2515 * _e2053[1])) + (_e2518 * _e2053[2]));
-                                let _e2528 = (((_e2512 * _e2069) + (_e2515 * _e2070)) + (_e2518 * _e2071));
-                                let _e2533 = (((_e2512 * _e2072) + (_e2515 * _e2073)) + (_e2518 * _e2074));
-                                let _e2538 = (((_e2512 * _e2053[0]) + (_e2515 * _e2053[1])) + (_e2518 * _e2053[2]));
-                                let _e2543 = (((_e2512 * _e2077[0]) + (_e2515 * _e2077[1])) + (_e2518 * _e2077[2]));
-                                let _e2548 = (((_e2512 * _e2093) + (_e2515 * _e2094)) + (_e2518 * _e2095));
-                                let _e2553 = (((_e2512 * _e2096) + (_e2515 * _e2097)) + (_e2518 * _e2098));
-                                let _e2558 = (((_e2512 * _e2077[0]) + (_e2515 * _e2077[1])) + (_e2518 * _e2077[2]));
-                                if (_e2523 < _e2528) {
-                                    phi_4334_ = _e2523;
+                                let _e2509 = phi_4264_;
+                                let _e2510 = (_e2039 - _e2024);
+                                let _e2511 = (_e2040 - _e2025);
+                                let _e2512 = (_e2041 - _e2026);
+                                let _e2515 = ((_e2047 * _e2512) - (_e2050 * _e2511));
+                                let _e2518 = ((_e2050 * _e2510) - (_e2044 * _e2512));
+                                let _e2521 = ((_e2044 * _e2511) - (_e2047 * _e2510));
+                                let _e2526 = (((_e2515 * _e2053[0]) + (_e2518 * _e2053[1])) + (_e2521 * _e2053[2]));
+                                let _e2531 = (((_e2515 * _e2069) + (_e2518 * _e2070)) + (_e2521 * _e2071));
+                                let _e2536 = (((_e2515 * _e2072) + (_e2518 * _e2073)) + (_e2521 * _e2074));
+                                let _e2541 = (((_e2515 * _e2053[0]) + (_e2518 * _e2053[1])) + (_e2521 * _e2053[2]));
+                                let _e2546 = (((_e2515 * _e2077[0]) + (_e2518 * _e2077[1])) + (_e2521 * _e2077[2]));
+                                let _e2551 = (((_e2515 * _e2093) + (_e2518 * _e2094)) + (_e2521 * _e2095));
+                                let _e2556 = (((_e2515 * _e2096) + (_e2518 * _e2097)) + (_e2521 * _e2098));
+                                let _e2561 = (((_e2515 * _e2077[0]) + (_e2518 * _e2077[1])) + (_e2521 * _e2077[2]));
+                                if (_e2526 < _e2531) {
+                                    phi_4337_ = _e2526;
                                 } else {
-                                    phi_4334_ = _e2528;
+                                    phi_4337_ = _e2531;
                                 }
-                                let _e2561 = phi_4334_;
-                                if (_e2533 < _e2538) {
-                                    phi_4339_ = _e2533;
+                                let _e2564 = phi_4337_;
+                                if (_e2536 < _e2541) {
+                                    phi_4342_ = _e2536;
                                 } else {
-                                    phi_4339_ = _e2538;
+                                    phi_4342_ = _e2541;
                                 }
-                                let _e2564 = phi_4339_;
-                                if (_e2561 < _e2564) {
-                                    phi_4344_ = _e2561;
+                                let _e2567 = phi_4342_;
+                                if (_e2564 < _e2567) {
+                                    phi_4347_ = _e2564;
                                 } else {
-                                    phi_4344_ = _e2564;
+                                    phi_4347_ = _e2567;
                                 }
-                                let _e2567 = phi_4344_;
-                                if (_e2543 < _e2548) {
-                                    phi_4349_ = _e2543;
+                                let _e2570 = phi_4347_;
+                                if (_e2546 < _e2551) {
+                                    phi_4352_ = _e2546;
                                 } else {
-                                    phi_4349_ = _e2548;
+                                    phi_4352_ = _e2551;
                                 }
-                                let _e2570 = phi_4349_;
-                                if (_e2553 < _e2558) {
-                                    phi_4354_ = _e2553;
+                                let _e2573 = phi_4352_;
+                                if (_e2556 < _e2561) {
+                                    phi_4357_ = _e2556;
                                 } else {
-                                    phi_4354_ = _e2558;
+                                    phi_4357_ = _e2561;
                                 }
-                                let _e2573 = phi_4354_;
-                                if (_e2570 < _e2573) {
-                                    phi_4359_ = _e2570;
+                                let _e2576 = phi_4357_;
+                                if (_e2573 < _e2576) {
+                                    phi_4362_ = _e2573;
                                 } else {
-                                    phi_4359_ = _e2573;
+                                    phi_4362_ = _e2576;
                                 }
-                                let _e2576 = phi_4359_;
-                                if (_e2567 < _e2576) {
-                                    phi_4364_ = _e2567;
+                                let _e2579 = phi_4362_;
+                                if (_e2570 < _e2579) {
+                                    phi_4367_ = _e2570;
                                 } else {
-                                    phi_4364_ = _e2576;
+                                    phi_4367_ = _e2579;
                                 }
-                                let _e2579 = phi_4364_;
-                                if (_e2523 > _e2528) {
-                                    phi_4369_ = _e2523;
+                                let _e2582 = phi_4367_;
+                                if (_e2526 > _e2531) {
+                                    phi_4372_ = _e2526;
                                 } else {
-                                    phi_4369_ = _e2528;
+                                    phi_4372_ = _e2531;
                                 }
-                                let _e2582 = phi_4369_;
-                                if (_e2533 > _e2538) {
-                                    phi_4374_ = _e2533;
+                                let _e2585 = phi_4372_;
+                                if (_e2536 > _e2541) {
+                                    phi_4377_ = _e2536;
                                 } else {
-                                    phi_4374_ = _e2538;
+                                    phi_4377_ = _e2541;
                                 }
-                                let _e2585 = phi_4374_;
-                                if (_e2582 > _e2585) {
-                                    phi_4379_ = _e2582;
+                                let _e2588 = phi_4377_;
+                                if (_e2585 > _e2588) {
+                                    phi_4382_ = _e2585;
                                 } else {
-                                    phi_4379_ = _e2585;
+                                    phi_4382_ = _e2588;
                                 }
-                                let _e2588 = phi_4379_;
-                                if (_e2543 > _e2548) {
-                                    phi_4384_ = _e2543;
+                                let _e2591 = phi_4382_;
+                                if (_e2546 > _e2551) {
+                                    phi_4387_ = _e2546;
                                 } else {
-                                    phi_4384_ = _e2548;
+                                    phi_4387_ = _e2551;
                                 }
-                                let _e2591 = phi_4384_;
-                                if (_e2553 > _e2558) {
-                                    phi_4389_ = _e2553;
+                                let _e2594 = phi_4387_;
+                                if (_e2556 > _e2561) {
+                                    phi_4392_ = _e2556;
                                 } else {
-                                    phi_4389_ = _e2558;
+                                    phi_4392_ = _e2561;
                                 }
-                                let _e2594 = phi_4389_;
-                                if (_e2591 > _e2594) {
-                                    phi_4394_ = _e2591;
+                                let _e2597 = phi_4392_;
+                                if (_e2594 > _e2597) {
+                                    phi_4397_ = _e2594;
                                 } else {
-                                    phi_4394_ = _e2594;
+                                    phi_4397_ = _e2597;
                                 }
-                                let _e2597 = phi_4394_;
-                                if (_e2588 > _e2597) {
-                                    phi_4399_ = _e2588;
+                                let _e2600 = phi_4397_;
+                                if (_e2591 > _e2600) {
+                                    phi_4402_ = _e2591;
                                 } else {
-                                    phi_4399_ = _e2597;
+                                    phi_4402_ = _e2600;
                                 }
-                                let _e2600 = phi_4399_;
-                                if (_e2512 < 0f) {
-                                    phi_4405_ = -(_e2512);
-                                } else {
-                                    phi_4405_ = _e2512;
-                                }
-                                let _e2604 = phi_4405_;
+                                let _e2603 = phi_4402_;
                                 if (_e2515 < 0f) {
-                                    phi_4411_ = -(_e2515);
+                                    phi_4408_ = -(_e2515);
                                 } else {
-                                    phi_4411_ = _e2515;
+                                    phi_4408_ = _e2515;
                                 }
-                                let _e2608 = phi_4411_;
+                                let _e2607 = phi_4408_;
                                 if (_e2518 < 0f) {
-                                    phi_4418_ = -(_e2518);
+                                    phi_4414_ = -(_e2518);
                                 } else {
-                                    phi_4418_ = _e2518;
+                                    phi_4414_ = _e2518;
                                 }
-                                let _e2613 = phi_4418_;
-                                let _e2614 = ((_e2604 + _e2608) + _e2613);
-                                let _e2618 = -(_e2600);
-                                if (_e2579 > _e2618) {
-                                    phi_4428_ = _e2579;
+                                let _e2611 = phi_4414_;
+                                if (_e2521 < 0f) {
+                                    phi_4421_ = -(_e2521);
                                 } else {
-                                    phi_4428_ = _e2618;
+                                    phi_4421_ = _e2521;
                                 }
-                                let _e2621 = phi_4428_;
-                                let _e2626 = (((_e2621 - ((_e2614 * _e2262) * (0.000000059604645f * 17f))) - (_e2614 * _e2269)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2506 > _e2626) {
-                                    phi_4438_ = _e2506;
+                                let _e2616 = phi_4421_;
+                                let _e2617 = ((_e2607 + _e2611) + _e2616);
+                                let _e2622 = -(_e2603);
+                                if (_e2582 > _e2622) {
+                                    phi_4432_ = _e2582;
                                 } else {
-                                    phi_4438_ = _e2626;
+                                    phi_4432_ = _e2622;
                                 }
-                                let _e2629 = phi_4438_;
-                                phi_4441_ = (_e2629 > 0f);
+                                let _e2625 = phi_4432_;
+                                let _e2630 = (((_e2625 - ((_e2617 * _e2263) * (0.000000059604645f * (17f / 2f)))) - (_e2617 * _e2270)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e2509 > _e2630) {
+                                    phi_4442_ = _e2509;
+                                } else {
+                                    phi_4442_ = _e2630;
+                                }
+                                let _e2633 = phi_4442_;
+                                phi_4445_ = (_e2633 > 0f);
                             }
-                            let _e2632 = phi_4441_;
-                            if _e2632 {
-                                phi_7847_ = false;
+                            let _e2636 = phi_4445_;
+                            if _e2636 {
+                                phi_7859_ = false;
                             } else {
-                                let _e2635 = local_2.member[0u];
-                                let _e2641 = local_2.member[1u];
-                                let _e2648 = ((_e2635[0] + _e2641[0]) * 0.5f);
-                                let _e2649 = ((_e2635[1] + _e2641[1]) * 0.5f);
-                                let _e2650 = ((_e2635[2] + _e2641[2]) * 0.5f);
-                                let _e2653 = local_2.member_1[0u];
-                                let _e2659 = local_2.member_1[1u];
-                                let _e2666 = ((_e2653[0] + _e2659[0]) * 0.5f);
-                                let _e2667 = ((_e2653[1] + _e2659[1]) * 0.5f);
-                                let _e2668 = ((_e2653[2] + _e2659[2]) * 0.5f);
-                                let _e2671 = local_2.member_2[0u];
-                                let _e2677 = local_2.member_2[1u];
-                                let _e2684 = ((_e2671[0] + _e2677[0]) * 0.5f);
-                                let _e2685 = ((_e2671[1] + _e2677[1]) * 0.5f);
-                                let _e2686 = ((_e2671[2] + _e2677[2]) * 0.5f);
-                                let _e2689 = local_2.member[0u];
-                                let _e2692 = local_2.member_1[0u];
-                                let _e2695 = local_2.member_2[0u];
-                                let _e2697 = local_2.member_3;
-                                let _e2700 = local_2.member[1u];
-                                let _e2703 = local_2.member_1[1u];
-                                let _e2706 = local_2.member_2[1u];
-                                let _e2708 = local_2.member_3;
-                                local = type_34(array<array<f32, 3>, 2>(_e2689, array<f32, 3>(_e2648, _e2649, _e2650)), array<array<f32, 3>, 2>(_e2692, array<f32, 3>(_e2666, _e2667, _e2668)), array<array<f32, 3>, 2>(_e2695, array<f32, 3>(_e2684, _e2685, _e2686)), _e2697);
-                                local_1 = type_34(array<array<f32, 3>, 2>(array<f32, 3>(_e2648, _e2649, _e2650), _e2700), array<array<f32, 3>, 2>(array<f32, 3>(_e2666, _e2667, _e2668), _e2703), array<array<f32, 3>, 2>(array<f32, 3>(_e2684, _e2685, _e2686), _e2706), _e2708);
-                                let _e2725 = local.member_1[0u];
-                                let _e2731 = local.member_2[0u];
-                                let _e2737 = ((_e2725[1] * _e2731[2]) - (_e2725[2] * _e2731[1]));
-                                let _e2740 = ((_e2725[2] * _e2731[0]) - (_e2725[0] * _e2731[2]));
-                                let _e2743 = ((_e2725[0] * _e2731[1]) - (_e2725[1] * _e2731[0]));
-                                let _e2746 = local.member_1[1u];
-                                let _e2752 = local.member_2[1u];
-                                let _e2758 = ((_e2746[1] * _e2752[2]) - (_e2746[2] * _e2752[1]));
-                                let _e2761 = ((_e2746[2] * _e2752[0]) - (_e2746[0] * _e2752[2]));
-                                let _e2764 = ((_e2746[0] * _e2752[1]) - (_e2746[1] * _e2752[0]));
-                                let _e2767 = local.member_1[0u];
-                                let _e2773 = local.member_2[1u];
-                                let _e2788 = local.member_1[1u];
-                                let _e2794 = local.member_2[0u];
-                                let _e2807 = (((_e2767[1] * _e2773[2]) - (_e2767[2] * _e2773[1])) + ((_e2788[1] * _e2794[2]) - (_e2788[2] * _e2794[1])));
-                                let _e2808 = (((_e2767[2] * _e2773[0]) - (_e2767[0] * _e2773[2])) + ((_e2788[2] * _e2794[0]) - (_e2788[0] * _e2794[2])));
-                                let _e2809 = (((_e2767[0] * _e2773[1]) - (_e2767[1] * _e2773[0])) + ((_e2788[0] * _e2794[1]) - (_e2788[1] * _e2794[0])));
-                                let _e2812 = local.member[0u];
-                                let _e2823 = local.member[1u];
-                                let _e2834 = local.member[0u];
-                                let _e2843 = ((((_e2823[0] * _e2737) + (_e2823[1] * _e2740)) + (_e2823[2] * _e2743)) + (((_e2834[0] * _e2807) + (_e2834[1] * _e2808)) + (_e2834[2] * _e2809)));
-                                let _e2846 = local.member[0u];
-                                let _e2857 = local.member[1u];
-                                let _e2866 = ((((_e2846[0] * _e2758) + (_e2846[1] * _e2761)) + (_e2846[2] * _e2764)) + (((_e2857[0] * _e2807) + (_e2857[1] * _e2808)) + (_e2857[2] * _e2809)));
-                                let _e2869 = local.member[1u];
-                                let _e2880 = local.member[0u];
-                                if (_e2880[0] < 0f) {
-                                    phi_4893_ = -(_e2880[0]);
+                                let _e2639 = local_2.member[0u];
+                                let _e2645 = local_2.member[1u];
+                                let _e2652 = ((_e2639[0] + _e2645[0]) * 0.5f);
+                                let _e2653 = ((_e2639[1] + _e2645[1]) * 0.5f);
+                                let _e2654 = ((_e2639[2] + _e2645[2]) * 0.5f);
+                                let _e2657 = local_2.member_1[0u];
+                                let _e2663 = local_2.member_1[1u];
+                                let _e2670 = ((_e2657[0] + _e2663[0]) * 0.5f);
+                                let _e2671 = ((_e2657[1] + _e2663[1]) * 0.5f);
+                                let _e2672 = ((_e2657[2] + _e2663[2]) * 0.5f);
+                                let _e2675 = local_2.member_2[0u];
+                                let _e2681 = local_2.member_2[1u];
+                                let _e2688 = ((_e2675[0] + _e2681[0]) * 0.5f);
+                                let _e2689 = ((_e2675[1] + _e2681[1]) * 0.5f);
+                                let _e2690 = ((_e2675[2] + _e2681[2]) * 0.5f);
+                                let _e2693 = local_2.member[0u];
+                                let _e2696 = local_2.member_1[0u];
+                                let _e2699 = local_2.member_2[0u];
+                                let _e2701 = local_2.member_3;
+                                let _e2704 = local_2.member[1u];
+                                let _e2707 = local_2.member_1[1u];
+                                let _e2710 = local_2.member_2[1u];
+                                let _e2712 = local_2.member_3;
+                                local = type_34(array<array<f32, 3>, 2>(_e2693, array<f32, 3>(_e2652, _e2653, _e2654)), array<array<f32, 3>, 2>(_e2696, array<f32, 3>(_e2670, _e2671, _e2672)), array<array<f32, 3>, 2>(_e2699, array<f32, 3>(_e2688, _e2689, _e2690)), _e2701);
+                                local_1 = type_34(array<array<f32, 3>, 2>(array<f32, 3>(_e2652, _e2653, _e2654), _e2704), array<array<f32, 3>, 2>(array<f32, 3>(_e2670, _e2671, _e2672), _e2707), array<array<f32, 3>, 2>(array<f32, 3>(_e2688, _e2689, _e2690), _e2710), _e2712);
+                                let _e2729 = local.member_1[0u];
+                                let _e2735 = local.member_2[0u];
+                                let _e2741 = ((_e2729[1] * _e2735[2]) - (_e2729[2] * _e2735[1]));
+                                let _e2744 = ((_e2729[2] * _e2735[0]) - (_e2729[0] * _e2735[2]));
+                                let _e2747 = ((_e2729[0] * _e2735[1]) - (_e2729[1] * _e2735[0]));
+                                let _e2750 = local.member_1[1u];
+                                let _e2756 = local.member_2[1u];
+                                let _e2762 = ((_e2750[1] * _e2756[2]) - (_e2750[2] * _e2756[1]));
+                                let _e2765 = ((_e2750[2] * _e2756[0]) - (_e2750[0] * _e2756[2]));
+                                let _e2768 = ((_e2750[0] * _e2756[1]) - (_e2750[1] * _e2756[0]));
+                                let _e2771 = local.member_1[0u];
+                                let _e2777 = local.member_2[1u];
+                                let _e2792 = local.member_1[1u];
+                                let _e2798 = local.member_2[0u];
+                                let _e2811 = (((_e2771[1] * _e2777[2]) - (_e2771[2] * _e2777[1])) + ((_e2792[1] * _e2798[2]) - (_e2792[2] * _e2798[1])));
+                                let _e2812 = (((_e2771[2] * _e2777[0]) - (_e2771[0] * _e2777[2])) + ((_e2792[2] * _e2798[0]) - (_e2792[0] * _e2798[2])));
+                                let _e2813 = (((_e2771[0] * _e2777[1]) - (_e2771[1] * _e2777[0])) + ((_e2792[0] * _e2798[1]) - (_e2792[1] * _e2798[0])));
+                                let _e2816 = local.member[0u];
+                                let _e2827 = local.member[1u];
+                                let _e2838 = local.member[0u];
+                                let _e2847 = ((((_e2827[0] * _e2741) + (_e2827[1] * _e2744)) + (_e2827[2] * _e2747)) + (((_e2838[0] * _e2811) + (_e2838[1] * _e2812)) + (_e2838[2] * _e2813)));
+                                let _e2850 = local.member[0u];
+                                let _e2861 = local.member[1u];
+                                let _e2870 = ((((_e2850[0] * _e2762) + (_e2850[1] * _e2765)) + (_e2850[2] * _e2768)) + (((_e2861[0] * _e2811) + (_e2861[1] * _e2812)) + (_e2861[2] * _e2813)));
+                                let _e2873 = local.member[1u];
+                                let _e2884 = local.member[0u];
+                                if (_e2884[0] < 0f) {
+                                    phi_4897_ = -(_e2884[0]);
                                 } else {
-                                    phi_4893_ = _e2880[0];
+                                    phi_4897_ = _e2884[0];
                                 }
-                                let _e2887 = phi_4893_;
-                                if (_e2880[1] < 0f) {
-                                    phi_4900_ = -(_e2880[1]);
+                                let _e2891 = phi_4897_;
+                                if (_e2884[1] < 0f) {
+                                    phi_4904_ = -(_e2884[1]);
                                 } else {
-                                    phi_4900_ = _e2880[1];
+                                    phi_4904_ = _e2884[1];
                                 }
-                                let _e2891 = phi_4900_;
-                                if (_e2887 > _e2891) {
-                                    phi_4905_ = _e2887;
+                                let _e2895 = phi_4904_;
+                                if (_e2891 > _e2895) {
+                                    phi_4909_ = _e2891;
                                 } else {
-                                    phi_4905_ = _e2891;
+                                    phi_4909_ = _e2895;
                                 }
-                                let _e2894 = phi_4905_;
-                                if (_e2880[2] < 0f) {
-                                    phi_4912_ = -(_e2880[2]);
+                                let _e2898 = phi_4909_;
+                                if (_e2884[2] < 0f) {
+                                    phi_4916_ = -(_e2884[2]);
                                 } else {
-                                    phi_4912_ = _e2880[2];
+                                    phi_4916_ = _e2884[2];
                                 }
-                                let _e2898 = phi_4912_;
-                                if (_e2894 > _e2898) {
-                                    phi_4917_ = _e2894;
+                                let _e2902 = phi_4916_;
+                                if (_e2898 > _e2902) {
+                                    phi_4921_ = _e2898;
                                 } else {
-                                    phi_4917_ = _e2898;
+                                    phi_4921_ = _e2902;
                                 }
-                                let _e2901 = phi_4917_;
-                                let _e2904 = local.member[1u];
-                                if (_e2904[0] < 0f) {
-                                    phi_4930_ = -(_e2904[0]);
+                                let _e2905 = phi_4921_;
+                                let _e2908 = local.member[1u];
+                                if (_e2908[0] < 0f) {
+                                    phi_4934_ = -(_e2908[0]);
                                 } else {
-                                    phi_4930_ = _e2904[0];
+                                    phi_4934_ = _e2908[0];
                                 }
-                                let _e2911 = phi_4930_;
-                                if (_e2904[1] < 0f) {
-                                    phi_4937_ = -(_e2904[1]);
+                                let _e2915 = phi_4934_;
+                                if (_e2908[1] < 0f) {
+                                    phi_4941_ = -(_e2908[1]);
                                 } else {
-                                    phi_4937_ = _e2904[1];
+                                    phi_4941_ = _e2908[1];
                                 }
-                                let _e2915 = phi_4937_;
-                                if (_e2911 > _e2915) {
-                                    phi_4942_ = _e2911;
+                                let _e2919 = phi_4941_;
+                                if (_e2915 > _e2919) {
+                                    phi_4946_ = _e2915;
                                 } else {
-                                    phi_4942_ = _e2915;
+                                    phi_4946_ = _e2919;
                                 }
-                                let _e2918 = phi_4942_;
-                                if (_e2904[2] < 0f) {
-                                    phi_4949_ = -(_e2904[2]);
+                                let _e2922 = phi_4946_;
+                                if (_e2908[2] < 0f) {
+                                    phi_4953_ = -(_e2908[2]);
                                 } else {
-                                    phi_4949_ = _e2904[2];
+                                    phi_4953_ = _e2908[2];
                                 }
-                                let _e2922 = phi_4949_;
-                                if (_e2918 > _e2922) {
-                                    phi_4954_ = _e2918;
+                                let _e2926 = phi_4953_;
+                                if (_e2922 > _e2926) {
+                                    phi_4958_ = _e2922;
                                 } else {
-                                    phi_4954_ = _e2922;
+                                    phi_4958_ = _e2926;
                                 }
-                                let _e2925 = phi_4954_;
-                                if (_e2901 > _e2925) {
-                                    phi_4959_ = _e2901;
+                                let _e2929 = phi_4958_;
+                                if (_e2905 > _e2929) {
+                                    phi_4963_ = _e2905;
                                 } else {
-                                    phi_4959_ = _e2925;
+                                    phi_4963_ = _e2929;
                                 }
-                                let _e2928 = phi_4959_;
-                                let _e2930 = local.member_3;
-                                let _e2931 = (_e2928 + _e2930);
-                                let _e2934 = local.member_1[0u];
-                                if (_e2934[0] < 0f) {
-                                    phi_4976_ = -(_e2934[0]);
+                                let _e2932 = phi_4963_;
+                                let _e2934 = local.member_3;
+                                let _e2935 = (_e2932 + _e2934);
+                                let _e2938 = local.member_1[0u];
+                                if (_e2938[0] < 0f) {
+                                    phi_4980_ = -(_e2938[0]);
                                 } else {
-                                    phi_4976_ = _e2934[0];
+                                    phi_4980_ = _e2938[0];
                                 }
-                                let _e2941 = phi_4976_;
-                                if (_e2934[1] < 0f) {
-                                    phi_4983_ = -(_e2934[1]);
+                                let _e2945 = phi_4980_;
+                                if (_e2938[1] < 0f) {
+                                    phi_4987_ = -(_e2938[1]);
                                 } else {
-                                    phi_4983_ = _e2934[1];
+                                    phi_4987_ = _e2938[1];
                                 }
-                                let _e2945 = phi_4983_;
-                                if (_e2941 > _e2945) {
-                                    phi_4988_ = _e2941;
+                                let _e2949 = phi_4987_;
+                                if (_e2945 > _e2949) {
+                                    phi_4992_ = _e2945;
                                 } else {
-                                    phi_4988_ = _e2945;
+                                    phi_4992_ = _e2949;
                                 }
-                                let _e2948 = phi_4988_;
-                                if (_e2934[2] < 0f) {
-                                    phi_4995_ = -(_e2934[2]);
+                                let _e2952 = phi_4992_;
+                                if (_e2938[2] < 0f) {
+                                    phi_4999_ = -(_e2938[2]);
                                 } else {
-                                    phi_4995_ = _e2934[2];
+                                    phi_4999_ = _e2938[2];
                                 }
-                                let _e2952 = phi_4995_;
-                                if (_e2948 > _e2952) {
-                                    phi_5000_ = _e2948;
+                                let _e2956 = phi_4999_;
+                                if (_e2952 > _e2956) {
+                                    phi_5004_ = _e2952;
                                 } else {
-                                    phi_5000_ = _e2952;
+                                    phi_5004_ = _e2956;
                                 }
-                                let _e2955 = phi_5000_;
-                                let _e2958 = local.member_1[1u];
-                                if (_e2958[0] < 0f) {
-                                    phi_5014_ = -(_e2958[0]);
+                                let _e2959 = phi_5004_;
+                                let _e2962 = local.member_1[1u];
+                                if (_e2962[0] < 0f) {
+                                    phi_5018_ = -(_e2962[0]);
                                 } else {
-                                    phi_5014_ = _e2958[0];
+                                    phi_5018_ = _e2962[0];
                                 }
-                                let _e2965 = phi_5014_;
-                                if (_e2958[1] < 0f) {
-                                    phi_5021_ = -(_e2958[1]);
+                                let _e2969 = phi_5018_;
+                                if (_e2962[1] < 0f) {
+                                    phi_5025_ = -(_e2962[1]);
                                 } else {
-                                    phi_5021_ = _e2958[1];
+                                    phi_5025_ = _e2962[1];
                                 }
-                                let _e2969 = phi_5021_;
-                                if (_e2965 > _e2969) {
-                                    phi_5026_ = _e2965;
+                                let _e2973 = phi_5025_;
+                                if (_e2969 > _e2973) {
+                                    phi_5030_ = _e2969;
                                 } else {
-                                    phi_5026_ = _e2969;
+                                    phi_5030_ = _e2973;
                                 }
-                                let _e2972 = phi_5026_;
-                                if (_e2958[2] < 0f) {
-                                    phi_5033_ = -(_e2958[2]);
+                                let _e2976 = phi_5030_;
+                                if (_e2962[2] < 0f) {
+                                    phi_5037_ = -(_e2962[2]);
                                 } else {
-                                    phi_5033_ = _e2958[2];
+                                    phi_5037_ = _e2962[2];
                                 }
-                                let _e2976 = phi_5033_;
-                                if (_e2972 > _e2976) {
-                                    phi_5038_ = _e2972;
+                                let _e2980 = phi_5037_;
+                                if (_e2976 > _e2980) {
+                                    phi_5042_ = _e2976;
                                 } else {
-                                    phi_5038_ = _e2976;
+                                    phi_5042_ = _e2980;
                                 }
-                                let _e2979 = phi_5038_;
-                                if (_e2955 > _e2979) {
-                                    phi_5043_ = _e2955;
+                                let _e2983 = phi_5042_;
+                                if (_e2959 > _e2983) {
+                                    phi_5047_ = _e2959;
                                 } else {
-                                    phi_5043_ = _e2979;
+                                    phi_5047_ = _e2983;
                                 }
-                                let _e2982 = phi_5043_;
-                                let _e2984 = local.member_3;
-                                let _e2985 = (_e2982 + _e2984);
-                                let _e2988 = local.member_2[0u];
-                                if (_e2988[0] < 0f) {
-                                    phi_5060_ = -(_e2988[0]);
+                                let _e2986 = phi_5047_;
+                                let _e2988 = local.member_3;
+                                let _e2989 = (_e2986 + _e2988);
+                                let _e2992 = local.member_2[0u];
+                                if (_e2992[0] < 0f) {
+                                    phi_5064_ = -(_e2992[0]);
                                 } else {
-                                    phi_5060_ = _e2988[0];
+                                    phi_5064_ = _e2992[0];
                                 }
-                                let _e2995 = phi_5060_;
-                                if (_e2988[1] < 0f) {
-                                    phi_5067_ = -(_e2988[1]);
+                                let _e2999 = phi_5064_;
+                                if (_e2992[1] < 0f) {
+                                    phi_5071_ = -(_e2992[1]);
                                 } else {
-                                    phi_5067_ = _e2988[1];
+                                    phi_5071_ = _e2992[1];
                                 }
-                                let _e2999 = phi_5067_;
-                                if (_e2995 > _e2999) {
-                                    phi_5072_ = _e2995;
+                                let _e3003 = phi_5071_;
+                                if (_e2999 > _e3003) {
+                                    phi_5076_ = _e2999;
                                 } else {
-                                    phi_5072_ = _e2999;
+                                    phi_5076_ = _e3003;
                                 }
-                                let _e3002 = phi_5072_;
-                                if (_e2988[2] < 0f) {
-                                    phi_5079_ = -(_e2988[2]);
+                                let _e3006 = phi_5076_;
+                                if (_e2992[2] < 0f) {
+                                    phi_5083_ = -(_e2992[2]);
                                 } else {
-                                    phi_5079_ = _e2988[2];
+                                    phi_5083_ = _e2992[2];
                                 }
-                                let _e3006 = phi_5079_;
-                                if (_e3002 > _e3006) {
-                                    phi_5084_ = _e3002;
+                                let _e3010 = phi_5083_;
+                                if (_e3006 > _e3010) {
+                                    phi_5088_ = _e3006;
                                 } else {
-                                    phi_5084_ = _e3006;
+                                    phi_5088_ = _e3010;
                                 }
-                                let _e3009 = phi_5084_;
-                                let _e3012 = local.member_2[1u];
-                                if (_e3012[0] < 0f) {
-                                    phi_5098_ = -(_e3012[0]);
+                                let _e3013 = phi_5088_;
+                                let _e3016 = local.member_2[1u];
+                                if (_e3016[0] < 0f) {
+                                    phi_5102_ = -(_e3016[0]);
                                 } else {
-                                    phi_5098_ = _e3012[0];
+                                    phi_5102_ = _e3016[0];
                                 }
-                                let _e3019 = phi_5098_;
-                                if (_e3012[1] < 0f) {
-                                    phi_5105_ = -(_e3012[1]);
+                                let _e3023 = phi_5102_;
+                                if (_e3016[1] < 0f) {
+                                    phi_5109_ = -(_e3016[1]);
                                 } else {
-                                    phi_5105_ = _e3012[1];
+                                    phi_5109_ = _e3016[1];
                                 }
-                                let _e3023 = phi_5105_;
-                                if (_e3019 > _e3023) {
-                                    phi_5110_ = _e3019;
+                                let _e3027 = phi_5109_;
+                                if (_e3023 > _e3027) {
+                                    phi_5114_ = _e3023;
                                 } else {
-                                    phi_5110_ = _e3023;
+                                    phi_5114_ = _e3027;
                                 }
-                                let _e3026 = phi_5110_;
-                                if (_e3012[2] < 0f) {
-                                    phi_5117_ = -(_e3012[2]);
+                                let _e3030 = phi_5114_;
+                                if (_e3016[2] < 0f) {
+                                    phi_5121_ = -(_e3016[2]);
                                 } else {
-                                    phi_5117_ = _e3012[2];
+                                    phi_5121_ = _e3016[2];
                                 }
-                                let _e3030 = phi_5117_;
-                                if (_e3026 > _e3030) {
-                                    phi_5122_ = _e3026;
+                                let _e3034 = phi_5121_;
+                                if (_e3030 > _e3034) {
+                                    phi_5126_ = _e3030;
                                 } else {
-                                    phi_5122_ = _e3030;
+                                    phi_5126_ = _e3034;
                                 }
-                                let _e3033 = phi_5122_;
-                                if (_e3009 > _e3033) {
-                                    phi_5127_ = _e3009;
+                                let _e3037 = phi_5126_;
+                                if (_e3013 > _e3037) {
+                                    phi_5131_ = _e3013;
                                 } else {
-                                    phi_5127_ = _e3033;
+                                    phi_5131_ = _e3037;
                                 }
-                                let _e3036 = phi_5127_;
-                                let _e3038 = local.member_3;
-                                let _e3039 = (_e3036 + _e3038);
-                                let _e3041 = ((_e2985 * 8f) * _e3039);
-                                let _e3048 = local.member_3;
-                                if (_e2737 < 0f) {
-                                    phi_5158_ = -(_e2737);
+                                let _e3040 = phi_5131_;
+                                let _e3042 = local.member_3;
+                                let _e3043 = (_e3040 + _e3042);
+                                let _e3045 = ((_e2989 * 8f) * _e3043);
+                                let _e3052 = local.member_3;
+                                if (_e2741 < 0f) {
+                                    phi_5162_ = -(_e2741);
                                 } else {
-                                    phi_5158_ = _e2737;
+                                    phi_5162_ = _e2741;
                                 }
-                                let _e3065 = phi_5158_;
-                                if (_e2740 < 0f) {
-                                    phi_5164_ = -(_e2740);
+                                let _e3069 = phi_5162_;
+                                if (_e2744 < 0f) {
+                                    phi_5168_ = -(_e2744);
                                 } else {
-                                    phi_5164_ = _e2740;
+                                    phi_5168_ = _e2744;
                                 }
-                                let _e3069 = phi_5164_;
-                                if (_e2743 < 0f) {
-                                    phi_5171_ = -(_e2743);
+                                let _e3073 = phi_5168_;
+                                if (_e2747 < 0f) {
+                                    phi_5175_ = -(_e2747);
                                 } else {
-                                    phi_5171_ = _e2743;
+                                    phi_5175_ = _e2747;
                                 }
-                                let _e3074 = phi_5171_;
-                                let _e3075 = ((_e3065 + _e3069) + _e3074);
-                                if (_e2758 < 0f) {
-                                    phi_5178_ = -(_e2758);
+                                let _e3078 = phi_5175_;
+                                let _e3079 = ((_e3069 + _e3073) + _e3078);
+                                if (_e2762 < 0f) {
+                                    phi_5182_ = -(_e2762);
                                 } else {
-                                    phi_5178_ = _e2758;
+                                    phi_5182_ = _e2762;
                                 }
-                                let _e3079 = phi_5178_;
-                                if (_e2761 < 0f) {
-                                    phi_5184_ = -(_e2761);
+                                let _e3083 = phi_5182_;
+                                if (_e2765 < 0f) {
+                                    phi_5188_ = -(_e2765);
                                 } else {
-                                    phi_5184_ = _e2761;
+                                    phi_5188_ = _e2765;
                                 }
-                                let _e3083 = phi_5184_;
-                                if (_e2764 < 0f) {
-                                    phi_5191_ = -(_e2764);
+                                let _e3087 = phi_5188_;
+                                if (_e2768 < 0f) {
+                                    phi_5195_ = -(_e2768);
                                 } else {
-                                    phi_5191_ = _e2764;
+                                    phi_5195_ = _e2768;
                                 }
-                                let _e3088 = phi_5191_;
-                                let _e3089 = ((_e3079 + _e3083) + _e3088);
-                                if (_e3075 > _e3089) {
-                                    phi_5197_ = _e3075;
+                                let _e3092 = phi_5195_;
+                                let _e3093 = ((_e3083 + _e3087) + _e3092);
+                                if (_e3079 > _e3093) {
+                                    phi_5201_ = _e3079;
                                 } else {
-                                    phi_5197_ = _e3089;
+                                    phi_5201_ = _e3093;
                                 }
-                                let _e3092 = phi_5197_;
-                                if (_e2807 < 0f) {
-                                    phi_5203_ = -(_e2807);
+                                let _e3096 = phi_5201_;
+                                if (_e2811 < 0f) {
+                                    phi_5207_ = -(_e2811);
                                 } else {
-                                    phi_5203_ = _e2807;
+                                    phi_5207_ = _e2811;
                                 }
-                                let _e3096 = phi_5203_;
-                                if (_e2808 < 0f) {
-                                    phi_5209_ = -(_e2808);
+                                let _e3100 = phi_5207_;
+                                if (_e2812 < 0f) {
+                                    phi_5213_ = -(_e2812);
                                 } else {
-                                    phi_5209_ = _e2808;
+                                    phi_5213_ = _e2812;
                                 }
-                                let _e3100 = phi_5209_;
-                                if (_e2809 < 0f) {
-                                    phi_5216_ = -(_e2809);
+                                let _e3104 = phi_5213_;
+                                if (_e2813 < 0f) {
+                                    phi_5220_ = -(_e2813);
                                 } else {
-                                    phi_5216_ = _e2809;
+                                    phi_5220_ = _e2813;
                                 }
-                                let _e3105 = phi_5216_;
-                                let _e3107 = (((_e3096 + _e3100) + _e3105) * 0.5f);
-                                if (_e3092 > _e3107) {
-                                    phi_5223_ = _e3092;
+                                let _e3109 = phi_5220_;
+                                let _e3111 = (((_e3100 + _e3104) + _e3109) * 0.5f);
+                                if (_e3096 > _e3111) {
+                                    phi_5227_ = _e3096;
                                 } else {
-                                    phi_5223_ = _e3107;
+                                    phi_5227_ = _e3111;
                                 }
-                                let _e3110 = phi_5223_;
-                                let _e3115 = local.member_3;
-                                let _e3128 = ((((_e2812[0] * _e2737) + (_e2812[1] * _e2740)) + (_e2812[2] * _e2743)) * 3f);
-                                let _e3129 = ((((_e2869[0] * _e2758) + (_e2869[1] * _e2761)) + (_e2869[2] * _e2764)) * 3f);
-                                if (_e3128 < _e3129) {
-                                    phi_5247_ = _e3128;
+                                let _e3114 = phi_5227_;
+                                let _e3119 = local.member_3;
+                                let _e3132 = ((((_e2816[0] * _e2741) + (_e2816[1] * _e2744)) + (_e2816[2] * _e2747)) * 3f);
+                                let _e3133 = ((((_e2873[0] * _e2762) + (_e2873[1] * _e2765)) + (_e2873[2] * _e2768)) * 3f);
+                                if (_e3132 < _e3133) {
+                                    phi_5251_ = _e3132;
                                 } else {
-                                    phi_5247_ = _e3129;
+                                    phi_5251_ = _e3133;
                                 }
-                                let _e3132 = phi_5247_;
-                                if (_e2843 < _e2866) {
-                                    phi_5252_ = _e2843;
+                                let _e3136 = phi_5251_;
+                                if (_e2847 < _e2870) {
+                                    phi_5256_ = _e2847;
                                 } else {
-                                    phi_5252_ = _e2866;
+                                    phi_5256_ = _e2870;
                                 }
-                                let _e3135 = phi_5252_;
-                                if (_e3132 < _e3135) {
-                                    phi_5257_ = _e3132;
+                                let _e3139 = phi_5256_;
+                                if (_e3136 < _e3139) {
+                                    phi_5261_ = _e3136;
                                 } else {
-                                    phi_5257_ = _e3135;
+                                    phi_5261_ = _e3139;
                                 }
-                                let _e3138 = phi_5257_;
-                                if (_e3128 > _e3129) {
-                                    phi_5262_ = _e3128;
+                                let _e3142 = phi_5261_;
+                                if (_e3132 > _e3133) {
+                                    phi_5266_ = _e3132;
                                 } else {
-                                    phi_5262_ = _e3129;
+                                    phi_5266_ = _e3133;
                                 }
-                                let _e3141 = phi_5262_;
-                                if (_e2843 > _e2866) {
-                                    phi_5267_ = _e2843;
+                                let _e3145 = phi_5266_;
+                                if (_e2847 > _e2870) {
+                                    phi_5271_ = _e2847;
                                 } else {
-                                    phi_5267_ = _e2866;
+                                    phi_5271_ = _e2870;
                                 }
-                                let _e3144 = phi_5267_;
-                                if (_e3141 > _e3144) {
-                                    phi_5272_ = _e3141;
+                                let _e3148 = phi_5271_;
+                                if (_e3145 > _e3148) {
+                                    phi_5276_ = _e3145;
                                 } else {
-                                    phi_5272_ = _e3144;
+                                    phi_5276_ = _e3148;
                                 }
-                                let _e3147 = phi_5272_;
-                                let _e3152 = -(_e3147);
-                                if (_e3138 > _e3152) {
-                                    phi_5282_ = _e3138;
+                                let _e3151 = phi_5276_;
+                                let _e3156 = -(_e3151);
+                                if (_e3142 > _e3156) {
+                                    phi_5286_ = _e3142;
                                 } else {
-                                    phi_5282_ = _e3152;
+                                    phi_5286_ = _e3156;
                                 }
-                                let _e3155 = phi_5282_;
-                                if ((_e3155 - ((((((_e2931 * 8f) * _e3041) * (0.000000059604645f * (490f / 64f))) + ((_e3048 * 19f) * ((_e2931 * (_e2985 + _e3039)) + (_e2985 * _e3039)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2931) * ((1f + _e2985) * (1f + _e3039))))) + ((_e1499 * (((_e3110 + (_e3041 * (0.000000059604645f * 4f))) + ((_e3115 * 6f) * (_e2985 + _e3039))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2985) * (1f + _e3039))))) * (3f * 1.0001f)))) > 0f) {
-                                    phi_6246_ = true;
+                                let _e3159 = phi_5286_;
+                                if ((_e3159 - ((((((_e2935 * 8f) * _e3045) * (0.000000059604645f * (524f / 64f))) + ((_e3052 * 19f) * ((_e2935 * (_e2989 + _e3043)) + (_e2989 * _e3043)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2935) * ((1f + _e2989) * (1f + _e3043))))) + ((_e1499 * (((_e3114 + (_e3045 * (0.000000059604645f * 8f))) + ((_e3119 * 6f) * (_e2989 + _e3043))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2989) * (1f + _e3043))))) * (3f * 1.0001f)))) > 0f) {
+                                    phi_6254_ = true;
                                 } else {
-                                    let _e3160 = local.member_1[0u];
-                                    let _e3166 = local.member_1[1u];
-                                    let _e3170 = (_e3160[0] + _e3166[0]);
-                                    let _e3171 = (_e3160[1] + _e3166[1]);
-                                    let _e3172 = (_e3160[2] + _e3166[2]);
-                                    let _e3175 = local.member_2[0u];
-                                    let _e3181 = local.member_2[1u];
-                                    let _e3185 = (_e3175[0] + _e3181[0]);
-                                    let _e3186 = (_e3175[1] + _e3181[1]);
-                                    let _e3187 = (_e3175[2] + _e3181[2]);
-                                    let _e3190 = ((_e3171 * _e3187) - (_e3172 * _e3186));
-                                    let _e3193 = ((_e3172 * _e3185) - (_e3170 * _e3187));
-                                    let _e3196 = ((_e3170 * _e3186) - (_e3171 * _e3185));
-                                    let _e3199 = local.member[0u];
-                                    let _e3205 = local.member_1[0u];
-                                    let _e3211 = local.member_2[0u];
-                                    let _e3215 = (_e3199[0] - _e3205[0]);
-                                    let _e3216 = (_e3199[1] - _e3205[1]);
-                                    let _e3217 = (_e3199[2] - _e3205[2]);
-                                    let _e3218 = (_e3199[0] - _e3211[0]);
-                                    let _e3219 = (_e3199[1] - _e3211[1]);
-                                    let _e3220 = (_e3199[2] - _e3211[2]);
-                                    let _e3223 = local.member[1u];
-                                    let _e3229 = local.member_1[1u];
-                                    let _e3235 = local.member_2[1u];
-                                    let _e3239 = (_e3223[0] - _e3229[0]);
-                                    let _e3240 = (_e3223[1] - _e3229[1]);
-                                    let _e3241 = (_e3223[2] - _e3229[2]);
-                                    let _e3242 = (_e3223[0] - _e3235[0]);
-                                    let _e3243 = (_e3223[1] - _e3235[1]);
-                                    let _e3244 = (_e3223[2] - _e3235[2]);
-                                    let _e3247 = local.member[0u];
-                                    if (_e3247[0] < 0f) {
-                                        phi_5485_ = -(_e3247[0]);
+                                    let _e3164 = local.member_1[0u];
+                                    let _e3170 = local.member_1[1u];
+                                    let _e3174 = (_e3164[0] + _e3170[0]);
+                                    let _e3175 = (_e3164[1] + _e3170[1]);
+                                    let _e3176 = (_e3164[2] + _e3170[2]);
+                                    let _e3179 = local.member_2[0u];
+                                    let _e3185 = local.member_2[1u];
+                                    let _e3189 = (_e3179[0] + _e3185[0]);
+                                    let _e3190 = (_e3179[1] + _e3185[1]);
+                                    let _e3191 = (_e3179[2] + _e3185[2]);
+                                    let _e3194 = ((_e3175 * _e3191) - (_e3176 * _e3190));
+                                    let _e3197 = ((_e3176 * _e3189) - (_e3174 * _e3191));
+                                    let _e3200 = ((_e3174 * _e3190) - (_e3175 * _e3189));
+                                    let _e3203 = local.member[0u];
+                                    let _e3209 = local.member_1[0u];
+                                    let _e3215 = local.member_2[0u];
+                                    let _e3219 = (_e3203[0] - _e3209[0]);
+                                    let _e3220 = (_e3203[1] - _e3209[1]);
+                                    let _e3221 = (_e3203[2] - _e3209[2]);
+                                    let _e3222 = (_e3203[0] - _e3215[0]);
+                                    let _e3223 = (_e3203[1] - _e3215[1]);
+                                    let _e3224 = (_e3203[2] - _e3215[2]);
+                                    let _e3227 = local.member[1u];
+                                    let _e3233 = local.member_1[1u];
+                                    let _e3239 = local.member_2[1u];
+                                    let _e3243 = (_e3227[0] - _e3233[0]);
+                                    let _e3244 = (_e3227[1] - _e3233[1]);
+                                    let _e3245 = (_e3227[2] - _e3233[2]);
+                                    let _e3246 = (_e3227[0] - _e3239[0]);
+                                    let _e3247 = (_e3227[1] - _e3239[1]);
+                                    let _e3248 = (_e3227[2] - _e3239[2]);
+                                    let _e3251 = local.member[0u];
+                                    if (_e3251[0] < 0f) {
+                                        phi_5489_ = -(_e3251[0]);
                                     } else {
-                                        phi_5485_ = _e3247[0];
+                                        phi_5489_ = _e3251[0];
                                     }
-                                    let _e3254 = phi_5485_;
-                                    if (_e3247[1] < 0f) {
-                                        phi_5492_ = -(_e3247[1]);
+                                    let _e3258 = phi_5489_;
+                                    if (_e3251[1] < 0f) {
+                                        phi_5496_ = -(_e3251[1]);
                                     } else {
-                                        phi_5492_ = _e3247[1];
+                                        phi_5496_ = _e3251[1];
                                     }
-                                    let _e3258 = phi_5492_;
-                                    if (_e3254 > _e3258) {
-                                        phi_5497_ = _e3254;
+                                    let _e3262 = phi_5496_;
+                                    if (_e3258 > _e3262) {
+                                        phi_5501_ = _e3258;
                                     } else {
-                                        phi_5497_ = _e3258;
+                                        phi_5501_ = _e3262;
                                     }
-                                    let _e3261 = phi_5497_;
-                                    if (_e3247[2] < 0f) {
-                                        phi_5504_ = -(_e3247[2]);
+                                    let _e3265 = phi_5501_;
+                                    if (_e3251[2] < 0f) {
+                                        phi_5508_ = -(_e3251[2]);
                                     } else {
-                                        phi_5504_ = _e3247[2];
+                                        phi_5508_ = _e3251[2];
                                     }
-                                    let _e3265 = phi_5504_;
-                                    if (_e3261 > _e3265) {
-                                        phi_5509_ = _e3261;
+                                    let _e3269 = phi_5508_;
+                                    if (_e3265 > _e3269) {
+                                        phi_5513_ = _e3265;
                                     } else {
-                                        phi_5509_ = _e3265;
+                                        phi_5513_ = _e3269;
                                     }
-                                    let _e3268 = phi_5509_;
-                                    let _e3271 = local.member[1u];
-                                    if (_e3271[0] < 0f) {
-                                        phi_5522_ = -(_e3271[0]);
+                                    let _e3272 = phi_5513_;
+                                    let _e3275 = local.member[1u];
+                                    if (_e3275[0] < 0f) {
+                                        phi_5526_ = -(_e3275[0]);
                                     } else {
-                                        phi_5522_ = _e3271[0];
+                                        phi_5526_ = _e3275[0];
                                     }
-                                    let _e3278 = phi_5522_;
-                                    if (_e3271[1] < 0f) {
-                                        phi_5529_ = -(_e3271[1]);
+                                    let _e3282 = phi_5526_;
+                                    if (_e3275[1] < 0f) {
+                                        phi_5533_ = -(_e3275[1]);
                                     } else {
-                                        phi_5529_ = _e3271[1];
+                                        phi_5533_ = _e3275[1];
                                     }
-                                    let _e3282 = phi_5529_;
-                                    if (_e3278 > _e3282) {
-                                        phi_5534_ = _e3278;
+                                    let _e3286 = phi_5533_;
+                                    if (_e3282 > _e3286) {
+                                        phi_5538_ = _e3282;
                                     } else {
-                                        phi_5534_ = _e3282;
+                                        phi_5538_ = _e3286;
                                     }
-                                    let _e3285 = phi_5534_;
-                                    if (_e3271[2] < 0f) {
-                                        phi_5541_ = -(_e3271[2]);
+                                    let _e3289 = phi_5538_;
+                                    if (_e3275[2] < 0f) {
+                                        phi_5545_ = -(_e3275[2]);
                                     } else {
-                                        phi_5541_ = _e3271[2];
+                                        phi_5545_ = _e3275[2];
                                     }
-                                    let _e3289 = phi_5541_;
-                                    if (_e3285 > _e3289) {
-                                        phi_5546_ = _e3285;
+                                    let _e3293 = phi_5545_;
+                                    if (_e3289 > _e3293) {
+                                        phi_5550_ = _e3289;
                                     } else {
-                                        phi_5546_ = _e3289;
+                                        phi_5550_ = _e3293;
                                     }
-                                    let _e3292 = phi_5546_;
-                                    if (_e3268 > _e3292) {
-                                        phi_5551_ = _e3268;
+                                    let _e3296 = phi_5550_;
+                                    if (_e3272 > _e3296) {
+                                        phi_5555_ = _e3272;
                                     } else {
-                                        phi_5551_ = _e3292;
+                                        phi_5555_ = _e3296;
                                     }
-                                    let _e3295 = phi_5551_;
-                                    let _e3297 = local.member_3;
-                                    let _e3301 = local.member_1[0u];
-                                    if (_e3301[0] < 0f) {
-                                        phi_5568_ = -(_e3301[0]);
+                                    let _e3299 = phi_5555_;
+                                    let _e3301 = local.member_3;
+                                    let _e3305 = local.member_1[0u];
+                                    if (_e3305[0] < 0f) {
+                                        phi_5572_ = -(_e3305[0]);
                                     } else {
-                                        phi_5568_ = _e3301[0];
+                                        phi_5572_ = _e3305[0];
                                     }
-                                    let _e3308 = phi_5568_;
-                                    if (_e3301[1] < 0f) {
-                                        phi_5575_ = -(_e3301[1]);
+                                    let _e3312 = phi_5572_;
+                                    if (_e3305[1] < 0f) {
+                                        phi_5579_ = -(_e3305[1]);
                                     } else {
-                                        phi_5575_ = _e3301[1];
+                                        phi_5579_ = _e3305[1];
                                     }
-                                    let _e3312 = phi_5575_;
-                                    if (_e3308 > _e3312) {
-                                        phi_5580_ = _e3308;
+                                    let _e3316 = phi_5579_;
+                                    if (_e3312 > _e3316) {
+                                        phi_5584_ = _e3312;
                                     } else {
-                                        phi_5580_ = _e3312;
+                                        phi_5584_ = _e3316;
                                     }
-                                    let _e3315 = phi_5580_;
-                                    if (_e3301[2] < 0f) {
-                                        phi_5587_ = -(_e3301[2]);
+                                    let _e3319 = phi_5584_;
+                                    if (_e3305[2] < 0f) {
+                                        phi_5591_ = -(_e3305[2]);
                                     } else {
-                                        phi_5587_ = _e3301[2];
+                                        phi_5591_ = _e3305[2];
                                     }
-                                    let _e3319 = phi_5587_;
-                                    if (_e3315 > _e3319) {
-                                        phi_5592_ = _e3315;
+                                    let _e3323 = phi_5591_;
+                                    if (_e3319 > _e3323) {
+                                        phi_5596_ = _e3319;
                                     } else {
-                                        phi_5592_ = _e3319;
+                                        phi_5596_ = _e3323;
                                     }
-                                    let _e3322 = phi_5592_;
-                                    let _e3325 = local.member_1[1u];
-                                    if (_e3325[0] < 0f) {
-                                        phi_5606_ = -(_e3325[0]);
+                                    let _e3326 = phi_5596_;
+                                    let _e3329 = local.member_1[1u];
+                                    if (_e3329[0] < 0f) {
+                                        phi_5610_ = -(_e3329[0]);
                                     } else {
-                                        phi_5606_ = _e3325[0];
+                                        phi_5610_ = _e3329[0];
                                     }
-                                    let _e3332 = phi_5606_;
-                                    if (_e3325[1] < 0f) {
-                                        phi_5613_ = -(_e3325[1]);
+                                    let _e3336 = phi_5610_;
+                                    if (_e3329[1] < 0f) {
+                                        phi_5617_ = -(_e3329[1]);
                                     } else {
-                                        phi_5613_ = _e3325[1];
+                                        phi_5617_ = _e3329[1];
                                     }
-                                    let _e3336 = phi_5613_;
-                                    if (_e3332 > _e3336) {
-                                        phi_5618_ = _e3332;
+                                    let _e3340 = phi_5617_;
+                                    if (_e3336 > _e3340) {
+                                        phi_5622_ = _e3336;
                                     } else {
-                                        phi_5618_ = _e3336;
+                                        phi_5622_ = _e3340;
                                     }
-                                    let _e3339 = phi_5618_;
-                                    if (_e3325[2] < 0f) {
-                                        phi_5625_ = -(_e3325[2]);
+                                    let _e3343 = phi_5622_;
+                                    if (_e3329[2] < 0f) {
+                                        phi_5629_ = -(_e3329[2]);
                                     } else {
-                                        phi_5625_ = _e3325[2];
+                                        phi_5629_ = _e3329[2];
                                     }
-                                    let _e3343 = phi_5625_;
-                                    if (_e3339 > _e3343) {
-                                        phi_5630_ = _e3339;
+                                    let _e3347 = phi_5629_;
+                                    if (_e3343 > _e3347) {
+                                        phi_5634_ = _e3343;
                                     } else {
-                                        phi_5630_ = _e3343;
+                                        phi_5634_ = _e3347;
                                     }
-                                    let _e3346 = phi_5630_;
-                                    if (_e3322 > _e3346) {
-                                        phi_5635_ = _e3322;
+                                    let _e3350 = phi_5634_;
+                                    if (_e3326 > _e3350) {
+                                        phi_5639_ = _e3326;
                                     } else {
-                                        phi_5635_ = _e3346;
+                                        phi_5639_ = _e3350;
                                     }
-                                    let _e3349 = phi_5635_;
-                                    let _e3351 = local.member_3;
-                                    let _e3355 = local.member_2[0u];
-                                    if (_e3355[0] < 0f) {
-                                        phi_5652_ = -(_e3355[0]);
+                                    let _e3353 = phi_5639_;
+                                    let _e3355 = local.member_3;
+                                    let _e3359 = local.member_2[0u];
+                                    if (_e3359[0] < 0f) {
+                                        phi_5656_ = -(_e3359[0]);
                                     } else {
-                                        phi_5652_ = _e3355[0];
+                                        phi_5656_ = _e3359[0];
                                     }
-                                    let _e3362 = phi_5652_;
-                                    if (_e3355[1] < 0f) {
-                                        phi_5659_ = -(_e3355[1]);
+                                    let _e3366 = phi_5656_;
+                                    if (_e3359[1] < 0f) {
+                                        phi_5663_ = -(_e3359[1]);
                                     } else {
-                                        phi_5659_ = _e3355[1];
+                                        phi_5663_ = _e3359[1];
                                     }
-                                    let _e3366 = phi_5659_;
-                                    if (_e3362 > _e3366) {
-                                        phi_5664_ = _e3362;
+                                    let _e3370 = phi_5663_;
+                                    if (_e3366 > _e3370) {
+                                        phi_5668_ = _e3366;
                                     } else {
-                                        phi_5664_ = _e3366;
+                                        phi_5668_ = _e3370;
                                     }
-                                    let _e3369 = phi_5664_;
-                                    if (_e3355[2] < 0f) {
-                                        phi_5671_ = -(_e3355[2]);
+                                    let _e3373 = phi_5668_;
+                                    if (_e3359[2] < 0f) {
+                                        phi_5675_ = -(_e3359[2]);
                                     } else {
-                                        phi_5671_ = _e3355[2];
+                                        phi_5675_ = _e3359[2];
                                     }
-                                    let _e3373 = phi_5671_;
-                                    if (_e3369 > _e3373) {
-                                        phi_5676_ = _e3369;
+                                    let _e3377 = phi_5675_;
+                                    if (_e3373 > _e3377) {
+                                        phi_5680_ = _e3373;
                                     } else {
-                                        phi_5676_ = _e3373;
+                                        phi_5680_ = _e3377;
                                     }
-                                    let _e3376 = phi_5676_;
-                                    let _e3379 = local.member_2[1u];
-                                    if (_e3379[0] < 0f) {
-                                        phi_5690_ = -(_e3379[0]);
+                                    let _e3380 = phi_5680_;
+                                    let _e3383 = local.member_2[1u];
+                                    if (_e3383[0] < 0f) {
+                                        phi_5694_ = -(_e3383[0]);
                                     } else {
-                                        phi_5690_ = _e3379[0];
+                                        phi_5694_ = _e3383[0];
                                     }
-                                    let _e3386 = phi_5690_;
-                                    if (_e3379[1] < 0f) {
-                                        phi_5697_ = -(_e3379[1]);
+                                    let _e3390 = phi_5694_;
+                                    if (_e3383[1] < 0f) {
+                                        phi_5701_ = -(_e3383[1]);
                                     } else {
-                                        phi_5697_ = _e3379[1];
+                                        phi_5701_ = _e3383[1];
                                     }
-                                    let _e3390 = phi_5697_;
-                                    if (_e3386 > _e3390) {
-                                        phi_5702_ = _e3386;
+                                    let _e3394 = phi_5701_;
+                                    if (_e3390 > _e3394) {
+                                        phi_5706_ = _e3390;
                                     } else {
-                                        phi_5702_ = _e3390;
+                                        phi_5706_ = _e3394;
                                     }
-                                    let _e3393 = phi_5702_;
-                                    if (_e3379[2] < 0f) {
-                                        phi_5709_ = -(_e3379[2]);
+                                    let _e3397 = phi_5706_;
+                                    if (_e3383[2] < 0f) {
+                                        phi_5713_ = -(_e3383[2]);
                                     } else {
-                                        phi_5709_ = _e3379[2];
+                                        phi_5713_ = _e3383[2];
                                     }
-                                    let _e3397 = phi_5709_;
-                                    if (_e3393 > _e3397) {
-                                        phi_5714_ = _e3393;
+                                    let _e3401 = phi_5713_;
+                                    if (_e3397 > _e3401) {
+                                        phi_5718_ = _e3397;
                                     } else {
-                                        phi_5714_ = _e3397;
+                                        phi_5718_ = _e3401;
                                     }
-                                    let _e3400 = phi_5714_;
-                                    if (_e3376 > _e3400) {
-                                        phi_5719_ = _e3376;
+                                    let _e3404 = phi_5718_;
+                                    if (_e3380 > _e3404) {
+                                        phi_5723_ = _e3380;
                                     } else {
-                                        phi_5719_ = _e3400;
+                                        phi_5723_ = _e3404;
                                     }
-                                    let _e3403 = phi_5719_;
-                                    let _e3405 = local.member_3;
-                                    let _e3408 = (((_e3295 + _e3297) + (_e3349 + _e3351)) + (_e3403 + _e3405));
-                                    let _e3411 = local.member_3;
-                                    let _e3415 = (((_e1499 * 1.0001f) + (_e3411 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                    let _e3418 = ((_e3193 * _e3172) - (_e3196 * _e3171));
-                                    let _e3421 = ((_e3196 * _e3170) - (_e3190 * _e3172));
-                                    let _e3424 = ((_e3190 * _e3171) - (_e3193 * _e3170));
-                                    let _e3429 = (((_e3418 * _e3199[0]) + (_e3421 * _e3199[1])) + (_e3424 * _e3199[2]));
-                                    let _e3434 = (((_e3418 * _e3215) + (_e3421 * _e3216)) + (_e3424 * _e3217));
-                                    let _e3439 = (((_e3418 * _e3218) + (_e3421 * _e3219)) + (_e3424 * _e3220));
-                                    let _e3444 = (((_e3418 * _e3199[0]) + (_e3421 * _e3199[1])) + (_e3424 * _e3199[2]));
-                                    let _e3449 = (((_e3418 * _e3223[0]) + (_e3421 * _e3223[1])) + (_e3424 * _e3223[2]));
-                                    let _e3454 = (((_e3418 * _e3239) + (_e3421 * _e3240)) + (_e3424 * _e3241));
-                                    let _e3459 = (((_e3418 * _e3242) + (_e3421 * _e3243)) + (_e3424 * _e3244));
-                                    let _e3464 = (((_e3418 * _e3223[0]) + (_e3421 * _e3223[1])) + (_e3424 * _e3223[2]));
-                                    if (_e3429 < _e3434) {
-                                        phi_5797_ = _e3429;
+                                    let _e3407 = phi_5723_;
+                                    let _e3409 = local.member_3;
+                                    let _e3413 = ((((_e3299 + _e3301) + (_e3353 + _e3355)) + (_e3407 + _e3409)) * 2f);
+                                    let _e3416 = local.member_3;
+                                    let _e3420 = (((_e1499 * 1.0001f) + (_e3416 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                    let _e3423 = ((_e3197 * _e3176) - (_e3200 * _e3175));
+                                    let _e3426 = ((_e3200 * _e3174) - (_e3194 * _e3176));
+                                    let _e3429 = ((_e3194 * _e3175) - (_e3197 * _e3174));
+                                    let _e3434 = (((_e3423 * _e3203[0]) + (_e3426 * _e3203[1])) + (_e3429 * _e3203[2]));
+                                    let _e3439 = (((_e3423 * _e3219) + (_e3426 * _e3220)) + (_e3429 * _e3221));
+                                    let _e3444 = (((_e3423 * _e3222) + (_e3426 * _e3223)) + (_e3429 * _e3224));
+                                    let _e3449 = (((_e3423 * _e3203[0]) + (_e3426 * _e3203[1])) + (_e3429 * _e3203[2]));
+                                    let _e3454 = (((_e3423 * _e3227[0]) + (_e3426 * _e3227[1])) + (_e3429 * _e3227[2]));
+                                    let _e3459 = (((_e3423 * _e3243) + (_e3426 * _e3244)) + (_e3429 * _e3245));
+                                    let _e3464 = (((_e3423 * _e3246) + (_e3426 * _e3247)) + (_e3429 * _e3248));
+                                    let _e3469 = (((_e3423 * _e3227[0]) + (_e3426 * _e3227[1])) + (_e3429 * _e3227[2]));
+                                    if (_e3434 < _e3439) {
+                                        phi_5802_ = _e3434;
                                     } else {
-                                        phi_5797_ = _e3434;
-                                    }
-                                    let _e3467 = phi_5797_;
-                                    if (_e3439 < _e3444) {
                                         phi_5802_ = _e3439;
-                                    } else {
-                                        phi_5802_ = _e3444;
                                     }
-                                    let _e3470 = phi_5802_;
-                                    if (_e3467 < _e3470) {
-                                        phi_5807_ = _e3467;
+                                    let _e3472 = phi_5802_;
+                                    if (_e3444 < _e3449) {
+                                        phi_5807_ = _e3444;
                                     } else {
-                                        phi_5807_ = _e3470;
+                                        phi_5807_ = _e3449;
                                     }
-                                    let _e3473 = phi_5807_;
-                                    if (_e3449 < _e3454) {
-                                        phi_5812_ = _e3449;
+                                    let _e3475 = phi_5807_;
+                                    if (_e3472 < _e3475) {
+                                        phi_5812_ = _e3472;
                                     } else {
-                                        phi_5812_ = _e3454;
+                                        phi_5812_ = _e3475;
                                     }
-                                    let _e3476 = phi_5812_;
-                                    if (_e3459 < _e3464) {
+                                    let _e3478 = phi_5812_;
+                                    if (_e3454 < _e3459) {
+                                        phi_5817_ = _e3454;
+                                    } else {
                                         phi_5817_ = _e3459;
-                                    } else {
-                                        phi_5817_ = _e3464;
                                     }
-                                    let _e3479 = phi_5817_;
-                                    if (_e3476 < _e3479) {
-                                        phi_5822_ = _e3476;
+                                    let _e3481 = phi_5817_;
+                                    if (_e3464 < _e3469) {
+                                        phi_5822_ = _e3464;
                                     } else {
-                                        phi_5822_ = _e3479;
+                                        phi_5822_ = _e3469;
                                     }
-                                    let _e3482 = phi_5822_;
-                                    if (_e3473 < _e3482) {
-                                        phi_5827_ = _e3473;
+                                    let _e3484 = phi_5822_;
+                                    if (_e3481 < _e3484) {
+                                        phi_5827_ = _e3481;
                                     } else {
-                                        phi_5827_ = _e3482;
+                                        phi_5827_ = _e3484;
                                     }
-                                    let _e3485 = phi_5827_;
-                                    if (_e3429 > _e3434) {
-                                        phi_5832_ = _e3429;
+                                    let _e3487 = phi_5827_;
+                                    if (_e3478 < _e3487) {
+                                        phi_5832_ = _e3478;
                                     } else {
-                                        phi_5832_ = _e3434;
+                                        phi_5832_ = _e3487;
                                     }
-                                    let _e3488 = phi_5832_;
-                                    if (_e3439 > _e3444) {
+                                    let _e3490 = phi_5832_;
+                                    if (_e3434 > _e3439) {
+                                        phi_5837_ = _e3434;
+                                    } else {
                                         phi_5837_ = _e3439;
-                                    } else {
-                                        phi_5837_ = _e3444;
                                     }
-                                    let _e3491 = phi_5837_;
-                                    if (_e3488 > _e3491) {
-                                        phi_5842_ = _e3488;
+                                    let _e3493 = phi_5837_;
+                                    if (_e3444 > _e3449) {
+                                        phi_5842_ = _e3444;
                                     } else {
-                                        phi_5842_ = _e3491;
+                                        phi_5842_ = _e3449;
                                     }
-                                    let _e3494 = phi_5842_;
-                                    if (_e3449 > _e3454) {
-                                        phi_5847_ = _e3449;
+                                    let _e3496 = phi_5842_;
+                                    if (_e3493 > _e3496) {
+                                        phi_5847_ = _e3493;
                                     } else {
-                                        phi_5847_ = _e3454;
+                                        phi_5847_ = _e3496;
                                     }
-                                    let _e3497 = phi_5847_;
-                                    if (_e3459 > _e3464) {
+                                    let _e3499 = phi_5847_;
+                                    if (_e3454 > _e3459) {
+                                        phi_5852_ = _e3454;
+                                    } else {
                                         phi_5852_ = _e3459;
-                                    } else {
-                                        phi_5852_ = _e3464;
                                     }
-                                    let _e3500 = phi_5852_;
-                                    if (_e3497 > _e3500) {
-                                        phi_5857_ = _e3497;
+                                    let _e3502 = phi_5852_;
+                                    if (_e3464 > _e3469) {
+                                        phi_5857_ = _e3464;
                                     } else {
-                                        phi_5857_ = _e3500;
+                                        phi_5857_ = _e3469;
                                     }
-                                    let _e3503 = phi_5857_;
-                                    if (_e3494 > _e3503) {
-                                        phi_5862_ = _e3494;
+                                    let _e3505 = phi_5857_;
+                                    if (_e3502 > _e3505) {
+                                        phi_5862_ = _e3502;
                                     } else {
-                                        phi_5862_ = _e3503;
+                                        phi_5862_ = _e3505;
                                     }
-                                    let _e3506 = phi_5862_;
-                                    if (_e3418 < 0f) {
-                                        phi_5868_ = -(_e3418);
+                                    let _e3508 = phi_5862_;
+                                    if (_e3499 > _e3508) {
+                                        phi_5867_ = _e3499;
                                     } else {
-                                        phi_5868_ = _e3418;
+                                        phi_5867_ = _e3508;
                                     }
-                                    let _e3510 = phi_5868_;
-                                    if (_e3421 < 0f) {
-                                        phi_5874_ = -(_e3421);
+                                    let _e3511 = phi_5867_;
+                                    if (_e3423 < 0f) {
+                                        phi_5873_ = -(_e3423);
                                     } else {
-                                        phi_5874_ = _e3421;
+                                        phi_5873_ = _e3423;
                                     }
-                                    let _e3514 = phi_5874_;
-                                    if (_e3424 < 0f) {
-                                        phi_5881_ = -(_e3424);
+                                    let _e3515 = phi_5873_;
+                                    if (_e3426 < 0f) {
+                                        phi_5879_ = -(_e3426);
                                     } else {
-                                        phi_5881_ = _e3424;
+                                        phi_5879_ = _e3426;
                                     }
-                                    let _e3519 = phi_5881_;
-                                    let _e3520 = ((_e3510 + _e3514) + _e3519);
-                                    let _e3524 = -(_e3506);
-                                    if (_e3485 > _e3524) {
-                                        phi_5891_ = _e3485;
+                                    let _e3519 = phi_5879_;
+                                    if (_e3429 < 0f) {
+                                        phi_5886_ = -(_e3429);
                                     } else {
-                                        phi_5891_ = _e3524;
+                                        phi_5886_ = _e3429;
                                     }
-                                    let _e3527 = phi_5891_;
-                                    let _e3532 = (((_e3527 - ((_e3520 * _e3408) * (0.000000059604645f * 17f))) - (_e3520 * _e3415)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    let _e3535 = ((_e3193 * _e3187) - (_e3196 * _e3186));
-                                    let _e3538 = ((_e3196 * _e3185) - (_e3190 * _e3187));
-                                    let _e3541 = ((_e3190 * _e3186) - (_e3193 * _e3185));
-                                    let _e3546 = (((_e3535 * _e3199[0]) + (_e3538 * _e3199[1])) + (_e3541 * _e3199[2]));
-                                    let _e3551 = (((_e3535 * _e3215) + (_e3538 * _e3216)) + (_e3541 * _e3217));
-                                    let _e3556 = (((_e3535 * _e3218) + (_e3538 * _e3219)) + (_e3541 * _e3220));
-                                    let _e3561 = (((_e3535 * _e3199[0]) + (_e3538 * _e3199[1])) + (_e3541 * _e3199[2]));
-                                    let _e3566 = (((_e3535 * _e3223[0]) + (_e3538 * _e3223[1])) + (_e3541 * _e3223[2]));
-                                    let _e3571 = (((_e3535 * _e3239) + (_e3538 * _e3240)) + (_e3541 * _e3241));
-                                    let _e3576 = (((_e3535 * _e3242) + (_e3538 * _e3243)) + (_e3541 * _e3244));
-                                    let _e3581 = (((_e3535 * _e3223[0]) + (_e3538 * _e3223[1])) + (_e3541 * _e3223[2]));
-                                    if (_e3546 < _e3551) {
-                                        phi_5962_ = _e3546;
+                                    let _e3524 = phi_5886_;
+                                    let _e3525 = ((_e3515 + _e3519) + _e3524);
+                                    let _e3530 = -(_e3511);
+                                    if (_e3490 > _e3530) {
+                                        phi_5897_ = _e3490;
                                     } else {
-                                        phi_5962_ = _e3551;
+                                        phi_5897_ = _e3530;
                                     }
-                                    let _e3584 = phi_5962_;
-                                    if (_e3556 < _e3561) {
-                                        phi_5967_ = _e3556;
+                                    let _e3533 = phi_5897_;
+                                    let _e3538 = (((_e3533 - ((_e3525 * _e3413) * (0.000000059604645f * (17f / 2f)))) - (_e3525 * _e3420)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    let _e3541 = ((_e3197 * _e3191) - (_e3200 * _e3190));
+                                    let _e3544 = ((_e3200 * _e3189) - (_e3194 * _e3191));
+                                    let _e3547 = ((_e3194 * _e3190) - (_e3197 * _e3189));
+                                    let _e3552 = (((_e3541 * _e3203[0]) + (_e3544 * _e3203[1])) + (_e3547 * _e3203[2]));
+                                    let _e3557 = (((_e3541 * _e3219) + (_e3544 * _e3220)) + (_e3547 * _e3221));
+                                    let _e3562 = (((_e3541 * _e3222) + (_e3544 * _e3223)) + (_e3547 * _e3224));
+                                    let _e3567 = (((_e3541 * _e3203[0]) + (_e3544 * _e3203[1])) + (_e3547 * _e3203[2]));
+                                    let _e3572 = (((_e3541 * _e3227[0]) + (_e3544 * _e3227[1])) + (_e3547 * _e3227[2]));
+                                    let _e3577 = (((_e3541 * _e3243) + (_e3544 * _e3244)) + (_e3547 * _e3245));
+                                    let _e3582 = (((_e3541 * _e3246) + (_e3544 * _e3247)) + (_e3547 * _e3248));
+                                    let _e3587 = (((_e3541 * _e3227[0]) + (_e3544 * _e3227[1])) + (_e3547 * _e3227[2]));
+                                    if (_e3552 < _e3557) {
+                                        phi_5968_ = _e3552;
                                     } else {
-                                        phi_5967_ = _e3561;
+                                        phi_5968_ = _e3557;
                                     }
-                                    let _e3587 = phi_5967_;
-                                    if (_e3584 < _e3587) {
-                                        phi_5972_ = _e3584;
+                                    let _e3590 = phi_5968_;
+                                    if (_e3562 < _e3567) {
+                                        phi_5973_ = _e3562;
                                     } else {
-                                        phi_5972_ = _e3587;
+                                        phi_5973_ = _e3567;
                                     }
-                                    let _e3590 = phi_5972_;
-                                    if (_e3566 < _e3571) {
-                                        phi_5977_ = _e3566;
+                                    let _e3593 = phi_5973_;
+                                    if (_e3590 < _e3593) {
+                                        phi_5978_ = _e3590;
                                     } else {
-                                        phi_5977_ = _e3571;
+                                        phi_5978_ = _e3593;
                                     }
-                                    let _e3593 = phi_5977_;
-                                    if (_e3576 < _e3581) {
-                                        phi_5982_ = _e3576;
+                                    let _e3596 = phi_5978_;
+                                    if (_e3572 < _e3577) {
+                                        phi_5983_ = _e3572;
                                     } else {
-                                        phi_5982_ = _e3581;
+                                        phi_5983_ = _e3577;
                                     }
-                                    let _e3596 = phi_5982_;
-                                    if (_e3593 < _e3596) {
-                                        phi_5987_ = _e3593;
+                                    let _e3599 = phi_5983_;
+                                    if (_e3582 < _e3587) {
+                                        phi_5988_ = _e3582;
                                     } else {
-                                        phi_5987_ = _e3596;
+                                        phi_5988_ = _e3587;
                                     }
-                                    let _e3599 = phi_5987_;
-                                    if (_e3590 < _e3599) {
-                                        phi_5992_ = _e3590;
+                                    let _e3602 = phi_5988_;
+                                    if (_e3599 < _e3602) {
+                                        phi_5993_ = _e3599;
                                     } else {
-                                        phi_5992_ = _e3599;
+                                        phi_5993_ = _e3602;
                                     }
-                                    let _e3602 = phi_5992_;
-                                    if (_e3546 > _e3551) {
-                                        phi_5997_ = _e3546;
+                                    let _e3605 = phi_5993_;
+                                    if (_e3596 < _e3605) {
+                                        phi_5998_ = _e3596;
                                     } else {
-                                        phi_5997_ = _e3551;
+                                        phi_5998_ = _e3605;
                                     }
-                                    let _e3605 = phi_5997_;
-                                    if (_e3556 > _e3561) {
-                                        phi_6002_ = _e3556;
+                                    let _e3608 = phi_5998_;
+                                    if (_e3552 > _e3557) {
+                                        phi_6003_ = _e3552;
                                     } else {
-                                        phi_6002_ = _e3561;
+                                        phi_6003_ = _e3557;
                                     }
-                                    let _e3608 = phi_6002_;
-                                    if (_e3605 > _e3608) {
-                                        phi_6007_ = _e3605;
+                                    let _e3611 = phi_6003_;
+                                    if (_e3562 > _e3567) {
+                                        phi_6008_ = _e3562;
                                     } else {
-                                        phi_6007_ = _e3608;
+                                        phi_6008_ = _e3567;
                                     }
-                                    let _e3611 = phi_6007_;
-                                    if (_e3566 > _e3571) {
-                                        phi_6012_ = _e3566;
+                                    let _e3614 = phi_6008_;
+                                    if (_e3611 > _e3614) {
+                                        phi_6013_ = _e3611;
                                     } else {
-                                        phi_6012_ = _e3571;
+                                        phi_6013_ = _e3614;
                                     }
-                                    let _e3614 = phi_6012_;
-                                    if (_e3576 > _e3581) {
-                                        phi_6017_ = _e3576;
+                                    let _e3617 = phi_6013_;
+                                    if (_e3572 > _e3577) {
+                                        phi_6018_ = _e3572;
                                     } else {
-                                        phi_6017_ = _e3581;
+                                        phi_6018_ = _e3577;
                                     }
-                                    let _e3617 = phi_6017_;
-                                    if (_e3614 > _e3617) {
-                                        phi_6022_ = _e3614;
+                                    let _e3620 = phi_6018_;
+                                    if (_e3582 > _e3587) {
+                                        phi_6023_ = _e3582;
                                     } else {
-                                        phi_6022_ = _e3617;
+                                        phi_6023_ = _e3587;
                                     }
-                                    let _e3620 = phi_6022_;
-                                    if (_e3611 > _e3620) {
-                                        phi_6027_ = _e3611;
+                                    let _e3623 = phi_6023_;
+                                    if (_e3620 > _e3623) {
+                                        phi_6028_ = _e3620;
                                     } else {
-                                        phi_6027_ = _e3620;
+                                        phi_6028_ = _e3623;
                                     }
-                                    let _e3623 = phi_6027_;
-                                    if (_e3535 < 0f) {
-                                        phi_6033_ = -(_e3535);
+                                    let _e3626 = phi_6028_;
+                                    if (_e3617 > _e3626) {
+                                        phi_6033_ = _e3617;
                                     } else {
-                                        phi_6033_ = _e3535;
+                                        phi_6033_ = _e3626;
                                     }
-                                    let _e3627 = phi_6033_;
-                                    if (_e3538 < 0f) {
-                                        phi_6039_ = -(_e3538);
-                                    } else {
-                                        phi_6039_ = _e3538;
-                                    }
-                                    let _e3631 = phi_6039_;
+                                    let _e3629 = phi_6033_;
                                     if (_e3541 < 0f) {
-                                        phi_6046_ = -(_e3541);
+                                        phi_6039_ = -(_e3541);
                                     } else {
-                                        phi_6046_ = _e3541;
+                                        phi_6039_ = _e3541;
                                     }
-                                    let _e3636 = phi_6046_;
-                                    let _e3637 = ((_e3627 + _e3631) + _e3636);
-                                    let _e3641 = -(_e3623);
-                                    if (_e3602 > _e3641) {
-                                        phi_6056_ = _e3602;
+                                    let _e3633 = phi_6039_;
+                                    if (_e3544 < 0f) {
+                                        phi_6045_ = -(_e3544);
                                     } else {
-                                        phi_6056_ = _e3641;
+                                        phi_6045_ = _e3544;
                                     }
-                                    let _e3644 = phi_6056_;
-                                    let _e3649 = (((_e3644 - ((_e3637 * _e3408) * (0.000000059604645f * 17f))) - (_e3637 * _e3415)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3532 > _e3649) {
-                                        phi_6066_ = _e3532;
+                                    let _e3637 = phi_6045_;
+                                    if (_e3547 < 0f) {
+                                        phi_6052_ = -(_e3547);
                                     } else {
-                                        phi_6066_ = _e3649;
+                                        phi_6052_ = _e3547;
                                     }
-                                    let _e3652 = phi_6066_;
-                                    let _e3653 = (_e3185 - _e3170);
-                                    let _e3654 = (_e3186 - _e3171);
-                                    let _e3655 = (_e3187 - _e3172);
-                                    let _e3658 = ((_e3193 * _e3655) - (_e3196 * _e3654));
-                                    let _e3661 = ((_e3196 * _e3653) - (_e3190 * _e3655));
-                                    let _e3664 = ((_e3190 * _e3654) - (_e3193 * _e3653));
-                                    let _e3669 = (((_e3658 * _e3199[0]) + (_e3661 * _e3199[1])) + (_e3664 * _e3199[2]));
-                                    let _e3674 = (((_e3658 * _e3215) + (_e3661 * _e3216)) + (_e3664 * _e3217));
-                                    let _e3679 = (((_e3658 * _e3218) + (_e3661 * _e3219)) + (_e3664 * _e3220));
-                                    let _e3684 = (((_e3658 * _e3199[0]) + (_e3661 * _e3199[1])) + (_e3664 * _e3199[2]));
-                                    let _e3689 = (((_e3658 * _e3223[0]) + (_e3661 * _e3223[1])) + (_e3664 * _e3223[2]));
-                                    let _e3694 = (((_e3658 * _e3239) + (_e3661 * _e3240)) + (_e3664 * _e3241));
-                                    let _e3699 = (((_e3658 * _e3242) + (_e3661 * _e3243)) + (_e3664 * _e3244));
-                                    let _e3704 = (((_e3658 * _e3223[0]) + (_e3661 * _e3223[1])) + (_e3664 * _e3223[2]));
-                                    if (_e3669 < _e3674) {
-                                        phi_6139_ = _e3669;
+                                    let _e3642 = phi_6052_;
+                                    let _e3643 = ((_e3633 + _e3637) + _e3642);
+                                    let _e3648 = -(_e3629);
+                                    if (_e3608 > _e3648) {
+                                        phi_6063_ = _e3608;
                                     } else {
-                                        phi_6139_ = _e3674;
+                                        phi_6063_ = _e3648;
                                     }
-                                    let _e3707 = phi_6139_;
-                                    if (_e3679 < _e3684) {
-                                        phi_6144_ = _e3679;
+                                    let _e3651 = phi_6063_;
+                                    let _e3656 = (((_e3651 - ((_e3643 * _e3413) * (0.000000059604645f * (17f / 2f)))) - (_e3643 * _e3420)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e3538 > _e3656) {
+                                        phi_6073_ = _e3538;
                                     } else {
-                                        phi_6144_ = _e3684;
+                                        phi_6073_ = _e3656;
                                     }
-                                    let _e3710 = phi_6144_;
-                                    if (_e3707 < _e3710) {
-                                        phi_6149_ = _e3707;
+                                    let _e3659 = phi_6073_;
+                                    let _e3660 = (_e3189 - _e3174);
+                                    let _e3661 = (_e3190 - _e3175);
+                                    let _e3662 = (_e3191 - _e3176);
+                                    let _e3665 = ((_e3197 * _e3662) - (_e3200 * _e3661));
+                                    let _e3668 = ((_e3200 * _e3660) - (_e3194 * _e3662));
+                                    let _e3671 = ((_e3194 * _e3661) - (_e3197 * _e3660));
+                                    let _e3676 = (((_e3665 * _e3203[0]) + (_e3668 * _e3203[1])) + (_e3671 * _e3203[2]));
+                                    let _e3681 = (((_e3665 * _e3219) + (_e3668 * _e3220)) + (_e3671 * _e3221));
+                                    let _e3686 = (((_e3665 * _e3222) + (_e3668 * _e3223)) + (_e3671 * _e3224));
+                                    let _e3691 = (((_e3665 * _e3203[0]) + (_e3668 * _e3203[1])) + (_e3671 * _e3203[2]));
+                                    let _e3696 = (((_e3665 * _e3227[0]) + (_e3668 * _e3227[1])) + (_e3671 * _e3227[2]));
+                                    let _e3701 = (((_e3665 * _e3243) + (_e3668 * _e3244)) + (_e3671 * _e3245));
+                                    let _e3706 = (((_e3665 * _e3246) + (_e3668 * _e3247)) + (_e3671 * _e3248));
+                                    let _e3711 = (((_e3665 * _e3227[0]) + (_e3668 * _e3227[1])) + (_e3671 * _e3227[2]));
+                                    if (_e3676 < _e3681) {
+                                        phi_6146_ = _e3676;
                                     } else {
-                                        phi_6149_ = _e3710;
+                                        phi_6146_ = _e3681;
                                     }
-                                    let _e3713 = phi_6149_;
-                                    if (_e3689 < _e3694) {
-                                        phi_6154_ = _e3689;
+                                    let _e3714 = phi_6146_;
+                                    if (_e3686 < _e3691) {
+                                        phi_6151_ = _e3686;
                                     } else {
-                                        phi_6154_ = _e3694;
+                                        phi_6151_ = _e3691;
                                     }
-                                    let _e3716 = phi_6154_;
-                                    if (_e3699 < _e3704) {
-                                        phi_6159_ = _e3699;
+                                    let _e3717 = phi_6151_;
+                                    if (_e3714 < _e3717) {
+                                        phi_6156_ = _e3714;
                                     } else {
-                                        phi_6159_ = _e3704;
+                                        phi_6156_ = _e3717;
                                     }
-                                    let _e3719 = phi_6159_;
-                                    if (_e3716 < _e3719) {
-                                        phi_6164_ = _e3716;
+                                    let _e3720 = phi_6156_;
+                                    if (_e3696 < _e3701) {
+                                        phi_6161_ = _e3696;
                                     } else {
-                                        phi_6164_ = _e3719;
+                                        phi_6161_ = _e3701;
                                     }
-                                    let _e3722 = phi_6164_;
-                                    if (_e3713 < _e3722) {
-                                        phi_6169_ = _e3713;
+                                    let _e3723 = phi_6161_;
+                                    if (_e3706 < _e3711) {
+                                        phi_6166_ = _e3706;
                                     } else {
-                                        phi_6169_ = _e3722;
+                                        phi_6166_ = _e3711;
                                     }
-                                    let _e3725 = phi_6169_;
-                                    if (_e3669 > _e3674) {
-                                        phi_6174_ = _e3669;
+                                    let _e3726 = phi_6166_;
+                                    if (_e3723 < _e3726) {
+                                        phi_6171_ = _e3723;
                                     } else {
-                                        phi_6174_ = _e3674;
+                                        phi_6171_ = _e3726;
                                     }
-                                    let _e3728 = phi_6174_;
-                                    if (_e3679 > _e3684) {
-                                        phi_6179_ = _e3679;
+                                    let _e3729 = phi_6171_;
+                                    if (_e3720 < _e3729) {
+                                        phi_6176_ = _e3720;
                                     } else {
-                                        phi_6179_ = _e3684;
+                                        phi_6176_ = _e3729;
                                     }
-                                    let _e3731 = phi_6179_;
-                                    if (_e3728 > _e3731) {
-                                        phi_6184_ = _e3728;
+                                    let _e3732 = phi_6176_;
+                                    if (_e3676 > _e3681) {
+                                        phi_6181_ = _e3676;
                                     } else {
-                                        phi_6184_ = _e3731;
+                                        phi_6181_ = _e3681;
                                     }
-                                    let _e3734 = phi_6184_;
-                                    if (_e3689 > _e3694) {
-                                        phi_6189_ = _e3689;
+                                    let _e3735 = phi_6181_;
+                                    if (_e3686 > _e3691) {
+                                        phi_6186_ = _e3686;
                                     } else {
-                                        phi_6189_ = _e3694;
+                                        phi_6186_ = _e3691;
                                     }
-                                    let _e3737 = phi_6189_;
-                                    if (_e3699 > _e3704) {
-                                        phi_6194_ = _e3699;
+                                    let _e3738 = phi_6186_;
+                                    if (_e3735 > _e3738) {
+                                        phi_6191_ = _e3735;
                                     } else {
-                                        phi_6194_ = _e3704;
+                                        phi_6191_ = _e3738;
                                     }
-                                    let _e3740 = phi_6194_;
-                                    if (_e3737 > _e3740) {
-                                        phi_6199_ = _e3737;
+                                    let _e3741 = phi_6191_;
+                                    if (_e3696 > _e3701) {
+                                        phi_6196_ = _e3696;
                                     } else {
-                                        phi_6199_ = _e3740;
+                                        phi_6196_ = _e3701;
                                     }
-                                    let _e3743 = phi_6199_;
-                                    if (_e3734 > _e3743) {
-                                        phi_6204_ = _e3734;
+                                    let _e3744 = phi_6196_;
+                                    if (_e3706 > _e3711) {
+                                        phi_6201_ = _e3706;
                                     } else {
-                                        phi_6204_ = _e3743;
+                                        phi_6201_ = _e3711;
                                     }
-                                    let _e3746 = phi_6204_;
-                                    if (_e3658 < 0f) {
-                                        phi_6210_ = -(_e3658);
+                                    let _e3747 = phi_6201_;
+                                    if (_e3744 > _e3747) {
+                                        phi_6206_ = _e3744;
                                     } else {
-                                        phi_6210_ = _e3658;
+                                        phi_6206_ = _e3747;
                                     }
-                                    let _e3750 = phi_6210_;
-                                    if (_e3661 < 0f) {
-                                        phi_6216_ = -(_e3661);
+                                    let _e3750 = phi_6206_;
+                                    if (_e3741 > _e3750) {
+                                        phi_6211_ = _e3741;
                                     } else {
-                                        phi_6216_ = _e3661;
+                                        phi_6211_ = _e3750;
                                     }
-                                    let _e3754 = phi_6216_;
-                                    if (_e3664 < 0f) {
-                                        phi_6223_ = -(_e3664);
+                                    let _e3753 = phi_6211_;
+                                    if (_e3665 < 0f) {
+                                        phi_6217_ = -(_e3665);
                                     } else {
-                                        phi_6223_ = _e3664;
+                                        phi_6217_ = _e3665;
                                     }
-                                    let _e3759 = phi_6223_;
-                                    let _e3760 = ((_e3750 + _e3754) + _e3759);
-                                    let _e3764 = -(_e3746);
-                                    if (_e3725 > _e3764) {
-                                        phi_6233_ = _e3725;
+                                    let _e3757 = phi_6217_;
+                                    if (_e3668 < 0f) {
+                                        phi_6223_ = -(_e3668);
                                     } else {
-                                        phi_6233_ = _e3764;
+                                        phi_6223_ = _e3668;
                                     }
-                                    let _e3767 = phi_6233_;
-                                    let _e3772 = (((_e3767 - ((_e3760 * _e3408) * (0.000000059604645f * 17f))) - (_e3760 * _e3415)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3652 > _e3772) {
-                                        phi_6243_ = _e3652;
+                                    let _e3761 = phi_6223_;
+                                    if (_e3671 < 0f) {
+                                        phi_6230_ = -(_e3671);
                                     } else {
-                                        phi_6243_ = _e3772;
+                                        phi_6230_ = _e3671;
                                     }
-                                    let _e3775 = phi_6243_;
-                                    phi_6246_ = (_e3775 > 0f);
+                                    let _e3766 = phi_6230_;
+                                    let _e3767 = ((_e3757 + _e3761) + _e3766);
+                                    let _e3772 = -(_e3753);
+                                    if (_e3732 > _e3772) {
+                                        phi_6241_ = _e3732;
+                                    } else {
+                                        phi_6241_ = _e3772;
+                                    }
+                                    let _e3775 = phi_6241_;
+                                    let _e3780 = (((_e3775 - ((_e3767 * _e3413) * (0.000000059604645f * (17f / 2f)))) - (_e3767 * _e3420)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e3659 > _e3780) {
+                                        phi_6251_ = _e3659;
+                                    } else {
+                                        phi_6251_ = _e3780;
+                                    }
+                                    let _e3783 = phi_6251_;
+                                    phi_6254_ = (_e3783 > 0f);
                                 }
-                                let _e3778 = phi_6246_;
-                                if _e3778 {
-                                    let _e3781 = local_1.member_1[0u];
-                                    let _e3787 = local_1.member_2[0u];
-                                    let _e3793 = ((_e3781[1] * _e3787[2]) - (_e3781[2] * _e3787[1]));
-                                    let _e3796 = ((_e3781[2] * _e3787[0]) - (_e3781[0] * _e3787[2]));
-                                    let _e3799 = ((_e3781[0] * _e3787[1]) - (_e3781[1] * _e3787[0]));
-                                    let _e3802 = local_1.member_1[1u];
-                                    let _e3808 = local_1.member_2[1u];
-                                    let _e3814 = ((_e3802[1] * _e3808[2]) - (_e3802[2] * _e3808[1]));
-                                    let _e3817 = ((_e3802[2] * _e3808[0]) - (_e3802[0] * _e3808[2]));
-                                    let _e3820 = ((_e3802[0] * _e3808[1]) - (_e3802[1] * _e3808[0]));
-                                    let _e3823 = local_1.member_1[0u];
-                                    let _e3829 = local_1.member_2[1u];
-                                    let _e3844 = local_1.member_1[1u];
-                                    let _e3850 = local_1.member_2[0u];
-                                    let _e3863 = (((_e3823[1] * _e3829[2]) - (_e3823[2] * _e3829[1])) + ((_e3844[1] * _e3850[2]) - (_e3844[2] * _e3850[1])));
-                                    let _e3864 = (((_e3823[2] * _e3829[0]) - (_e3823[0] * _e3829[2])) + ((_e3844[2] * _e3850[0]) - (_e3844[0] * _e3850[2])));
-                                    let _e3865 = (((_e3823[0] * _e3829[1]) - (_e3823[1] * _e3829[0])) + ((_e3844[0] * _e3850[1]) - (_e3844[1] * _e3850[0])));
-                                    let _e3868 = local_1.member[0u];
-                                    let _e3879 = local_1.member[1u];
-                                    let _e3890 = local_1.member[0u];
-                                    let _e3899 = ((((_e3879[0] * _e3793) + (_e3879[1] * _e3796)) + (_e3879[2] * _e3799)) + (((_e3890[0] * _e3863) + (_e3890[1] * _e3864)) + (_e3890[2] * _e3865)));
-                                    let _e3902 = local_1.member[0u];
-                                    let _e3913 = local_1.member[1u];
-                                    let _e3922 = ((((_e3902[0] * _e3814) + (_e3902[1] * _e3817)) + (_e3902[2] * _e3820)) + (((_e3913[0] * _e3863) + (_e3913[1] * _e3864)) + (_e3913[2] * _e3865)));
-                                    let _e3925 = local_1.member[1u];
-                                    let _e3936 = local_1.member[0u];
-                                    if (_e3936[0] < 0f) {
-                                        phi_6491_ = -(_e3936[0]);
+                                let _e3786 = phi_6254_;
+                                if _e3786 {
+                                    let _e3789 = local_1.member_1[0u];
+                                    let _e3795 = local_1.member_2[0u];
+                                    let _e3801 = ((_e3789[1] * _e3795[2]) - (_e3789[2] * _e3795[1]));
+                                    let _e3804 = ((_e3789[2] * _e3795[0]) - (_e3789[0] * _e3795[2]));
+                                    let _e3807 = ((_e3789[0] * _e3795[1]) - (_e3789[1] * _e3795[0]));
+                                    let _e3810 = local_1.member_1[1u];
+                                    let _e3816 = local_1.member_2[1u];
+                                    let _e3822 = ((_e3810[1] * _e3816[2]) - (_e3810[2] * _e3816[1]));
+                                    let _e3825 = ((_e3810[2] * _e3816[0]) - (_e3810[0] * _e3816[2]));
+                                    let _e3828 = ((_e3810[0] * _e3816[1]) - (_e3810[1] * _e3816[0]));
+                                    let _e3831 = local_1.member_1[0u];
+                                    let _e3837 = local_1.member_2[1u];
+                                    let _e3852 = local_1.member_1[1u];
+                                    let _e3858 = local_1.member_2[0u];
+                                    let _e3871 = (((_e3831[1] * _e3837[2]) - (_e3831[2] * _e3837[1])) + ((_e3852[1] * _e3858[2]) - (_e3852[2] * _e3858[1])));
+                                    let _e3872 = (((_e3831[2] * _e3837[0]) - (_e3831[0] * _e3837[2])) + ((_e3852[2] * _e3858[0]) - (_e3852[0] * _e3858[2])));
+                                    let _e3873 = (((_e3831[0] * _e3837[1]) - (_e3831[1] * _e3837[0])) + ((_e3852[0] * _e3858[1]) - (_e3852[1] * _e3858[0])));
+                                    let _e3876 = local_1.member[0u];
+                                    let _e3887 = local_1.member[1u];
+                                    let _e3898 = local_1.member[0u];
+                                    let _e3907 = ((((_e3887[0] * _e3801) + (_e3887[1] * _e3804)) + (_e3887[2] * _e3807)) + (((_e3898[0] * _e3871) + (_e3898[1] * _e3872)) + (_e3898[2] * _e3873)));
+                                    let _e3910 = local_1.member[0u];
+                                    let _e3921 = local_1.member[1u];
+                                    let _e3930 = ((((_e3910[0] * _e3822) + (_e3910[1] * _e3825)) + (_e3910[2] * _e3828)) + (((_e3921[0] * _e3871) + (_e3921[1] * _e3872)) + (_e3921[2] * _e3873)));
+                                    let _e3933 = local_1.member[1u];
+                                    let _e3944 = local_1.member[0u];
+                                    if (_e3944[0] < 0f) {
+                                        phi_6499_ = -(_e3944[0]);
                                     } else {
-                                        phi_6491_ = _e3936[0];
+                                        phi_6499_ = _e3944[0];
                                     }
-                                    let _e3943 = phi_6491_;
-                                    if (_e3936[1] < 0f) {
-                                        phi_6498_ = -(_e3936[1]);
+                                    let _e3951 = phi_6499_;
+                                    if (_e3944[1] < 0f) {
+                                        phi_6506_ = -(_e3944[1]);
                                     } else {
-                                        phi_6498_ = _e3936[1];
+                                        phi_6506_ = _e3944[1];
                                     }
-                                    let _e3947 = phi_6498_;
-                                    if (_e3943 > _e3947) {
-                                        phi_6503_ = _e3943;
+                                    let _e3955 = phi_6506_;
+                                    if (_e3951 > _e3955) {
+                                        phi_6511_ = _e3951;
                                     } else {
-                                        phi_6503_ = _e3947;
+                                        phi_6511_ = _e3955;
                                     }
-                                    let _e3950 = phi_6503_;
-                                    if (_e3936[2] < 0f) {
-                                        phi_6510_ = -(_e3936[2]);
+                                    let _e3958 = phi_6511_;
+                                    if (_e3944[2] < 0f) {
+                                        phi_6518_ = -(_e3944[2]);
                                     } else {
-                                        phi_6510_ = _e3936[2];
+                                        phi_6518_ = _e3944[2];
                                     }
-                                    let _e3954 = phi_6510_;
-                                    if (_e3950 > _e3954) {
-                                        phi_6515_ = _e3950;
+                                    let _e3962 = phi_6518_;
+                                    if (_e3958 > _e3962) {
+                                        phi_6523_ = _e3958;
                                     } else {
-                                        phi_6515_ = _e3954;
+                                        phi_6523_ = _e3962;
                                     }
-                                    let _e3957 = phi_6515_;
-                                    let _e3960 = local_1.member[1u];
-                                    if (_e3960[0] < 0f) {
-                                        phi_6528_ = -(_e3960[0]);
+                                    let _e3965 = phi_6523_;
+                                    let _e3968 = local_1.member[1u];
+                                    if (_e3968[0] < 0f) {
+                                        phi_6536_ = -(_e3968[0]);
                                     } else {
-                                        phi_6528_ = _e3960[0];
+                                        phi_6536_ = _e3968[0];
                                     }
-                                    let _e3967 = phi_6528_;
-                                    if (_e3960[1] < 0f) {
-                                        phi_6535_ = -(_e3960[1]);
+                                    let _e3975 = phi_6536_;
+                                    if (_e3968[1] < 0f) {
+                                        phi_6543_ = -(_e3968[1]);
                                     } else {
-                                        phi_6535_ = _e3960[1];
+                                        phi_6543_ = _e3968[1];
                                     }
-                                    let _e3971 = phi_6535_;
-                                    if (_e3967 > _e3971) {
-                                        phi_6540_ = _e3967;
+                                    let _e3979 = phi_6543_;
+                                    if (_e3975 > _e3979) {
+                                        phi_6548_ = _e3975;
                                     } else {
-                                        phi_6540_ = _e3971;
+                                        phi_6548_ = _e3979;
                                     }
-                                    let _e3974 = phi_6540_;
-                                    if (_e3960[2] < 0f) {
-                                        phi_6547_ = -(_e3960[2]);
+                                    let _e3982 = phi_6548_;
+                                    if (_e3968[2] < 0f) {
+                                        phi_6555_ = -(_e3968[2]);
                                     } else {
-                                        phi_6547_ = _e3960[2];
+                                        phi_6555_ = _e3968[2];
                                     }
-                                    let _e3978 = phi_6547_;
-                                    if (_e3974 > _e3978) {
-                                        phi_6552_ = _e3974;
+                                    let _e3986 = phi_6555_;
+                                    if (_e3982 > _e3986) {
+                                        phi_6560_ = _e3982;
                                     } else {
-                                        phi_6552_ = _e3978;
+                                        phi_6560_ = _e3986;
                                     }
-                                    let _e3981 = phi_6552_;
-                                    if (_e3957 > _e3981) {
-                                        phi_6557_ = _e3957;
+                                    let _e3989 = phi_6560_;
+                                    if (_e3965 > _e3989) {
+                                        phi_6565_ = _e3965;
                                     } else {
-                                        phi_6557_ = _e3981;
+                                        phi_6565_ = _e3989;
                                     }
-                                    let _e3984 = phi_6557_;
-                                    let _e3986 = local_1.member_3;
-                                    let _e3987 = (_e3984 + _e3986);
-                                    let _e3990 = local_1.member_1[0u];
-                                    if (_e3990[0] < 0f) {
-                                        phi_6574_ = -(_e3990[0]);
+                                    let _e3992 = phi_6565_;
+                                    let _e3994 = local_1.member_3;
+                                    let _e3995 = (_e3992 + _e3994);
+                                    let _e3998 = local_1.member_1[0u];
+                                    if (_e3998[0] < 0f) {
+                                        phi_6582_ = -(_e3998[0]);
                                     } else {
-                                        phi_6574_ = _e3990[0];
+                                        phi_6582_ = _e3998[0];
                                     }
-                                    let _e3997 = phi_6574_;
-                                    if (_e3990[1] < 0f) {
-                                        phi_6581_ = -(_e3990[1]);
+                                    let _e4005 = phi_6582_;
+                                    if (_e3998[1] < 0f) {
+                                        phi_6589_ = -(_e3998[1]);
                                     } else {
-                                        phi_6581_ = _e3990[1];
+                                        phi_6589_ = _e3998[1];
                                     }
-                                    let _e4001 = phi_6581_;
-                                    if (_e3997 > _e4001) {
-                                        phi_6586_ = _e3997;
+                                    let _e4009 = phi_6589_;
+                                    if (_e4005 > _e4009) {
+                                        phi_6594_ = _e4005;
                                     } else {
-                                        phi_6586_ = _e4001;
+                                        phi_6594_ = _e4009;
                                     }
-                                    let _e4004 = phi_6586_;
-                                    if (_e3990[2] < 0f) {
-                                        phi_6593_ = -(_e3990[2]);
+                                    let _e4012 = phi_6594_;
+                                    if (_e3998[2] < 0f) {
+                                        phi_6601_ = -(_e3998[2]);
                                     } else {
-                                        phi_6593_ = _e3990[2];
+                                        phi_6601_ = _e3998[2];
                                     }
-                                    let _e4008 = phi_6593_;
-                                    if (_e4004 > _e4008) {
-                                        phi_6598_ = _e4004;
+                                    let _e4016 = phi_6601_;
+                                    if (_e4012 > _e4016) {
+                                        phi_6606_ = _e4012;
                                     } else {
-                                        phi_6598_ = _e4008;
+                                        phi_6606_ = _e4016;
                                     }
-                                    let _e4011 = phi_6598_;
-                                    let _e4014 = local_1.member_1[1u];
-                                    if (_e4014[0] < 0f) {
-                                        phi_6612_ = -(_e4014[0]);
+                                    let _e4019 = phi_6606_;
+                                    let _e4022 = local_1.member_1[1u];
+                                    if (_e4022[0] < 0f) {
+                                        phi_6620_ = -(_e4022[0]);
                                     } else {
-                                        phi_6612_ = _e4014[0];
+                                        phi_6620_ = _e4022[0];
                                     }
-                                    let _e4021 = phi_6612_;
-                                    if (_e4014[1] < 0f) {
-                                        phi_6619_ = -(_e4014[1]);
+                                    let _e4029 = phi_6620_;
+                                    if (_e4022[1] < 0f) {
+                                        phi_6627_ = -(_e4022[1]);
                                     } else {
-                                        phi_6619_ = _e4014[1];
+                                        phi_6627_ = _e4022[1];
                                     }
-                                    let _e4025 = phi_6619_;
-                                    if (_e4021 > _e4025) {
-                                        phi_6624_ = _e4021;
+                                    let _e4033 = phi_6627_;
+                                    if (_e4029 > _e4033) {
+                                        phi_6632_ = _e4029;
                                     } else {
-                                        phi_6624_ = _e4025;
+                                        phi_6632_ = _e4033;
                                     }
-                                    let _e4028 = phi_6624_;
-                                    if (_e4014[2] < 0f) {
-                                        phi_6631_ = -(_e4014[2]);
+                                    let _e4036 = phi_6632_;
+                                    if (_e4022[2] < 0f) {
+                                        phi_6639_ = -(_e4022[2]);
                                     } else {
-                                        phi_6631_ = _e4014[2];
+                                        phi_6639_ = _e4022[2];
                                     }
-                                    let _e4032 = phi_6631_;
-                                    if (_e4028 > _e4032) {
-                                        phi_6636_ = _e4028;
+                                    let _e4040 = phi_6639_;
+                                    if (_e4036 > _e4040) {
+                                        phi_6644_ = _e4036;
                                     } else {
-                                        phi_6636_ = _e4032;
+                                        phi_6644_ = _e4040;
                                     }
-                                    let _e4035 = phi_6636_;
-                                    if (_e4011 > _e4035) {
-                                        phi_6641_ = _e4011;
+                                    let _e4043 = phi_6644_;
+                                    if (_e4019 > _e4043) {
+                                        phi_6649_ = _e4019;
                                     } else {
-                                        phi_6641_ = _e4035;
+                                        phi_6649_ = _e4043;
                                     }
-                                    let _e4038 = phi_6641_;
-                                    let _e4040 = local_1.member_3;
-                                    let _e4041 = (_e4038 + _e4040);
-                                    let _e4044 = local_1.member_2[0u];
-                                    if (_e4044[0] < 0f) {
-                                        phi_6658_ = -(_e4044[0]);
+                                    let _e4046 = phi_6649_;
+                                    let _e4048 = local_1.member_3;
+                                    let _e4049 = (_e4046 + _e4048);
+                                    let _e4052 = local_1.member_2[0u];
+                                    if (_e4052[0] < 0f) {
+                                        phi_6666_ = -(_e4052[0]);
                                     } else {
-                                        phi_6658_ = _e4044[0];
+                                        phi_6666_ = _e4052[0];
                                     }
-                                    let _e4051 = phi_6658_;
-                                    if (_e4044[1] < 0f) {
-                                        phi_6665_ = -(_e4044[1]);
+                                    let _e4059 = phi_6666_;
+                                    if (_e4052[1] < 0f) {
+                                        phi_6673_ = -(_e4052[1]);
                                     } else {
-                                        phi_6665_ = _e4044[1];
+                                        phi_6673_ = _e4052[1];
                                     }
-                                    let _e4055 = phi_6665_;
-                                    if (_e4051 > _e4055) {
-                                        phi_6670_ = _e4051;
+                                    let _e4063 = phi_6673_;
+                                    if (_e4059 > _e4063) {
+                                        phi_6678_ = _e4059;
                                     } else {
-                                        phi_6670_ = _e4055;
+                                        phi_6678_ = _e4063;
                                     }
-                                    let _e4058 = phi_6670_;
-                                    if (_e4044[2] < 0f) {
-                                        phi_6677_ = -(_e4044[2]);
+                                    let _e4066 = phi_6678_;
+                                    if (_e4052[2] < 0f) {
+                                        phi_6685_ = -(_e4052[2]);
                                     } else {
-                                        phi_6677_ = _e4044[2];
+                                        phi_6685_ = _e4052[2];
                                     }
-                                    let _e4062 = phi_6677_;
-                                    if (_e4058 > _e4062) {
-                                        phi_6682_ = _e4058;
+                                    let _e4070 = phi_6685_;
+                                    if (_e4066 > _e4070) {
+                                        phi_6690_ = _e4066;
                                     } else {
-                                        phi_6682_ = _e4062;
+                                        phi_6690_ = _e4070;
                                     }
-                                    let _e4065 = phi_6682_;
-                                    let _e4068 = local_1.member_2[1u];
-                                    if (_e4068[0] < 0f) {
-                                        phi_6696_ = -(_e4068[0]);
+                                    let _e4073 = phi_6690_;
+                                    let _e4076 = local_1.member_2[1u];
+                                    if (_e4076[0] < 0f) {
+                                        phi_6704_ = -(_e4076[0]);
                                     } else {
-                                        phi_6696_ = _e4068[0];
+                                        phi_6704_ = _e4076[0];
                                     }
-                                    let _e4075 = phi_6696_;
-                                    if (_e4068[1] < 0f) {
-                                        phi_6703_ = -(_e4068[1]);
+                                    let _e4083 = phi_6704_;
+                                    if (_e4076[1] < 0f) {
+                                        phi_6711_ = -(_e4076[1]);
                                     } else {
-                                        phi_6703_ = _e4068[1];
+                                        phi_6711_ = _e4076[1];
                                     }
-                                    let _e4079 = phi_6703_;
-                                    if (_e4075 > _e4079) {
-                                        phi_6708_ = _e4075;
+                                    let _e4087 = phi_6711_;
+                                    if (_e4083 > _e4087) {
+                                        phi_6716_ = _e4083;
                                     } else {
-                                        phi_6708_ = _e4079;
+                                        phi_6716_ = _e4087;
                                     }
-                                    let _e4082 = phi_6708_;
-                                    if (_e4068[2] < 0f) {
-                                        phi_6715_ = -(_e4068[2]);
+                                    let _e4090 = phi_6716_;
+                                    if (_e4076[2] < 0f) {
+                                        phi_6723_ = -(_e4076[2]);
                                     } else {
-                                        phi_6715_ = _e4068[2];
+                                        phi_6723_ = _e4076[2];
                                     }
-                                    let _e4086 = phi_6715_;
-                                    if (_e4082 > _e4086) {
-                                        phi_6720_ = _e4082;
+                                    let _e4094 = phi_6723_;
+                                    if (_e4090 > _e4094) {
+                                        phi_6728_ = _e4090;
                                     } else {
-                                        phi_6720_ = _e4086;
+                                        phi_6728_ = _e4094;
                                     }
-                                    let _e4089 = phi_6720_;
-                                    if (_e4065 > _e4089) {
-                                        phi_6725_ = _e4065;
+                                    let _e4097 = phi_6728_;
+                                    if (_e4073 > _e4097) {
+                                        phi_6733_ = _e4073;
                                     } else {
-                                        phi_6725_ = _e4089;
+                                        phi_6733_ = _e4097;
                                     }
-                                    let _e4092 = phi_6725_;
-                                    let _e4094 = local_1.member_3;
-                                    let _e4095 = (_e4092 + _e4094);
-                                    let _e4097 = ((_e4041 * 8f) * _e4095);
-                                    let _e4104 = local_1.member_3;
-                                    if (_e3793 < 0f) {
-                                        phi_6756_ = -(_e3793);
+                                    let _e4100 = phi_6733_;
+                                    let _e4102 = local_1.member_3;
+                                    let _e4103 = (_e4100 + _e4102);
+                                    let _e4105 = ((_e4049 * 8f) * _e4103);
+                                    let _e4112 = local_1.member_3;
+                                    if (_e3801 < 0f) {
+                                        phi_6764_ = -(_e3801);
                                     } else {
-                                        phi_6756_ = _e3793;
+                                        phi_6764_ = _e3801;
                                     }
-                                    let _e4121 = phi_6756_;
-                                    if (_e3796 < 0f) {
-                                        phi_6762_ = -(_e3796);
+                                    let _e4129 = phi_6764_;
+                                    if (_e3804 < 0f) {
+                                        phi_6770_ = -(_e3804);
                                     } else {
-                                        phi_6762_ = _e3796;
+                                        phi_6770_ = _e3804;
                                     }
-                                    let _e4125 = phi_6762_;
-                                    if (_e3799 < 0f) {
-                                        phi_6769_ = -(_e3799);
+                                    let _e4133 = phi_6770_;
+                                    if (_e3807 < 0f) {
+                                        phi_6777_ = -(_e3807);
                                     } else {
-                                        phi_6769_ = _e3799;
+                                        phi_6777_ = _e3807;
                                     }
-                                    let _e4130 = phi_6769_;
-                                    let _e4131 = ((_e4121 + _e4125) + _e4130);
-                                    if (_e3814 < 0f) {
-                                        phi_6776_ = -(_e3814);
+                                    let _e4138 = phi_6777_;
+                                    let _e4139 = ((_e4129 + _e4133) + _e4138);
+                                    if (_e3822 < 0f) {
+                                        phi_6784_ = -(_e3822);
                                     } else {
-                                        phi_6776_ = _e3814;
+                                        phi_6784_ = _e3822;
                                     }
-                                    let _e4135 = phi_6776_;
-                                    if (_e3817 < 0f) {
-                                        phi_6782_ = -(_e3817);
+                                    let _e4143 = phi_6784_;
+                                    if (_e3825 < 0f) {
+                                        phi_6790_ = -(_e3825);
                                     } else {
-                                        phi_6782_ = _e3817;
+                                        phi_6790_ = _e3825;
                                     }
-                                    let _e4139 = phi_6782_;
-                                    if (_e3820 < 0f) {
-                                        phi_6789_ = -(_e3820);
+                                    let _e4147 = phi_6790_;
+                                    if (_e3828 < 0f) {
+                                        phi_6797_ = -(_e3828);
                                     } else {
-                                        phi_6789_ = _e3820;
+                                        phi_6797_ = _e3828;
                                     }
-                                    let _e4144 = phi_6789_;
-                                    let _e4145 = ((_e4135 + _e4139) + _e4144);
-                                    if (_e4131 > _e4145) {
-                                        phi_6795_ = _e4131;
+                                    let _e4152 = phi_6797_;
+                                    let _e4153 = ((_e4143 + _e4147) + _e4152);
+                                    if (_e4139 > _e4153) {
+                                        phi_6803_ = _e4139;
                                     } else {
-                                        phi_6795_ = _e4145;
+                                        phi_6803_ = _e4153;
                                     }
-                                    let _e4148 = phi_6795_;
-                                    if (_e3863 < 0f) {
-                                        phi_6801_ = -(_e3863);
+                                    let _e4156 = phi_6803_;
+                                    if (_e3871 < 0f) {
+                                        phi_6809_ = -(_e3871);
                                     } else {
-                                        phi_6801_ = _e3863;
+                                        phi_6809_ = _e3871;
                                     }
-                                    let _e4152 = phi_6801_;
-                                    if (_e3864 < 0f) {
-                                        phi_6807_ = -(_e3864);
+                                    let _e4160 = phi_6809_;
+                                    if (_e3872 < 0f) {
+                                        phi_6815_ = -(_e3872);
                                     } else {
-                                        phi_6807_ = _e3864;
+                                        phi_6815_ = _e3872;
                                     }
-                                    let _e4156 = phi_6807_;
-                                    if (_e3865 < 0f) {
-                                        phi_6814_ = -(_e3865);
+                                    let _e4164 = phi_6815_;
+                                    if (_e3873 < 0f) {
+                                        phi_6822_ = -(_e3873);
                                     } else {
-                                        phi_6814_ = _e3865;
+                                        phi_6822_ = _e3873;
                                     }
-                                    let _e4161 = phi_6814_;
-                                    let _e4163 = (((_e4152 + _e4156) + _e4161) * 0.5f);
-                                    if (_e4148 > _e4163) {
-                                        phi_6821_ = _e4148;
+                                    let _e4169 = phi_6822_;
+                                    let _e4171 = (((_e4160 + _e4164) + _e4169) * 0.5f);
+                                    if (_e4156 > _e4171) {
+                                        phi_6829_ = _e4156;
                                     } else {
-                                        phi_6821_ = _e4163;
+                                        phi_6829_ = _e4171;
                                     }
-                                    let _e4166 = phi_6821_;
-                                    let _e4171 = local_1.member_3;
-                                    let _e4184 = ((((_e3868[0] * _e3793) + (_e3868[1] * _e3796)) + (_e3868[2] * _e3799)) * 3f);
-                                    let _e4185 = ((((_e3925[0] * _e3814) + (_e3925[1] * _e3817)) + (_e3925[2] * _e3820)) * 3f);
-                                    if (_e4184 < _e4185) {
-                                        phi_6845_ = _e4184;
+                                    let _e4174 = phi_6829_;
+                                    let _e4179 = local_1.member_3;
+                                    let _e4192 = ((((_e3876[0] * _e3801) + (_e3876[1] * _e3804)) + (_e3876[2] * _e3807)) * 3f);
+                                    let _e4193 = ((((_e3933[0] * _e3822) + (_e3933[1] * _e3825)) + (_e3933[2] * _e3828)) * 3f);
+                                    if (_e4192 < _e4193) {
+                                        phi_6853_ = _e4192;
                                     } else {
-                                        phi_6845_ = _e4185;
+                                        phi_6853_ = _e4193;
                                     }
-                                    let _e4188 = phi_6845_;
-                                    if (_e3899 < _e3922) {
-                                        phi_6850_ = _e3899;
+                                    let _e4196 = phi_6853_;
+                                    if (_e3907 < _e3930) {
+                                        phi_6858_ = _e3907;
                                     } else {
-                                        phi_6850_ = _e3922;
+                                        phi_6858_ = _e3930;
                                     }
-                                    let _e4191 = phi_6850_;
-                                    if (_e4188 < _e4191) {
-                                        phi_6855_ = _e4188;
+                                    let _e4199 = phi_6858_;
+                                    if (_e4196 < _e4199) {
+                                        phi_6863_ = _e4196;
                                     } else {
-                                        phi_6855_ = _e4191;
+                                        phi_6863_ = _e4199;
                                     }
-                                    let _e4194 = phi_6855_;
-                                    if (_e4184 > _e4185) {
-                                        phi_6860_ = _e4184;
+                                    let _e4202 = phi_6863_;
+                                    if (_e4192 > _e4193) {
+                                        phi_6868_ = _e4192;
                                     } else {
-                                        phi_6860_ = _e4185;
+                                        phi_6868_ = _e4193;
                                     }
-                                    let _e4197 = phi_6860_;
-                                    if (_e3899 > _e3922) {
-                                        phi_6865_ = _e3899;
+                                    let _e4205 = phi_6868_;
+                                    if (_e3907 > _e3930) {
+                                        phi_6873_ = _e3907;
                                     } else {
-                                        phi_6865_ = _e3922;
+                                        phi_6873_ = _e3930;
                                     }
-                                    let _e4200 = phi_6865_;
-                                    if (_e4197 > _e4200) {
-                                        phi_6870_ = _e4197;
+                                    let _e4208 = phi_6873_;
+                                    if (_e4205 > _e4208) {
+                                        phi_6878_ = _e4205;
                                     } else {
-                                        phi_6870_ = _e4200;
+                                        phi_6878_ = _e4208;
                                     }
-                                    let _e4203 = phi_6870_;
-                                    let _e4208 = -(_e4203);
-                                    if (_e4194 > _e4208) {
-                                        phi_6880_ = _e4194;
+                                    let _e4211 = phi_6878_;
+                                    let _e4216 = -(_e4211);
+                                    if (_e4202 > _e4216) {
+                                        phi_6888_ = _e4202;
                                     } else {
-                                        phi_6880_ = _e4208;
+                                        phi_6888_ = _e4216;
                                     }
-                                    let _e4211 = phi_6880_;
-                                    if ((_e4211 - ((((((_e3987 * 8f) * _e4097) * (0.000000059604645f * (490f / 64f))) + ((_e4104 * 19f) * ((_e3987 * (_e4041 + _e4095)) + (_e4041 * _e4095)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3987) * ((1f + _e4041) * (1f + _e4095))))) + ((_e1499 * (((_e4166 + (_e4097 * (0.000000059604645f * 4f))) + ((_e4171 * 6f) * (_e4041 + _e4095))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4041) * (1f + _e4095))))) * (3f * 1.0001f)))) > 0f) {
-                                        phi_7844_ = true;
+                                    let _e4219 = phi_6888_;
+                                    if ((_e4219 - ((((((_e3995 * 8f) * _e4105) * (0.000000059604645f * (524f / 64f))) + ((_e4112 * 19f) * ((_e3995 * (_e4049 + _e4103)) + (_e4049 * _e4103)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3995) * ((1f + _e4049) * (1f + _e4103))))) + ((_e1499 * (((_e4174 + (_e4105 * (0.000000059604645f * 8f))) + ((_e4179 * 6f) * (_e4049 + _e4103))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4049) * (1f + _e4103))))) * (3f * 1.0001f)))) > 0f) {
+                                        phi_7856_ = true;
                                     } else {
-                                        let _e4216 = local_1.member_1[0u];
-                                        let _e4222 = local_1.member_1[1u];
-                                        let _e4226 = (_e4216[0] + _e4222[0]);
-                                        let _e4227 = (_e4216[1] + _e4222[1]);
-                                        let _e4228 = (_e4216[2] + _e4222[2]);
-                                        let _e4231 = local_1.member_2[0u];
-                                        let _e4237 = local_1.member_2[1u];
-                                        let _e4241 = (_e4231[0] + _e4237[0]);
-                                        let _e4242 = (_e4231[1] + _e4237[1]);
-                                        let _e4243 = (_e4231[2] + _e4237[2]);
-                                        let _e4246 = ((_e4227 * _e4243) - (_e4228 * _e4242));
-                                        let _e4249 = ((_e4228 * _e4241) - (_e4226 * _e4243));
-                                        let _e4252 = ((_e4226 * _e4242) - (_e4227 * _e4241));
-                                        let _e4255 = local_1.member[0u];
-                                        let _e4261 = local_1.member_1[0u];
-                                        let _e4267 = local_1.member_2[0u];
-                                        let _e4271 = (_e4255[0] - _e4261[0]);
-                                        let _e4272 = (_e4255[1] - _e4261[1]);
-                                        let _e4273 = (_e4255[2] - _e4261[2]);
-                                        let _e4274 = (_e4255[0] - _e4267[0]);
-                                        let _e4275 = (_e4255[1] - _e4267[1]);
-                                        let _e4276 = (_e4255[2] - _e4267[2]);
-                                        let _e4279 = local_1.member[1u];
-                                        let _e4285 = local_1.member_1[1u];
-                                        let _e4291 = local_1.member_2[1u];
-                                        let _e4295 = (_e4279[0] - _e4285[0]);
-                                        let _e4296 = (_e4279[1] - _e4285[1]);
-                                        let _e4297 = (_e4279[2] - _e4285[2]);
-                                        let _e4298 = (_e4279[0] - _e4291[0]);
-                                        let _e4299 = (_e4279[1] - _e4291[1]);
-                                        let _e4300 = (_e4279[2] - _e4291[2]);
-                                        let _e4303 = local_1.member[0u];
-                                        if (_e4303[0] < 0f) {
-                                            phi_7083_ = -(_e4303[0]);
+                                        let _e4224 = local_1.member_1[0u];
+                                        let _e4230 = local_1.member_1[1u];
+                                        let _e4234 = (_e4224[0] + _e4230[0]);
+                                        let _e4235 = (_e4224[1] + _e4230[1]);
+                                        let _e4236 = (_e4224[2] + _e4230[2]);
+                                        let _e4239 = local_1.member_2[0u];
+                                        let _e4245 = local_1.member_2[1u];
+                                        let _e4249 = (_e4239[0] + _e4245[0]);
+                                        let _e4250 = (_e4239[1] + _e4245[1]);
+                                        let _e4251 = (_e4239[2] + _e4245[2]);
+                                        let _e4254 = ((_e4235 * _e4251) - (_e4236 * _e4250));
+                                        let _e4257 = ((_e4236 * _e4249) - (_e4234 * _e4251));
+                                        let _e4260 = ((_e4234 * _e4250) - (_e4235 * _e4249));
+                                        let _e4263 = local_1.member[0u];
+                                        let _e4269 = local_1.member_1[0u];
+                                        let _e4275 = local_1.member_2[0u];
+                                        let _e4279 = (_e4263[0] - _e4269[0]);
+                                        let _e4280 = (_e4263[1] - _e4269[1]);
+                                        let _e4281 = (_e4263[2] - _e4269[2]);
+                                        let _e4282 = (_e4263[0] - _e4275[0]);
+                                        let _e4283 = (_e4263[1] - _e4275[1]);
+                                        let _e4284 = (_e4263[2] - _e4275[2]);
+                                        let _e4287 = local_1.member[1u];
+                                        let _e4293 = local_1.member_1[1u];
+                                        let _e4299 = local_1.member_2[1u];
+                                        let _e4303 = (_e4287[0] - _e4293[0]);
+                                        let _e4304 = (_e4287[1] - _e4293[1]);
+                                        let _e4305 = (_e4287[2] - _e4293[2]);
+                                        let _e4306 = (_e4287[0] - _e4299[0]);
+                                        let _e4307 = (_e4287[1] - _e4299[1]);
+                                        let _e4308 = (_e4287[2] - _e4299[2]);
+                                        let _e4311 = local_1.member[0u];
+                                        if (_e4311[0] < 0f) {
+                                            phi_7091_ = -(_e4311[0]);
                                         } else {
-                                            phi_7083_ = _e4303[0];
+                                            phi_7091_ = _e4311[0];
                                         }
-                                        let _e4310 = phi_7083_;
-                                        if (_e4303[1] < 0f) {
-                                            phi_7090_ = -(_e4303[1]);
+                                        let _e4318 = phi_7091_;
+                                        if (_e4311[1] < 0f) {
+                                            phi_7098_ = -(_e4311[1]);
                                         } else {
-                                            phi_7090_ = _e4303[1];
+                                            phi_7098_ = _e4311[1];
                                         }
-                                        let _e4314 = phi_7090_;
-                                        if (_e4310 > _e4314) {
-                                            phi_7095_ = _e4310;
+                                        let _e4322 = phi_7098_;
+                                        if (_e4318 > _e4322) {
+                                            phi_7103_ = _e4318;
                                         } else {
-                                            phi_7095_ = _e4314;
+                                            phi_7103_ = _e4322;
                                         }
-                                        let _e4317 = phi_7095_;
-                                        if (_e4303[2] < 0f) {
-                                            phi_7102_ = -(_e4303[2]);
+                                        let _e4325 = phi_7103_;
+                                        if (_e4311[2] < 0f) {
+                                            phi_7110_ = -(_e4311[2]);
                                         } else {
-                                            phi_7102_ = _e4303[2];
+                                            phi_7110_ = _e4311[2];
                                         }
-                                        let _e4321 = phi_7102_;
-                                        if (_e4317 > _e4321) {
-                                            phi_7107_ = _e4317;
+                                        let _e4329 = phi_7110_;
+                                        if (_e4325 > _e4329) {
+                                            phi_7115_ = _e4325;
                                         } else {
-                                            phi_7107_ = _e4321;
+                                            phi_7115_ = _e4329;
                                         }
-                                        let _e4324 = phi_7107_;
-                                        let _e4327 = local_1.member[1u];
-                                        if (_e4327[0] < 0f) {
-                                            phi_7120_ = -(_e4327[0]);
+                                        let _e4332 = phi_7115_;
+                                        let _e4335 = local_1.member[1u];
+                                        if (_e4335[0] < 0f) {
+                                            phi_7128_ = -(_e4335[0]);
                                         } else {
-                                            phi_7120_ = _e4327[0];
+                                            phi_7128_ = _e4335[0];
                                         }
-                                        let _e4334 = phi_7120_;
-                                        if (_e4327[1] < 0f) {
-                                            phi_7127_ = -(_e4327[1]);
+                                        let _e4342 = phi_7128_;
+                                        if (_e4335[1] < 0f) {
+                                            phi_7135_ = -(_e4335[1]);
                                         } else {
-                                            phi_7127_ = _e4327[1];
+                                            phi_7135_ = _e4335[1];
                                         }
-                                        let _e4338 = phi_7127_;
-                                        if (_e4334 > _e4338) {
-                                            phi_7132_ = _e4334;
+                                        let _e4346 = phi_7135_;
+                                        if (_e4342 > _e4346) {
+                                            phi_7140_ = _e4342;
                                         } else {
-                                            phi_7132_ = _e4338;
+                                            phi_7140_ = _e4346;
                                         }
-                                        let _e4341 = phi_7132_;
-                                        if (_e4327[2] < 0f) {
-                                            phi_7139_ = -(_e4327[2]);
+                                        let _e4349 = phi_7140_;
+                                        if (_e4335[2] < 0f) {
+                                            phi_7147_ = -(_e4335[2]);
                                         } else {
-                                            phi_7139_ = _e4327[2];
+                                            phi_7147_ = _e4335[2];
                                         }
-                                        let _e4345 = phi_7139_;
-                                        if (_e4341 > _e4345) {
-                                            phi_7144_ = _e4341;
+                                        let _e4353 = phi_7147_;
+                                        if (_e4349 > _e4353) {
+                                            phi_7152_ = _e4349;
                                         } else {
-                                            phi_7144_ = _e4345;
+                                            phi_7152_ = _e4353;
                                         }
-                                        let _e4348 = phi_7144_;
-                                        if (_e4324 > _e4348) {
-                                            phi_7149_ = _e4324;
+                                        let _e4356 = phi_7152_;
+                                        if (_e4332 > _e4356) {
+                                            phi_7157_ = _e4332;
                                         } else {
-                                            phi_7149_ = _e4348;
+                                            phi_7157_ = _e4356;
                                         }
-                                        let _e4351 = phi_7149_;
-                                        let _e4353 = local_1.member_3;
-                                        let _e4357 = local_1.member_1[0u];
-                                        if (_e4357[0] < 0f) {
-                                            phi_7166_ = -(_e4357[0]);
+                                        let _e4359 = phi_7157_;
+                                        let _e4361 = local_1.member_3;
+                                        let _e4365 = local_1.member_1[0u];
+                                        if (_e4365[0] < 0f) {
+                                            phi_7174_ = -(_e4365[0]);
                                         } else {
-                                            phi_7166_ = _e4357[0];
+                                            phi_7174_ = _e4365[0];
                                         }
-                                        let _e4364 = phi_7166_;
-                                        if (_e4357[1] < 0f) {
-                                            phi_7173_ = -(_e4357[1]);
+                                        let _e4372 = phi_7174_;
+                                        if (_e4365[1] < 0f) {
+                                            phi_7181_ = -(_e4365[1]);
                                         } else {
-                                            phi_7173_ = _e4357[1];
+                                            phi_7181_ = _e4365[1];
                                         }
-                                        let _e4368 = phi_7173_;
-                                        if (_e4364 > _e4368) {
-                                            phi_7178_ = _e4364;
+                                        let _e4376 = phi_7181_;
+                                        if (_e4372 > _e4376) {
+                                            phi_7186_ = _e4372;
                                         } else {
-                                            phi_7178_ = _e4368;
+                                            phi_7186_ = _e4376;
                                         }
-                                        let _e4371 = phi_7178_;
-                                        if (_e4357[2] < 0f) {
-                                            phi_7185_ = -(_e4357[2]);
+                                        let _e4379 = phi_7186_;
+                                        if (_e4365[2] < 0f) {
+                                            phi_7193_ = -(_e4365[2]);
                                         } else {
-                                            phi_7185_ = _e4357[2];
+                                            phi_7193_ = _e4365[2];
                                         }
-                                        let _e4375 = phi_7185_;
-                                        if (_e4371 > _e4375) {
-                                            phi_7190_ = _e4371;
+                                        let _e4383 = phi_7193_;
+                                        if (_e4379 > _e4383) {
+                                            phi_7198_ = _e4379;
                                         } else {
-                                            phi_7190_ = _e4375;
+                                            phi_7198_ = _e4383;
                                         }
-                                        let _e4378 = phi_7190_;
-                                        let _e4381 = local_1.member_1[1u];
-                                        if (_e4381[0] < 0f) {
-                                            phi_7204_ = -(_e4381[0]);
+                                        let _e4386 = phi_7198_;
+                                        let _e4389 = local_1.member_1[1u];
+                                        if (_e4389[0] < 0f) {
+                                            phi_7212_ = -(_e4389[0]);
                                         } else {
-                                            phi_7204_ = _e4381[0];
+                                            phi_7212_ = _e4389[0];
                                         }
-                                        let _e4388 = phi_7204_;
-                                        if (_e4381[1] < 0f) {
-                                            phi_7211_ = -(_e4381[1]);
+                                        let _e4396 = phi_7212_;
+                                        if (_e4389[1] < 0f) {
+                                            phi_7219_ = -(_e4389[1]);
                                         } else {
-                                            phi_7211_ = _e4381[1];
+                                            phi_7219_ = _e4389[1];
                                         }
-                                        let _e4392 = phi_7211_;
-                                        if (_e4388 > _e4392) {
-                                            phi_7216_ = _e4388;
+                                        let _e4400 = phi_7219_;
+                                        if (_e4396 > _e4400) {
+                                            phi_7224_ = _e4396;
                                         } else {
-                                            phi_7216_ = _e4392;
+                                            phi_7224_ = _e4400;
                                         }
-                                        let _e4395 = phi_7216_;
-                                        if (_e4381[2] < 0f) {
-                                            phi_7223_ = -(_e4381[2]);
+                                        let _e4403 = phi_7224_;
+                                        if (_e4389[2] < 0f) {
+                                            phi_7231_ = -(_e4389[2]);
                                         } else {
-                                            phi_7223_ = _e4381[2];
+                                            phi_7231_ = _e4389[2];
                                         }
-                                        let _e4399 = phi_7223_;
-                                        if (_e4395 > _e4399) {
-                                            phi_7228_ = _e4395;
+                                        let _e4407 = phi_7231_;
+                                        if (_e4403 > _e4407) {
+                                            phi_7236_ = _e4403;
                                         } else {
-                                            phi_7228_ = _e4399;
+                                            phi_7236_ = _e4407;
                                         }
-                                        let _e4402 = phi_7228_;
-                                        if (_e4378 > _e4402) {
-                                            phi_7233_ = _e4378;
+                                        let _e4410 = phi_7236_;
+                                        if (_e4386 > _e4410) {
+                                            phi_7241_ = _e4386;
                                         } else {
-                                            phi_7233_ = _e4402;
+                                            phi_7241_ = _e4410;
                                         }
-                                        let _e4405 = phi_7233_;
-                                        let _e4407 = local_1.member_3;
-                                        let _e4411 = local_1.member_2[0u];
-                                        if (_e4411[0] < 0f) {
-                                            phi_7250_ = -(_e4411[0]);
+                                        let _e4413 = phi_7241_;
+                                        let _e4415 = local_1.member_3;
+                                        let _e4419 = local_1.member_2[0u];
+                                        if (_e4419[0] < 0f) {
+                                            phi_7258_ = -(_e4419[0]);
                                         } else {
-                                            phi_7250_ = _e4411[0];
+                                            phi_7258_ = _e4419[0];
                                         }
-                                        let _e4418 = phi_7250_;
-                                        if (_e4411[1] < 0f) {
-                                            phi_7257_ = -(_e4411[1]);
+                                        let _e4426 = phi_7258_;
+                                        if (_e4419[1] < 0f) {
+                                            phi_7265_ = -(_e4419[1]);
                                         } else {
-                                            phi_7257_ = _e4411[1];
+                                            phi_7265_ = _e4419[1];
                                         }
-                                        let _e4422 = phi_7257_;
-                                        if (_e4418 > _e4422) {
-                                            phi_7262_ = _e4418;
+                                        let _e4430 = phi_7265_;
+                                        if (_e4426 > _e4430) {
+                                            phi_7270_ = _e4426;
                                         } else {
-                                            phi_7262_ = _e4422;
+                                            phi_7270_ = _e4430;
                                         }
-                                        let _e4425 = phi_7262_;
-                                        if (_e4411[2] < 0f) {
-                                            phi_7269_ = -(_e4411[2]);
+                                        let _e4433 = phi_7270_;
+                                        if (_e4419[2] < 0f) {
+                                            phi_7277_ = -(_e4419[2]);
                                         } else {
-                                            phi_7269_ = _e4411[2];
+                                            phi_7277_ = _e4419[2];
                                         }
-                                        let _e4429 = phi_7269_;
-                                        if (_e4425 > _e4429) {
-                                            phi_7274_ = _e4425;
+                                        let _e4437 = phi_7277_;
+                                        if (_e4433 > _e4437) {
+                                            phi_7282_ = _e4433;
                                         } else {
-                                            phi_7274_ = _e4429;
+                                            phi_7282_ = _e4437;
                                         }
-                                        let _e4432 = phi_7274_;
-                                        let _e4435 = local_1.member_2[1u];
-                                        if (_e4435[0] < 0f) {
-                                            phi_7288_ = -(_e4435[0]);
+                                        let _e4440 = phi_7282_;
+                                        let _e4443 = local_1.member_2[1u];
+                                        if (_e4443[0] < 0f) {
+                                            phi_7296_ = -(_e4443[0]);
                                         } else {
-                                            phi_7288_ = _e4435[0];
+                                            phi_7296_ = _e4443[0];
                                         }
-                                        let _e4442 = phi_7288_;
-                                        if (_e4435[1] < 0f) {
-                                            phi_7295_ = -(_e4435[1]);
+                                        let _e4450 = phi_7296_;
+                                        if (_e4443[1] < 0f) {
+                                            phi_7303_ = -(_e4443[1]);
                                         } else {
-                                            phi_7295_ = _e4435[1];
+                                            phi_7303_ = _e4443[1];
                                         }
-                                        let _e4446 = phi_7295_;
-                                        if (_e4442 > _e4446) {
-                                            phi_7300_ = _e4442;
+                                        let _e4454 = phi_7303_;
+                                        if (_e4450 > _e4454) {
+                                            phi_7308_ = _e4450;
                                         } else {
-                                            phi_7300_ = _e4446;
+                                            phi_7308_ = _e4454;
                                         }
-                                        let _e4449 = phi_7300_;
-                                        if (_e4435[2] < 0f) {
-                                            phi_7307_ = -(_e4435[2]);
+                                        let _e4457 = phi_7308_;
+                                        if (_e4443[2] < 0f) {
+                                            phi_7315_ = -(_e4443[2]);
                                         } else {
-                                            phi_7307_ = _e4435[2];
+                                            phi_7315_ = _e4443[2];
                                         }
-                                        let _e4453 = phi_7307_;
-                                        if (_e4449 > _e4453) {
-                                            phi_7312_ = _e4449;
+                                        let _e4461 = phi_7315_;
+                                        if (_e4457 > _e4461) {
+                                            phi_7320_ = _e4457;
                                         } else {
-                                            phi_7312_ = _e4453;
+                                            phi_7320_ = _e4461;
                                         }
-                                        let _e4456 = phi_7312_;
-                                        if (_e4432 > _e4456) {
-                                            phi_7317_ = _e4432;
+                                        let _e4464 = phi_7320_;
+                                        if (_e4440 > _e4464) {
+                                            phi_7325_ = _e4440;
                                         } else {
-                                            phi_7317_ = _e4456;
+                                            phi_7325_ = _e4464;
                                         }
-                                        let _e4459 = phi_7317_;
-                                        let _e4461 = local_1.member_3;
-                                        let _e4464 = (((_e4351 + _e4353) + (_e4405 + _e4407)) + (_e4459 + _e4461));
-                                        let _e4467 = local_1.member_3;
-                                        let _e4471 = (((_e1499 * 1.0001f) + (_e4467 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                        let _e4474 = ((_e4249 * _e4228) - (_e4252 * _e4227));
-                                        let _e4477 = ((_e4252 * _e4226) - (_e4246 * _e4228));
-                                        let _e4480 = ((_e4246 * _e4227) - (_e4249 * _e4226));
-                                        let _e4485 = (((_e4474 * _e4255[0]) + (_e4477 * _e4255[1])) + (_e4480 * _e4255[2]));
-                                        let _e4490 = (((_e4474 * _e4271) + (_e4477 * _e4272)) + (_e4480 * _e4273));
-                                        let _e4495 = (((_e4474 * _e4274) + (_e4477 * _e4275)) + (_e4480 * _e4276));
-                                        let _e4500 = (((_e4474 * _e4255[0]) + (_e4477 * _e4255[1])) + (_e4480 * _e4255[2]));
-                                        let _e4505 = (((_e4474 * _e4279[0]) + (_e4477 * _e4279[1])) + (_e4480 * _e4279[2]));
-                                        let _e4510 = (((_e4474 * _e4295) + (_e4477 * _e4296)) + (_e4480 * _e4297));
-                                        let _e4515 = (((_e4474 * _e4298) + (_e4477 * _e4299)) + (_e4480 * _e4300));
-                                        let _e4520 = (((_e4474 * _e4279[0]) + (_e4477 * _e4279[1])) + (_e4480 * _e4279[2]));
-                                        if (_e4485 < _e4490) {
-                                            phi_7395_ = _e4485;
+                                        let _e4467 = phi_7325_;
+                                        let _e4469 = local_1.member_3;
+                                        let _e4473 = ((((_e4359 + _e4361) + (_e4413 + _e4415)) + (_e4467 + _e4469)) * 2f);
+                                        let _e4476 = local_1.member_3;
+                                        let _e4480 = (((_e1499 * 1.0001f) + (_e4476 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                        let _e4483 = ((_e4257 * _e4236) - (_e4260 * _e4235));
+                                        let _e4486 = ((_e4260 * _e4234) - (_e4254 * _e4236));
+                                        let _e4489 = ((_e4254 * _e4235) - (_e4257 * _e4234));
+                                        let _e4494 = (((_e4483 * _e4263[0]) + (_e4486 * _e4263[1])) + (_e4489 * _e4263[2]));
+                                        let _e4499 = (((_e4483 * _e4279) + (_e4486 * _e4280)) + (_e4489 * _e4281));
+                                        let _e4504 = (((_e4483 * _e4282) + (_e4486 * _e4283)) + (_e4489 * _e4284));
+                                        let _e4509 = (((_e4483 * _e4263[0]) + (_e4486 * _e4263[1])) + (_e4489 * _e4263[2]));
+                                        let _e4514 = (((_e4483 * _e4287[0]) + (_e4486 * _e4287[1])) + (_e4489 * _e4287[2]));
+                                        let _e4519 = (((_e4483 * _e4303) + (_e4486 * _e4304)) + (_e4489 * _e4305));
+                                        let _e4524 = (((_e4483 * _e4306) + (_e4486 * _e4307)) + (_e4489 * _e4308));
+                                        let _e4529 = (((_e4483 * _e4287[0]) + (_e4486 * _e4287[1])) + (_e4489 * _e4287[2]));
+                                        if (_e4494 < _e4499) {
+                                            phi_7404_ = _e4494;
                                         } else {
-                                            phi_7395_ = _e4490;
+                                            phi_7404_ = _e4499;
                                         }
-                                        let _e4523 = phi_7395_;
-                                        if (_e4495 < _e4500) {
-                                            phi_7400_ = _e4495;
+                                        let _e4532 = phi_7404_;
+                                        if (_e4504 < _e4509) {
+                                            phi_7409_ = _e4504;
                                         } else {
-                                            phi_7400_ = _e4500;
+                                            phi_7409_ = _e4509;
                                         }
-                                        let _e4526 = phi_7400_;
-                                        if (_e4523 < _e4526) {
-                                            phi_7405_ = _e4523;
-                                        } else {
-                                            phi_7405_ = _e4526;
-                                        }
-                                        let _e4529 = phi_7405_;
-                                        if (_e4505 < _e4510) {
-                                            phi_7410_ = _e4505;
-                                        } else {
-                                            phi_7410_ = _e4510;
-                                        }
-                                        let _e4532 = phi_7410_;
-                                        if (_e4515 < _e4520) {
-                                            phi_7415_ = _e4515;
-                                        } else {
-                                            phi_7415_ = _e4520;
-                                        }
-                                        let _e4535 = phi_7415_;
+                                        let _e4535 = phi_7409_;
                                         if (_e4532 < _e4535) {
-                                            phi_7420_ = _e4532;
+                                            phi_7414_ = _e4532;
                                         } else {
-                                            phi_7420_ = _e4535;
+                                            phi_7414_ = _e4535;
                                         }
-                                        let _e4538 = phi_7420_;
-                                        if (_e4529 < _e4538) {
-                                            phi_7425_ = _e4529;
+                                        let _e4538 = phi_7414_;
+                                        if (_e4514 < _e4519) {
+                                            phi_7419_ = _e4514;
                                         } else {
-                                            phi_7425_ = _e4538;
+                                            phi_7419_ = _e4519;
                                         }
-                                        let _e4541 = phi_7425_;
-                                        if (_e4485 > _e4490) {
-                                            phi_7430_ = _e4485;
+                                        let _e4541 = phi_7419_;
+                                        if (_e4524 < _e4529) {
+                                            phi_7424_ = _e4524;
                                         } else {
-                                            phi_7430_ = _e4490;
+                                            phi_7424_ = _e4529;
                                         }
-                                        let _e4544 = phi_7430_;
-                                        if (_e4495 > _e4500) {
-                                            phi_7435_ = _e4495;
+                                        let _e4544 = phi_7424_;
+                                        if (_e4541 < _e4544) {
+                                            phi_7429_ = _e4541;
                                         } else {
-                                            phi_7435_ = _e4500;
+                                            phi_7429_ = _e4544;
                                         }
-                                        let _e4547 = phi_7435_;
-                                        if (_e4544 > _e4547) {
-                                            phi_7440_ = _e4544;
+                                        let _e4547 = phi_7429_;
+                                        if (_e4538 < _e4547) {
+                                            phi_7434_ = _e4538;
                                         } else {
-                                            phi_7440_ = _e4547;
+                                            phi_7434_ = _e4547;
                                         }
-                                        let _e4550 = phi_7440_;
-                                        if (_e4505 > _e4510) {
-                                            phi_7445_ = _e4505;
+                                        let _e4550 = phi_7434_;
+                                        if (_e4494 > _e4499) {
+                                            phi_7439_ = _e4494;
                                         } else {
-                                            phi_7445_ = _e4510;
+                                            phi_7439_ = _e4499;
                                         }
-                                        let _e4553 = phi_7445_;
-                                        if (_e4515 > _e4520) {
-                                            phi_7450_ = _e4515;
+                                        let _e4553 = phi_7439_;
+                                        if (_e4504 > _e4509) {
+                                            phi_7444_ = _e4504;
                                         } else {
-                                            phi_7450_ = _e4520;
+                                            phi_7444_ = _e4509;
                                         }
-                                        let _e4556 = phi_7450_;
+                                        let _e4556 = phi_7444_;
                                         if (_e4553 > _e4556) {
-                                            phi_7455_ = _e4553;
+                                            phi_7449_ = _e4553;
                                         } else {
-                                            phi_7455_ = _e4556;
+                                            phi_7449_ = _e4556;
                                         }
-                                        let _e4559 = phi_7455_;
-                                        if (_e4550 > _e4559) {
-                                            phi_7460_ = _e4550;
+                                        let _e4559 = phi_7449_;
+                                        if (_e4514 > _e4519) {
+                                            phi_7454_ = _e4514;
                                         } else {
-                                            phi_7460_ = _e4559;
+                                            phi_7454_ = _e4519;
                                         }
-                                        let _e4562 = phi_7460_;
-                                        if (_e4474 < 0f) {
-                                            phi_7466_ = -(_e4474);
+                                        let _e4562 = phi_7454_;
+                                        if (_e4524 > _e4529) {
+                                            phi_7459_ = _e4524;
                                         } else {
-                                            phi_7466_ = _e4474;
+                                            phi_7459_ = _e4529;
                                         }
-                                        let _e4566 = phi_7466_;
-                                        if (_e4477 < 0f) {
-                                            phi_7472_ = -(_e4477);
+                                        let _e4565 = phi_7459_;
+                                        if (_e4562 > _e4565) {
+                                            phi_7464_ = _e4562;
                                         } else {
-                                            phi_7472_ = _e4477;
+                                            phi_7464_ = _e4565;
                                         }
-                                        let _e4570 = phi_7472_;
-                                        if (_e4480 < 0f) {
-                                            phi_7479_ = -(_e4480);
+                                        let _e4568 = phi_7464_;
+                                        if (_e4559 > _e4568) {
+                                            phi_7469_ = _e4559;
                                         } else {
-                                            phi_7479_ = _e4480;
+                                            phi_7469_ = _e4568;
                                         }
-                                        let _e4575 = phi_7479_;
-                                        let _e4576 = ((_e4566 + _e4570) + _e4575);
-                                        let _e4580 = -(_e4562);
-                                        if (_e4541 > _e4580) {
-                                            phi_7489_ = _e4541;
+                                        let _e4571 = phi_7469_;
+                                        if (_e4483 < 0f) {
+                                            phi_7475_ = -(_e4483);
                                         } else {
-                                            phi_7489_ = _e4580;
+                                            phi_7475_ = _e4483;
                                         }
-                                        let _e4583 = phi_7489_;
-                                        let _e4588 = (((_e4583 - ((_e4576 * _e4464) * (0.000000059604645f * 17f))) - (_e4576 * _e4471)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        let _e4591 = ((_e4249 * _e4243) - (_e4252 * _e4242));
-                                        let _e4594 = ((_e4252 * _e4241) - (_e4246 * _e4243));
-                                        let _e4597 = ((_e4246 * _e4242) - (_e4249 * _e4241));
-                                        let _e4602 = (((_e4591 * _e4255[0]) + (_e4594 * _e4255[1])) + (_e4597 * _e4255[2]));
-                                        let _e4607 = (((_e4591 * _e4271) + (_e4594 * _e4272)) + (_e4597 * _e4273));
-                                        let _e4612 = (((_e4591 * _e4274) + (_e4594 * _e4275)) + (_e4597 * _e4276));
-                                        let _e4617 = (((_e4591 * _e4255[0]) + (_e4594 * _e4255[1])) + (_e4597 * _e4255[2]));
-                                        let _e4622 = (((_e4591 * _e4279[0]) + (_e4594 * _e4279[1])) + (_e4597 * _e4279[2]));
-                                        let _e4627 = (((_e4591 * _e4295) + (_e4594 * _e4296)) + (_e4597 * _e4297));
-                                        let _e4632 = (((_e4591 * _e4298) + (_e4594 * _e4299)) + (_e4597 * _e4300));
-                                        let _e4637 = (((_e4591 * _e4279[0]) + (_e4594 * _e4279[1])) + (_e4597 * _e4279[2]));
-                                        if (_e4602 < _e4607) {
-                                            phi_7560_ = _e4602;
+                                        let _e4575 = phi_7475_;
+                                        if (_e4486 < 0f) {
+                                            phi_7481_ = -(_e4486);
                                         } else {
-                                            phi_7560_ = _e4607;
+                                            phi_7481_ = _e4486;
                                         }
-                                        let _e4640 = phi_7560_;
+                                        let _e4579 = phi_7481_;
+                                        if (_e4489 < 0f) {
+                                            phi_7488_ = -(_e4489);
+                                        } else {
+                                            phi_7488_ = _e4489;
+                                        }
+                                        let _e4584 = phi_7488_;
+                                        let _e4585 = ((_e4575 + _e4579) + _e4584);
+                                        let _e4590 = -(_e4571);
+                                        if (_e4550 > _e4590) {
+                                            phi_7499_ = _e4550;
+                                        } else {
+                                            phi_7499_ = _e4590;
+                                        }
+                                        let _e4593 = phi_7499_;
+                                        let _e4598 = (((_e4593 - ((_e4585 * _e4473) * (0.000000059604645f * (17f / 2f)))) - (_e4585 * _e4480)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        let _e4601 = ((_e4257 * _e4251) - (_e4260 * _e4250));
+                                        let _e4604 = ((_e4260 * _e4249) - (_e4254 * _e4251));
+                                        let _e4607 = ((_e4254 * _e4250) - (_e4257 * _e4249));
+                                        let _e4612 = (((_e4601 * _e4263[0]) + (_e4604 * _e4263[1])) + (_e4607 * _e4263[2]));
+                                        let _e4617 = (((_e4601 * _e4279) + (_e4604 * _e4280)) + (_e4607 * _e4281));
+                                        let _e4622 = (((_e4601 * _e4282) + (_e4604 * _e4283)) + (_e4607 * _e4284));
+                                        let _e4627 = (((_e4601 * _e4263[0]) + (_e4604 * _e4263[1])) + (_e4607 * _e4263[2]));
+                                        let _e4632 = (((_e4601 * _e4287[0]) + (_e4604 * _e4287[1])) + (_e4607 * _e4287[2]));
+                                        let _e4637 = (((_e4601 * _e4303) + (_e4604 * _e4304)) + (_e4607 * _e4305));
+                                        let _e4642 = (((_e4601 * _e4306) + (_e4604 * _e4307)) + (_e4607 * _e4308));
+                                        let _e4647 = (((_e4601 * _e4287[0]) + (_e4604 * _e4287[1])) + (_e4607 * _e4287[2]));
                                         if (_e4612 < _e4617) {
-                                            phi_7565_ = _e4612;
+                                            phi_7570_ = _e4612;
                                         } else {
-                                            phi_7565_ = _e4617;
+                                            phi_7570_ = _e4617;
                                         }
-                                        let _e4643 = phi_7565_;
-                                        if (_e4640 < _e4643) {
-                                            phi_7570_ = _e4640;
-                                        } else {
-                                            phi_7570_ = _e4643;
-                                        }
-                                        let _e4646 = phi_7570_;
+                                        let _e4650 = phi_7570_;
                                         if (_e4622 < _e4627) {
                                             phi_7575_ = _e4622;
                                         } else {
                                             phi_7575_ = _e4627;
                                         }
-                                        let _e4649 = phi_7575_;
+                                        let _e4653 = phi_7575_;
+                                        if (_e4650 < _e4653) {
+                                            phi_7580_ = _e4650;
+                                        } else {
+                                            phi_7580_ = _e4653;
+                                        }
+                                        let _e4656 = phi_7580_;
                                         if (_e4632 < _e4637) {
-                                            phi_7580_ = _e4632;
+                                            phi_7585_ = _e4632;
                                         } else {
-                                            phi_7580_ = _e4637;
+                                            phi_7585_ = _e4637;
                                         }
-                                        let _e4652 = phi_7580_;
-                                        if (_e4649 < _e4652) {
-                                            phi_7585_ = _e4649;
+                                        let _e4659 = phi_7585_;
+                                        if (_e4642 < _e4647) {
+                                            phi_7590_ = _e4642;
                                         } else {
-                                            phi_7585_ = _e4652;
+                                            phi_7590_ = _e4647;
                                         }
-                                        let _e4655 = phi_7585_;
-                                        if (_e4646 < _e4655) {
-                                            phi_7590_ = _e4646;
+                                        let _e4662 = phi_7590_;
+                                        if (_e4659 < _e4662) {
+                                            phi_7595_ = _e4659;
                                         } else {
-                                            phi_7590_ = _e4655;
+                                            phi_7595_ = _e4662;
                                         }
-                                        let _e4658 = phi_7590_;
-                                        if (_e4602 > _e4607) {
-                                            phi_7595_ = _e4602;
+                                        let _e4665 = phi_7595_;
+                                        if (_e4656 < _e4665) {
+                                            phi_7600_ = _e4656;
                                         } else {
-                                            phi_7595_ = _e4607;
+                                            phi_7600_ = _e4665;
                                         }
-                                        let _e4661 = phi_7595_;
+                                        let _e4668 = phi_7600_;
                                         if (_e4612 > _e4617) {
-                                            phi_7600_ = _e4612;
+                                            phi_7605_ = _e4612;
                                         } else {
-                                            phi_7600_ = _e4617;
+                                            phi_7605_ = _e4617;
                                         }
-                                        let _e4664 = phi_7600_;
-                                        if (_e4661 > _e4664) {
-                                            phi_7605_ = _e4661;
-                                        } else {
-                                            phi_7605_ = _e4664;
-                                        }
-                                        let _e4667 = phi_7605_;
+                                        let _e4671 = phi_7605_;
                                         if (_e4622 > _e4627) {
                                             phi_7610_ = _e4622;
                                         } else {
                                             phi_7610_ = _e4627;
                                         }
-                                        let _e4670 = phi_7610_;
+                                        let _e4674 = phi_7610_;
+                                        if (_e4671 > _e4674) {
+                                            phi_7615_ = _e4671;
+                                        } else {
+                                            phi_7615_ = _e4674;
+                                        }
+                                        let _e4677 = phi_7615_;
                                         if (_e4632 > _e4637) {
-                                            phi_7615_ = _e4632;
+                                            phi_7620_ = _e4632;
                                         } else {
-                                            phi_7615_ = _e4637;
+                                            phi_7620_ = _e4637;
                                         }
-                                        let _e4673 = phi_7615_;
-                                        if (_e4670 > _e4673) {
-                                            phi_7620_ = _e4670;
+                                        let _e4680 = phi_7620_;
+                                        if (_e4642 > _e4647) {
+                                            phi_7625_ = _e4642;
                                         } else {
-                                            phi_7620_ = _e4673;
+                                            phi_7625_ = _e4647;
                                         }
-                                        let _e4676 = phi_7620_;
-                                        if (_e4667 > _e4676) {
-                                            phi_7625_ = _e4667;
+                                        let _e4683 = phi_7625_;
+                                        if (_e4680 > _e4683) {
+                                            phi_7630_ = _e4680;
                                         } else {
-                                            phi_7625_ = _e4676;
+                                            phi_7630_ = _e4683;
                                         }
-                                        let _e4679 = phi_7625_;
-                                        if (_e4591 < 0f) {
-                                            phi_7631_ = -(_e4591);
+                                        let _e4686 = phi_7630_;
+                                        if (_e4677 > _e4686) {
+                                            phi_7635_ = _e4677;
                                         } else {
-                                            phi_7631_ = _e4591;
+                                            phi_7635_ = _e4686;
                                         }
-                                        let _e4683 = phi_7631_;
-                                        if (_e4594 < 0f) {
-                                            phi_7637_ = -(_e4594);
+                                        let _e4689 = phi_7635_;
+                                        if (_e4601 < 0f) {
+                                            phi_7641_ = -(_e4601);
                                         } else {
-                                            phi_7637_ = _e4594;
+                                            phi_7641_ = _e4601;
                                         }
-                                        let _e4687 = phi_7637_;
-                                        if (_e4597 < 0f) {
-                                            phi_7644_ = -(_e4597);
+                                        let _e4693 = phi_7641_;
+                                        if (_e4604 < 0f) {
+                                            phi_7647_ = -(_e4604);
                                         } else {
-                                            phi_7644_ = _e4597;
+                                            phi_7647_ = _e4604;
                                         }
-                                        let _e4692 = phi_7644_;
-                                        let _e4693 = ((_e4683 + _e4687) + _e4692);
-                                        let _e4697 = -(_e4679);
-                                        if (_e4658 > _e4697) {
-                                            phi_7654_ = _e4658;
+                                        let _e4697 = phi_7647_;
+                                        if (_e4607 < 0f) {
+                                            phi_7654_ = -(_e4607);
                                         } else {
-                                            phi_7654_ = _e4697;
+                                            phi_7654_ = _e4607;
                                         }
-                                        let _e4700 = phi_7654_;
-                                        let _e4705 = (((_e4700 - ((_e4693 * _e4464) * (0.000000059604645f * 17f))) - (_e4693 * _e4471)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4588 > _e4705) {
-                                            phi_7664_ = _e4588;
+                                        let _e4702 = phi_7654_;
+                                        let _e4703 = ((_e4693 + _e4697) + _e4702);
+                                        let _e4708 = -(_e4689);
+                                        if (_e4668 > _e4708) {
+                                            phi_7665_ = _e4668;
                                         } else {
-                                            phi_7664_ = _e4705;
+                                            phi_7665_ = _e4708;
                                         }
-                                        let _e4708 = phi_7664_;
-                                        let _e4709 = (_e4241 - _e4226);
-                                        let _e4710 = (_e4242 - _e4227);
-                                        let _e4711 = (_e4243 - _e4228);
-                                        let _e4714 = ((_e4249 * _e4711) - (_e4252 * _e4710));
-                                        let _e4717 = ((_e4252 * _e4709) - (_e4246 * _e4711));
-                                        let _e4720 = ((_e4246 * _e4710) - (_e4249 * _e4709));
-                                        let _e4725 = (((_e4714 * _e4255[0]) + (_e4717 * _e4255[1])) + (_e4720 * _e4255[2]));
-                                        let _e4730 = (((_e4714 * _e4271) + (_e4717 * _e4272)) + (_e4720 * _e4273));
-                                        let _e4735 = (((_e4714 * _e4274) + (_e4717 * _e4275)) + (_e4720 * _e4276));
-                                        let _e4740 = (((_e4714 * _e4255[0]) + (_e4717 * _e4255[1])) + (_e4720 * _e4255[2]));
-                                        let _e4745 = (((_e4714 * _e4279[0]) + (_e4717 * _e4279[1])) + (_e4720 * _e4279[2]));
-                                        let _e4750 = (((_e4714 * _e4295) + (_e4717 * _e4296)) + (_e4720 * _e4297));
-                                        let _e4755 = (((_e4714 * _e4298) + (_e4717 * _e4299)) + (_e4720 * _e4300));
-                                        let _e4760 = (((_e4714 * _e4279[0]) + (_e4717 * _e4279[1])) + (_e4720 * _e4279[2]));
-                                        if (_e4725 < _e4730) {
-                                            phi_7737_ = _e4725;
+                                        let _e4711 = phi_7665_;
+                                        let _e4716 = (((_e4711 - ((_e4703 * _e4473) * (0.000000059604645f * (17f / 2f)))) - (_e4703 * _e4480)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4598 > _e4716) {
+                                            phi_7675_ = _e4598;
                                         } else {
-                                            phi_7737_ = _e4730;
+                                            phi_7675_ = _e4716;
                                         }
-                                        let _e4763 = phi_7737_;
-                                        if (_e4735 < _e4740) {
-                                            phi_7742_ = _e4735;
+                                        let _e4719 = phi_7675_;
+                                        let _e4720 = (_e4249 - _e4234);
+                                        let _e4721 = (_e4250 - _e4235);
+                                        let _e4722 = (_e4251 - _e4236);
+                                        let _e4725 = ((_e4257 * _e4722) - (_e4260 * _e4721));
+                                        let _e4728 = ((_e4260 * _e4720) - (_e4254 * _e4722));
+                                        let _e4731 = ((_e4254 * _e4721) - (_e4257 * _e4720));
+                                        let _e4736 = (((_e4725 * _e4263[0]) + (_e4728 * _e4263[1])) + (_e4731 * _e4263[2]));
+                                        let _e4741 = (((_e4725 * _e4279) + (_e4728 * _e4280)) + (_e4731 * _e4281));
+                                        let _e4746 = (((_e4725 * _e4282) + (_e4728 * _e4283)) + (_e4731 * _e4284));
+                                        let _e4751 = (((_e4725 * _e4263[0]) + (_e4728 * _e4263[1])) + (_e4731 * _e4263[2]));
+                                        let _e4756 = (((_e4725 * _e4287[0]) + (_e4728 * _e4287[1])) + (_e4731 * _e4287[2]));
+                                        let _e4761 = (((_e4725 * _e4303) + (_e4728 * _e4304)) + (_e4731 * _e4305));
+                                        let _e4766 = (((_e4725 * _e4306) + (_e4728 * _e4307)) + (_e4731 * _e4308));
+                                        let _e4771 = (((_e4725 * _e4287[0]) + (_e4728 * _e4287[1])) + (_e4731 * _e4287[2]));
+                                        if (_e4736 < _e4741) {
+                                            phi_7748_ = _e4736;
                                         } else {
-                                            phi_7742_ = _e4740;
+                                            phi_7748_ = _e4741;
                                         }
-                                        let _e4766 = phi_7742_;
-                                        if (_e4763 < _e4766) {
-                                            phi_7747_ = _e4763;
+                                        let _e4774 = phi_7748_;
+                                        if (_e4746 < _e4751) {
+                                            phi_7753_ = _e4746;
                                         } else {
-                                            phi_7747_ = _e4766;
+                                            phi_7753_ = _e4751;
                                         }
-                                        let _e4769 = phi_7747_;
-                                        if (_e4745 < _e4750) {
-                                            phi_7752_ = _e4745;
+                                        let _e4777 = phi_7753_;
+                                        if (_e4774 < _e4777) {
+                                            phi_7758_ = _e4774;
                                         } else {
-                                            phi_7752_ = _e4750;
+                                            phi_7758_ = _e4777;
                                         }
-                                        let _e4772 = phi_7752_;
-                                        if (_e4755 < _e4760) {
-                                            phi_7757_ = _e4755;
+                                        let _e4780 = phi_7758_;
+                                        if (_e4756 < _e4761) {
+                                            phi_7763_ = _e4756;
                                         } else {
-                                            phi_7757_ = _e4760;
+                                            phi_7763_ = _e4761;
                                         }
-                                        let _e4775 = phi_7757_;
-                                        if (_e4772 < _e4775) {
-                                            phi_7762_ = _e4772;
+                                        let _e4783 = phi_7763_;
+                                        if (_e4766 < _e4771) {
+                                            phi_7768_ = _e4766;
                                         } else {
-                                            phi_7762_ = _e4775;
+                                            phi_7768_ = _e4771;
                                         }
-                                        let _e4778 = phi_7762_;
-                                        if (_e4769 < _e4778) {
-                                            phi_7767_ = _e4769;
+                                        let _e4786 = phi_7768_;
+                                        if (_e4783 < _e4786) {
+                                            phi_7773_ = _e4783;
                                         } else {
-                                            phi_7767_ = _e4778;
+                                            phi_7773_ = _e4786;
                                         }
-                                        let _e4781 = phi_7767_;
-                                        if (_e4725 > _e4730) {
-                                            phi_7772_ = _e4725;
+                                        let _e4789 = phi_7773_;
+                                        if (_e4780 < _e4789) {
+                                            phi_7778_ = _e4780;
                                         } else {
-                                            phi_7772_ = _e4730;
+                                            phi_7778_ = _e4789;
                                         }
-                                        let _e4784 = phi_7772_;
-                                        if (_e4735 > _e4740) {
-                                            phi_7777_ = _e4735;
+                                        let _e4792 = phi_7778_;
+                                        if (_e4736 > _e4741) {
+                                            phi_7783_ = _e4736;
                                         } else {
-                                            phi_7777_ = _e4740;
+                                            phi_7783_ = _e4741;
                                         }
-                                        let _e4787 = phi_7777_;
-                                        if (_e4784 > _e4787) {
-                                            phi_7782_ = _e4784;
+                                        let _e4795 = phi_7783_;
+                                        if (_e4746 > _e4751) {
+                                            phi_7788_ = _e4746;
                                         } else {
-                                            phi_7782_ = _e4787;
+                                            phi_7788_ = _e4751;
                                         }
-                                        let _e4790 = phi_7782_;
-                                        if (_e4745 > _e4750) {
-                                            phi_7787_ = _e4745;
+                                        let _e4798 = phi_7788_;
+                                        if (_e4795 > _e4798) {
+                                            phi_7793_ = _e4795;
                                         } else {
-                                            phi_7787_ = _e4750;
+                                            phi_7793_ = _e4798;
                                         }
-                                        let _e4793 = phi_7787_;
-                                        if (_e4755 > _e4760) {
-                                            phi_7792_ = _e4755;
+                                        let _e4801 = phi_7793_;
+                                        if (_e4756 > _e4761) {
+                                            phi_7798_ = _e4756;
                                         } else {
-                                            phi_7792_ = _e4760;
+                                            phi_7798_ = _e4761;
                                         }
-                                        let _e4796 = phi_7792_;
-                                        if (_e4793 > _e4796) {
-                                            phi_7797_ = _e4793;
+                                        let _e4804 = phi_7798_;
+                                        if (_e4766 > _e4771) {
+                                            phi_7803_ = _e4766;
                                         } else {
-                                            phi_7797_ = _e4796;
+                                            phi_7803_ = _e4771;
                                         }
-                                        let _e4799 = phi_7797_;
-                                        if (_e4790 > _e4799) {
-                                            phi_7802_ = _e4790;
+                                        let _e4807 = phi_7803_;
+                                        if (_e4804 > _e4807) {
+                                            phi_7808_ = _e4804;
                                         } else {
-                                            phi_7802_ = _e4799;
+                                            phi_7808_ = _e4807;
                                         }
-                                        let _e4802 = phi_7802_;
-                                        if (_e4714 < 0f) {
-                                            phi_7808_ = -(_e4714);
+                                        let _e4810 = phi_7808_;
+                                        if (_e4801 > _e4810) {
+                                            phi_7813_ = _e4801;
                                         } else {
-                                            phi_7808_ = _e4714;
+                                            phi_7813_ = _e4810;
                                         }
-                                        let _e4806 = phi_7808_;
-                                        if (_e4717 < 0f) {
-                                            phi_7814_ = -(_e4717);
+                                        let _e4813 = phi_7813_;
+                                        if (_e4725 < 0f) {
+                                            phi_7819_ = -(_e4725);
                                         } else {
-                                            phi_7814_ = _e4717;
+                                            phi_7819_ = _e4725;
                                         }
-                                        let _e4810 = phi_7814_;
-                                        if (_e4720 < 0f) {
-                                            phi_7821_ = -(_e4720);
+                                        let _e4817 = phi_7819_;
+                                        if (_e4728 < 0f) {
+                                            phi_7825_ = -(_e4728);
                                         } else {
-                                            phi_7821_ = _e4720;
+                                            phi_7825_ = _e4728;
                                         }
-                                        let _e4815 = phi_7821_;
-                                        let _e4816 = ((_e4806 + _e4810) + _e4815);
-                                        let _e4820 = -(_e4802);
-                                        if (_e4781 > _e4820) {
-                                            phi_7831_ = _e4781;
+                                        let _e4821 = phi_7825_;
+                                        if (_e4731 < 0f) {
+                                            phi_7832_ = -(_e4731);
                                         } else {
-                                            phi_7831_ = _e4820;
+                                            phi_7832_ = _e4731;
                                         }
-                                        let _e4823 = phi_7831_;
-                                        let _e4828 = (((_e4823 - ((_e4816 * _e4464) * (0.000000059604645f * 17f))) - (_e4816 * _e4471)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4708 > _e4828) {
-                                            phi_7841_ = _e4708;
+                                        let _e4826 = phi_7832_;
+                                        let _e4827 = ((_e4817 + _e4821) + _e4826);
+                                        let _e4832 = -(_e4813);
+                                        if (_e4792 > _e4832) {
+                                            phi_7843_ = _e4792;
                                         } else {
-                                            phi_7841_ = _e4828;
+                                            phi_7843_ = _e4832;
                                         }
-                                        let _e4831 = phi_7841_;
-                                        phi_7844_ = (_e4831 > 0f);
+                                        let _e4835 = phi_7843_;
+                                        let _e4840 = (((_e4835 - ((_e4827 * _e4473) * (0.000000059604645f * (17f / 2f)))) - (_e4827 * _e4480)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4719 > _e4840) {
+                                            phi_7853_ = _e4719;
+                                        } else {
+                                            phi_7853_ = _e4840;
+                                        }
+                                        let _e4843 = phi_7853_;
+                                        phi_7856_ = (_e4843 > 0f);
                                     }
-                                    let _e4834 = phi_7844_;
-                                    phi_7845_ = _e4834;
+                                    let _e4846 = phi_7856_;
+                                    phi_7857_ = _e4846;
                                 } else {
-                                    phi_7845_ = false;
+                                    phi_7857_ = false;
                                 }
-                                let _e4836 = phi_7845_;
-                                phi_7847_ = !(_e4836);
+                                let _e4848 = phi_7857_;
+                                phi_7859_ = !(_e4848);
                             }
-                            let _e4839 = phi_7847_;
-                            if _e4839 {
-                                let _e4841 = atomicAdd((&counters[5u]), 1u);
-                                hits[_e1007] = ((2147483648u | (_e4841 << bitcast<u32>(12i))) | _e1010);
+                            let _e4851 = phi_7859_;
+                            if _e4851 {
+                                let _e4853 = atomicAdd((&counters[5u]), 1u);
+                                hits[_e1007] = ((2147483648u | (_e4853 << bitcast<u32>(12i))) | _e1010);
                             }
                         }
-                        phi_7857_ = true;
+                        phi_7869_ = true;
                     }
-                    let _e4848 = phi_7857_;
-                    phi_7858_ = _e4848;
+                    let _e4860 = phi_7869_;
+                    phi_7870_ = _e4860;
                 } else {
-                    phi_7858_ = false;
+                    phi_7870_ = false;
                 }
-                let _e4850 = phi_7858_;
+                let _e4862 = phi_7870_;
                 continue;
                 continuing {
                     phi_1842_ = _e999;
-                    break if !(_e4850);
+                    break if !(_e4862);
                 }
             }
             workgroupBarrier();
             if (_e67 == 0u) {
-                let _e4854 = atomicLoad((&counters[5u]));
-                if (_e4854 > 0u) {
-                    let _e4857 = atomicAdd((&output.member[0u]), _e4854);
-                    if ((_e4857 + _e4854) < _e4857) {
-                        let _e4861 = atomicAdd((&output.member[2u]), 1u);
+                let _e4866 = atomicLoad((&counters[5u]));
+                if (_e4866 > 0u) {
+                    let _e4869 = atomicAdd((&output.member[0u]), _e4866);
+                    if ((_e4869 + _e4866) < _e4869) {
+                        let _e4873 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e4857);
+                    atomicStore((&counters[6u]), _e4869);
                 }
             }
             workgroupBarrier();
-            let _e4864 = atomicLoad((&counters[6u]));
+            let _e4876 = atomicLoad((&counters[6u]));
             if (_e67 == 0u) {
-                let _e4867 = atomicLoad((&counters[7u]));
-                if (_e4867 > 0u) {
-                    let _e4870 = atomicAdd((&output.member[1u]), _e4867);
-                    if ((_e4870 + _e4867) < _e4870) {
-                        let _e4874 = atomicAdd((&output.member[3u]), 1u);
+                let _e4879 = atomicLoad((&counters[7u]));
+                if (_e4879 > 0u) {
+                    let _e4882 = atomicAdd((&output.member[1u]), _e4879);
+                    if ((_e4882 + _e4879) < _e4882) {
+                        let _e4886 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
-            phi_7908_ = type_21(0u, 16u);
+            phi_7920_ = type_21(0u, 16u);
             loop {
-                let _e4876 = phi_7908_;
-                if (_e4876.member < _e4876.member_1) {
-                    phi_7909_ = type_21((_e4876.member + 1u), _e4876.member_1);
-                    phi_7932_ = type_21(1u, _e4876.member);
+                let _e4888 = phi_7920_;
+                if (_e4888.member < _e4888.member_1) {
+                    phi_7921_ = type_21((_e4888.member + 1u), _e4888.member_1);
+                    phi_7944_ = type_21(1u, _e4888.member);
                 } else {
-                    phi_7909_ = _e4876;
-                    phi_7932_ = type_21(0u, type_21().member_1);
+                    phi_7921_ = _e4888;
+                    phi_7944_ = type_21(0u, type_21().member_1);
                 }
-                let _e4888 = phi_7909_;
-                let _e4890 = phi_7932_;
-                if (bitcast<i32>(_e4890.member) != 0i) {
-                    let _e4896 = (_e67 + (_e4890.member_1 * 128u));
-                    if (_e4896 >= _e985) {
-                        phi_8030_ = false;
+                let _e4900 = phi_7921_;
+                let _e4902 = phi_7944_;
+                if (bitcast<i32>(_e4902.member) != 0i) {
+                    let _e4908 = (_e67 + (_e4902.member_1 * 128u));
+                    if (_e4908 >= _e985) {
+                        phi_8042_ = false;
                     } else {
-                        let _e4899 = hits[_e4896];
-                        if ((_e4899 & 2147483648u) == 0u) {
-                            phi_7955_ = 4294967295u;
+                        let _e4911 = hits[_e4908];
+                        if ((_e4911 & 2147483648u) == 0u) {
+                            phi_7967_ = 4294967295u;
                         } else {
-                            phi_7955_ = ((_e4899 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_7967_ = ((_e4911 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e4906 = phi_7955_;
-                        if (_e4906 != 4294967295u) {
-                            let _e4910 = ((_e4899 >> bitcast<u32>(10i)) & 3u);
-                            let _e4917 = firsts[(2u * _e4910)];
-                            let _e4920 = leaves.member[(_e4917 + ((_e4899 >> bitcast<u32>(5i)) & 31u))];
-                            let _e4924 = firsts[((2u * _e4910) + 1u)];
-                            let _e4927 = leaves.member[(_e4924 + (_e4899 & 31u))];
-                            let _e4931 = params.member.member_16;
-                            let _e4932 = (_e4864 + _e4906);
-                            if (_e4932 < _e4931) {
-                                atomicStore((&output.member[(4u + (2u * _e4932))]), _e4920.member_1);
-                                atomicStore((&output.member[((2u * _e4932) + 5u)]), _e4927.member_1);
+                        let _e4918 = phi_7967_;
+                        if (_e4918 != 4294967295u) {
+                            let _e4922 = ((_e4911 >> bitcast<u32>(10i)) & 3u);
+                            let _e4929 = firsts[(2u * _e4922)];
+                            let _e4932 = leaves.member[(_e4929 + ((_e4911 >> bitcast<u32>(5i)) & 31u))];
+                            let _e4936 = firsts[((2u * _e4922) + 1u)];
+                            let _e4939 = leaves.member[(_e4936 + (_e4911 & 31u))];
+                            let _e4943 = params.member.member_16;
+                            let _e4944 = (_e4876 + _e4918);
+                            if (_e4944 < _e4943) {
+                                atomicStore((&output.member[(4u + (2u * _e4944))]), _e4932.member_1);
+                                atomicStore((&output.member[((2u * _e4944) + 5u)]), _e4939.member_1);
                             }
                         }
-                        phi_8030_ = true;
+                        phi_8042_ = true;
                     }
-                    let _e4941 = phi_8030_;
-                    phi_8031_ = _e4941;
+                    let _e4953 = phi_8042_;
+                    phi_8043_ = _e4953;
                 } else {
-                    phi_8031_ = false;
+                    phi_8043_ = false;
                 }
-                let _e4943 = phi_8031_;
+                let _e4955 = phi_8043_;
                 continue;
                 continuing {
-                    phi_7908_ = _e4888;
-                    break if !(_e4943);
+                    phi_7920_ = _e4900;
+                    break if !(_e4955);
                 }
             }
             workgroupBarrier();
