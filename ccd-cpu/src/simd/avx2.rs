@@ -33,8 +33,15 @@ pub struct V8(__m256);
 pub struct M8(__m256);
 
 super::num!(
-    V8(WIDTH), M8,
-    neg, abs, _mm256_add_ps, _mm256_sub_ps, _mm256_mul_ps, _mm256_max_ps, _mm256_min_ps,
+    V8(WIDTH),
+    M8,
+    neg,
+    abs,
+    _mm256_add_ps,
+    _mm256_sub_ps,
+    _mm256_mul_ps,
+    _mm256_max_ps,
+    _mm256_min_ps,
     _mm256_cmp_ps::<_CMP_GT_OQ>
 );
 
@@ -182,7 +189,8 @@ impl Simd for Avx2 {
     type Lanes = V8;
     const LANES: usize = WIDTH;
 
-    // Inlined always, which a function that enables the set cannot be: the vectors stay in registers.
+    // Inlined always, which a function that enables the set cannot be: the vectors stay in
+    // registers.
     #[inline(always)]
     fn gather(self, table: &[[f32; WIDTH]], ids: &[u32]) -> [V8; WIDTH] {
         let ids = &ids[..WIDTH];
@@ -235,13 +243,7 @@ impl RowSimd for Avx2 {
         unsafe { equals(lanes, x) }
     }
     #[inline(always)]
-    fn append<const ORDERED: bool>(
-        self,
-        out: &mut Vec<Pair>,
-        a: u32,
-        b: &[u32; WIDTH],
-        mask: u32,
-    ) {
+    fn append<const ORDERED: bool>(self, out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mask: u32) {
         // SAFETY: see above.
         unsafe { append::<ORDERED>(out, a, b, mask) }
     }

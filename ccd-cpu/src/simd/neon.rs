@@ -201,13 +201,7 @@ impl RowSimd for Neon {
         unsafe { equals(lanes, x) }
     }
     #[inline(always)]
-    fn append<const ORDERED: bool>(
-        self,
-        out: &mut Vec<Pair>,
-        a: u32,
-        b: &[u32; WIDTH],
-        mask: u32,
-    ) {
+    fn append<const ORDERED: bool>(self, out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mask: u32) {
         Portable.append::<ORDERED>(out, a, b, mask);
     }
 }

@@ -39,7 +39,9 @@ impl Random {
         match self.below(8) {
             0 => VALUES[self.below(VALUES.len())],
             1..4 => VALUES[self.below(N_ORDINARY)],
-            _ => (self.below(65_536) as f32 + self.below(65_536) as f32 / 65_536.0) / 32_768.0 - 1.0,
+            _ => {
+                (self.below(65_536) as f32 + self.below(65_536) as f32 / 65_536.0) / 32_768.0 - 1.0
+            }
         }
     }
 
@@ -101,7 +103,7 @@ impl<S: Simd> Work<S> for Filters {
     #[inline(always)]
     fn call(self, simd: S) -> Vec<u32> {
         let (mut random, mut out) = (Random(5), Vec::new());
-        for _ in 0..2000 {
+        for _ in 0..600 {
             let table: Vec<[f32; WIDTH]> = (0..64).map(|_| random.lanes().0).collect();
             let ids: [[u32; MAX_WIDTH]; 4] =
                 std::array::from_fn(|_| std::array::from_fn(|_| random.below(64) as u32));
@@ -134,7 +136,11 @@ impl<S: Simd> Work<S> for Filters {
                         bits[first + j][k] = (plane >> j & 1) << 1 | side >> j & 1;
                     }
                 }
-                assert_eq!(S::Lanes::splat(f32::NAN).gt(p).bits(), 0, "NaN is greater than nothing");
+                assert_eq!(
+                    S::Lanes::splat(f32::NAN).gt(p).bits(),
+                    0,
+                    "NaN is greater than nothing"
+                );
             }
             out.extend(numbers.iter().flatten().map(|&x| word(x)));
             out.extend(bits.iter().flatten());

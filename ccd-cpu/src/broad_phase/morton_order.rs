@@ -1,6 +1,6 @@
 //! Boxes in Morton order: bounds of the scene, codes of the centres, sort.
 
-use crate::radix::Radix;
+use crate::sort::RadixSort;
 use crate::threads::Threads;
 use ccd_core::Aabb;
 use ccd_core::kernel::bounds;
@@ -14,12 +14,13 @@ const CHUNK: usize = 256;
 /// Sorts boxes along the Morton curve; buffers are kept.
 #[derive(Debug, Default)]
 pub struct MortonOrder {
-    radix: Radix,
+    radix: RadixSort,
     chunks: Vec<Aabb<f32>>,
 }
 
 impl MortonOrder {
-    /// Fills `order` with the ids of the boxes; those for which `last(i)` come after all others. Returns the grid of the codes.
+    /// Fills `order` with the ids of the boxes; those for which `last(i)` come after all others.
+    /// Returns the grid of the codes.
     pub fn sort(
         &mut self,
         threads: &Threads,
@@ -29,8 +30,14 @@ impl MortonOrder {
     ) -> MortonGrid {
         self.chunks.resize(boxes.len().div_ceil(CHUNK), Aabb::EMPTY);
         threads.fill(&mut self.chunks, |i| {
-            (0..CHUNK / bounds::CHUNK)
-                .fold(Aabb::EMPTY, |all, k| all.union(&bounds::scene_bounds(i * CHUNK + k * bounds::CHUNK, 1, boxes, boxes.len())))
+            (0..CHUNK / bounds::CHUNK).fold(Aabb::EMPTY, |all, k| {
+                all.union(&bounds::scene_bounds(
+                    i * CHUNK + k * bounds::CHUNK,
+                    1,
+                    boxes,
+                    boxes.len(),
+                ))
+            })
         });
         let scene = self.chunks.iter().fold(Aabb::EMPTY, |all, b| all.union(b));
         let grid = MortonGrid::new(&scene, BITS);

@@ -1,6 +1,7 @@
-//! The binary radix tree on threads: the kernel bodies of `ccd-core` that a GPU runs too, over rayon.
+//! The binary radix tree on threads: the kernel bodies of `ccd-core` that a GPU runs too, over
+//! rayon.
 
-use crate::order::MortonOrder;
+use crate::broad_phase::morton_order::MortonOrder;
 use crate::threads::Threads;
 use ccd_core::Aabb;
 use ccd_core::kernel::traverse::{NONE, Walk};
@@ -10,7 +11,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 /// A tree over boxes and what its construction needs; buffers are kept.
 #[derive(Debug, Default)]
-pub struct Tree {
+pub struct RadixTree {
     order: Vec<u32>,
     codes: Vec<[u32; 2]>,
     branches: Vec<Branch>,
@@ -40,7 +41,7 @@ impl Words for Shared<'_> {
 /// Queries a task.
 const CHUNK: usize = 512;
 
-impl Tree {
+impl RadixTree {
     /// Builds the tree. Fewer than two boxes give a tree without internal nodes.
     pub fn build(&mut self, threads: &Threads, boxes: &[Aabb<f32>]) {
         let n = boxes.len();
@@ -50,14 +51,28 @@ impl Tree {
         threads.fill(&mut self.codes, |i| bounds::morton(self.order[i] as usize, boxes, &grid));
         self.branches.resize(n_internal, Branch { left: 0, right: 0, first: 0, last: 0 });
         threads.fill(&mut self.branches, |i| build::branch(i as u32, n as u32, &self.codes));
-        for (words, len) in [(&mut self.parents, 2 * n), (&mut self.visits, n_internal), (&mut self.boxes, 2 * n * refit::STRIDE)] {
+        for (words, len) in [
+            (&mut self.parents, 2 * n),
+            (&mut self.visits, n_internal),
+            (&mut self.boxes, 2 * n * refit::STRIDE),
+        ] {
             words.clear();
             words.resize_with(len, AtomicU32::default);
         }
-        let (parents, visits, words) = (Shared(&self.parents), Shared(&self.visits), Shared(&self.boxes));
+        let (parents, visits, words) =
+            (Shared(&self.parents), Shared(&self.visits), Shared(&self.boxes));
         let mut done = vec![(); n];
         threads.fill(&mut done[..n_internal], |i| build::link(i, &self.branches[i], &parents));
-        threads.fill(&mut done, |i| refit::refit(i, &boxes[self.order[i] as usize], &self.branches, &parents, &visits, &words));
+        threads.fill(&mut done, |i| {
+            refit::refit(
+                i,
+                &boxes[self.order[i] as usize],
+                &self.branches,
+                &parents,
+                &visits,
+                &words,
+            )
+        });
         self.nodes.resize(n + n_internal, Node { min: [0.0; 3], left: 0, max: [0.0; 3], right: 0 });
         threads.fill(&mut self.nodes, |i| {
             let b = refit::load_box(&words, i);
@@ -80,7 +95,13 @@ impl Tree {
     }
 
     /// Pairs of a loose box of `a` with a box of the tree over `b` (Tian and Wan, section 1.2).
-    pub fn pairs(&mut self, threads: &Threads, a: &[Aabb<f32>], b: &[Aabb<f32>], out: &mut Vec<Pair>) {
+    pub fn pairs(
+        &mut self,
+        threads: &Threads,
+        a: &[Aabb<f32>],
+        b: &[Aabb<f32>],
+        out: &mut Vec<Pair>,
+    ) {
         self.build(threads, b);
         self.collect(threads, a.len(), out, |i, pairs| match b {
             [] => {}
@@ -93,13 +114,20 @@ impl Tree {
     fn visit(&self, query: &Aabb<f32>, after: u32, mut found: impl FnMut(u32)) {
         let mut walk = Walk::new();
         while walk.goes_on {
-            let ids = walk.step(query, &self.nodes, &self.branches, self.branches.len() as u32, after);
+            let ids =
+                walk.step(query, &self.nodes, &self.branches, self.branches.len() as u32, after);
             ids.into_iter().filter(|&id| id != NONE).for_each(&mut found);
         }
     }
 
     /// Runs queries `0 .. n` in chunks and joins their pairs in the order of chunks.
-    fn collect(&self, threads: &Threads, n: usize, out: &mut Vec<Pair>, query: impl Fn(usize, &mut Vec<Pair>) + Sync) {
+    fn collect(
+        &self,
+        threads: &Threads,
+        n: usize,
+        out: &mut Vec<Pair>,
+        query: impl Fn(usize, &mut Vec<Pair>) + Sync,
+    ) {
         let mut chunks: Vec<Vec<Pair>> = vec![Vec::new(); n.div_ceil(CHUNK)];
         threads.each(&mut chunks, &|k, pairs| {
             for i in k * CHUNK..((k + 1) * CHUNK).min(n) {
@@ -116,8 +144,9 @@ mod tests {
     use super::*;
     use ccd_core::kernel::build::MAX_DEPTH;
 
-    /// Children split the range of their parent, boxes are exactly those of the leaves below, every box is one leaf, no path is too long.
-    fn check_well_formed(tree: &Tree, boxes: &[Aabb<f32>]) {
+    /// Children split the range of their parent, boxes are exactly those of the leaves below, every
+    /// box is one leaf, no path is too long.
+    fn check_well_formed(tree: &RadixTree, boxes: &[Aabb<f32>]) {
         let n_internal = boxes.len() - 1;
         let mut seen = vec![false; boxes.len()];
         let range = |node: u32| match tree.branches.get(node as usize) {
@@ -134,7 +163,11 @@ mod tests {
             match tree.branches.get(node as usize) {
                 Some(branch) => {
                     let (left, right) = (range(branch.left), range(branch.right));
-                    assert_eq!((left.0, left.1 + 1, right.1), (first, right.0, last), "children of node {node}");
+                    assert_eq!(
+                        (left.0, left.1 + 1, right.1),
+                        (first, right.0, last),
+                        "children of node {node}"
+                    );
                     stack.extend([(branch.left, depth + 1), (branch.right, depth + 1)]);
                 }
                 None => {
@@ -156,12 +189,14 @@ mod tests {
         };
         for n in [2usize, 3, 10, 1000, 5000] {
             let random: Vec<_> = (0..n).map(|_| Aabb::of_point([unit(), unit(), unit()])).collect();
-            // Codes that differ in one bit each, and codes that do not differ at all: the deepest trees.
-            let powers: Vec<_> = (0..n).map(|i| Aabb::of_point([0.5f32.powi(i as i32 % 21), 0.0, 0.0])).collect();
+            // Codes that differ in one bit each, and codes that do not differ at all: the deepest
+            // trees.
+            let powers: Vec<_> =
+                (0..n).map(|i| Aabb::of_point([0.5f32.powi(i as i32 % 21), 0.0, 0.0])).collect();
             let equal = vec![Aabb::of_point([1.0; 3]); n];
             for boxes in [random, powers, equal] {
                 for threads in [1, 2] {
-                    let mut tree = Tree::default();
+                    let mut tree = RadixTree::default();
                     let threads = Threads::new(threads).unwrap();
                     threads.enter(|| tree.build(&threads, &boxes));
                     check_well_formed(&tree, &boxes);

@@ -1,11 +1,12 @@
-//! What happens to a row of overlaps before any arithmetic on features: pairs that share a vertex go, pairs of bodies that nobody wants, and pairs that
-//! overlap only because boxes were rounded. What is left are candidates; whoever takes them does the rest.
+//! What happens to a row of overlaps before any arithmetic on features: pairs that share a vertex
+//! go, pairs of bodies that nobody wants, and pairs that overlap only because boxes were rounded.
+//! What is left are candidates; whoever takes them does the rest.
 
-use crate::broad::lane_ids;
-use crate::pyramid::Pyramid;
+use crate::broad_phase::block_bvh::{BlockBvh, lane_ids};
+use crate::broad_phase::pair_descent::{Rows, keep};
+use crate::broad_phase::pair_list::Lister;
 use crate::simd::{Block, EMPTY, Mask, RowSimd, WIDTH, Work};
 use crate::threads::Threads;
-use crate::traverse::Rows;
 use ccd_core::input::margin;
 use ccd_core::kernel::sweep;
 use ccd_core::precision::{Points, Precision, Slices};
@@ -71,7 +72,12 @@ pub struct Leaves<const N: usize> {
 
 impl<const N: usize> Leaves<N> {
     /// Vertices, from those of every feature and the order of leaves.
-    pub fn order(&mut self, threads: &Threads, order: &[u32], features: impl Fn(u32) -> [u32; N] + Sync) {
+    pub fn order(
+        &mut self,
+        threads: &Threads,
+        order: &[u32],
+        features: impl Fn(u32) -> [u32; N] + Sync,
+    ) {
         self.vertices.resize(order.len().div_ceil(WIDTH), [[0; WIDTH]; N]);
         threads.fill(&mut self.vertices, |i| {
             let of = lane_ids(order, i).map(&features);
@@ -115,12 +121,7 @@ impl<S: RowSimd, const N: usize> Work<S> for Place<'_, N> {
 
 /// The boxes whose bounds begin at component `k`.
 #[inline(always)]
-fn block<S: RowSimd>(
-    simd: S,
-    min: &[S::Lanes; WIDTH],
-    max: &[S::Lanes; WIDTH],
-    k: usize,
-) -> Block {
+fn block<S: RowSimd>(simd: S, min: &[S::Lanes; WIDTH], max: &[S::Lanes; WIDTH], k: usize) -> Block {
     Block {
         min: [simd.store(min[k]), simd.store(min[k + 1]), simd.store(min[k + 2])],
         max: [simd.store(max[k]), simd.store(max[k + 1]), simd.store(max[k + 2])],
@@ -149,10 +150,39 @@ pub trait Take: Send {
     fn finish(&mut self, scene: &Scene, kind: Kind);
 }
 
+impl Take for Lister {
+    const FILTERED: bool = false;
+
+    #[inline(always)]
+    fn count(&mut self, _n: u64) {}
+
+    #[inline(always)]
+    fn take<S: RowSimd>(
+        &mut self,
+        simd: S,
+        _scene: &Scene,
+        kind: Kind,
+        id: u32,
+        ids: &[u32; WIDTH],
+        mask: u32,
+    ) {
+        match kind {
+            Kind::VertexFace => simd.append::<false>(&mut self.pairs, id, ids, mask),
+            Kind::EdgeEdge => simd.append::<true>(&mut self.pairs, id, ids, mask),
+        }
+    }
+
+    fn begin(&mut self, task: usize) {
+        Lister::begin(self, task);
+    }
+
+    fn finish(&mut self, _scene: &Scene, _kind: Kind) {}
+}
+
 /// Edges against edges of one tree.
 pub struct EdgeRows<'a, W> {
     pub scene: &'a Scene<'a>,
-    pub edges: &'a Pyramid,
+    pub edges: &'a BlockBvh,
     pub leaves: &'a Leaves<2>,
     pub worker: PhantomData<fn(W)>,
 }
@@ -160,8 +190,8 @@ pub struct EdgeRows<'a, W> {
 /// Vertices of one tree against faces of another.
 pub struct FaceRows<'a, W> {
     pub scene: &'a Scene<'a>,
-    pub vertices: &'a Pyramid,
-    pub faces: &'a Pyramid,
+    pub vertices: &'a BlockBvh,
+    pub faces: &'a BlockBvh,
     pub vertex_leaves: &'a Leaves<1>,
     pub face_leaves: &'a Leaves<3>,
     pub worker: PhantomData<fn(W)>,
@@ -188,15 +218,25 @@ impl<W: Take> Rows for EdgeRows<'_, W> {
             mask = keep(mask, |j| bodies.wants(bodies.body(a0), bodies.body(ends_b[0][j])));
         }
         if let Some(slack) = self.scene.slack {
-            let sure = simd.overlaps_shrunk(&self.edges.level(0)[a], lane, &self.edges.level(0)[b], slack);
+            let sure =
+                simd.overlaps_shrunk(&self.edges.level(0)[a], lane, &self.edges.level(0)[b], slack);
             let unsure = mask & !sure;
             if unsure != 0 {
-                mask = mask & sure | keep(unsure, |j| self.scene.boxes_overlap([a0, a1], [ends_b[0][j], ends_b[1][j]]));
+                mask = mask & sure
+                    | keep(unsure, |j| {
+                        self.scene.boxes_overlap([a0, a1], [ends_b[0][j], ends_b[1][j]])
+                    });
             }
         }
         worker.count(mask.count_ones() as u64);
         if W::FILTERED {
-            mask &= !separated(simd, &self.leaves.ends[a], lane, &self.leaves.ends[b], self.scene.needed_gap());
+            mask &= !separated(
+                simd,
+                &self.leaves.ends[a],
+                lane,
+                &self.leaves.ends[b],
+                self.scene.needed_gap(),
+            );
         }
         if mask != 0 {
             let (id, ids) = (self.edges.order()[a * WIDTH + lane], lane_ids(self.edges.order(), b));
@@ -228,12 +268,19 @@ impl<W: Take> Rows for FaceRows<'_, W> {
     ) {
         let vertex = self.vertex_leaves.vertices[a][0][lane];
         let corners = &self.face_leaves.vertices[b];
-        mask &= !(simd.equals(&corners[0], [vertex; 2]) | simd.equals(&corners[1], [vertex; 2]) | simd.equals(&corners[2], [vertex; 2]));
+        mask &= !(simd.equals(&corners[0], [vertex; 2])
+            | simd.equals(&corners[1], [vertex; 2])
+            | simd.equals(&corners[2], [vertex; 2]));
         if let Some(bodies) = self.scene.bodies {
             mask = keep(mask, |j| bodies.wants(bodies.body(vertex), bodies.body(corners[0][j])));
         }
         if let Some(slack) = self.scene.slack {
-            let sure = simd.overlaps_shrunk(&self.vertices.level(0)[a], lane, &self.faces.level(0)[b], slack);
+            let sure = simd.overlaps_shrunk(
+                &self.vertices.level(0)[a],
+                lane,
+                &self.faces.level(0)[b],
+                slack,
+            );
             let unsure = mask & !sure;
             if unsure != 0 {
                 let of = |j: usize| [corners[0][j], corners[1][j], corners[2][j]];
@@ -242,10 +289,23 @@ impl<W: Take> Rows for FaceRows<'_, W> {
         }
         worker.count(mask.count_ones() as u64);
         if W::FILTERED {
-            mask &= !separated(simd, &self.vertex_leaves.ends[a], lane, &self.face_leaves.ends[b], self.scene.needed_gap());
+            mask &= !separated(
+                simd,
+                &self.vertex_leaves.ends[a],
+                lane,
+                &self.face_leaves.ends[b],
+                self.scene.needed_gap(),
+            );
         }
         if mask != 0 {
-            worker.take(simd, self.scene, Kind::VertexFace, vertex, &lane_ids(self.faces.order(), b), mask);
+            worker.take(
+                simd,
+                self.scene,
+                Kind::VertexFace,
+                vertex,
+                &lane_ids(self.faces.order(), b),
+                mask,
+            );
         }
     }
 
@@ -258,29 +318,10 @@ impl<W: Take> Rows for FaceRows<'_, W> {
     }
 }
 
-/// The bits `j` of `mask` for which `wanted(j)`.
+/// Lanes of `b` that an axis keeps further than `needed` from lane `i` of `a` during the whole
+/// step.
 #[inline(always)]
-pub(crate) fn keep(mask: u32, wanted: impl Fn(usize) -> bool) -> u32 {
-    let (mut rest, mut out) = (mask, mask);
-    while rest != 0 {
-        let j = rest.trailing_zeros();
-        rest &= rest - 1;
-        if !wanted(j as usize) {
-            out &= !(1 << j);
-        }
-    }
-    out
-}
-
-/// Lanes of `b` that an axis keeps further than `needed` from lane `i` of `a` during the whole step.
-#[inline(always)]
-fn separated<S: RowSimd>(
-    simd: S,
-    a: &[Block; 2],
-    i: usize,
-    b: &[Block; 2],
-    needed: f32,
-) -> u32 {
+fn separated<S: RowSimd>(simd: S, a: &[Block; 2], i: usize, b: &[Block; 2], needed: f32) -> u32 {
     let (a0, a1) = (bounds(simd.one(&a[0], i)), bounds(simd.one(&a[1], i)));
     let (b0, b1) = (bounds(simd.boxes(&b[0])), bounds(simd.boxes(&b[1])));
     axis_separated(&a0, &a1, &b0, &b1, S::Lanes::splat(needed)).bits()
