@@ -4,12 +4,12 @@
 
 mod common;
 
+use ccd_core::math::vec3::{dot, sum_abs};
+use ccd_core::narrow_phase::containment::{Ball, cross2};
 use ccd_core::narrow_phase::coplanarity::Coplanarity;
 use ccd_core::narrow_phase::cubic_roots::Cubic;
-use ccd_core::narrow_phase::containment::{Ball, cross2};
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
 use ccd_core::narrow_phase::separating_direction::beside;
-use ccd_core::math::vec3::{dot, sum_abs};
 use common::adversary::{Adversarial, UNIT, under, undisturbed};
 use common::ascent::Ascent;
 

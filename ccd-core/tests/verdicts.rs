@@ -4,8 +4,8 @@ mod common;
 
 use ccd_core::narrow_phase::conservative_advancement::{Advance, advance, within};
 use ccd_core::narrow_phase::containment::{Inside, inside};
-use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
 use ccd_core::narrow_phase::query::solve;
+use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
 use common::Points;
 use common::adversary::{Adversarial, UNIT, under};
 use common::random::Random;

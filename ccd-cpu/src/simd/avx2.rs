@@ -183,7 +183,8 @@ impl Simd for Avx2 {
     type Lanes = V8;
     const LANES: usize = WIDTH;
 
-    // Inlined always, which a function that enables the set cannot be: the vectors stay in registers.
+    // Inlined always, which a function that enables the set cannot be: the vectors stay in
+    // registers.
     #[inline(always)]
     fn gather(self, table: &[[f32; WIDTH]], ids: &[u32]) -> [V8; WIDTH] {
         let ids = &ids[..WIDTH];

@@ -85,13 +85,15 @@ impl Simd for Avx512 {
     type Lanes = V16;
     const LANES: usize = LANES;
 
-    // Inlined always, which a function that enables the set cannot be: the vectors stay in registers.
+    // Inlined always, which a function that enables the set cannot be: the vectors stay in
+    // registers.
     #[inline(always)]
     fn gather(self, table: &[[f32; WIDTH]], ids: &[u32]) -> [V16; WIDTH] {
         let ids = &ids[..LANES];
         // SAFETY: see above.
         unsafe {
-            // Rows `i` and `i + 4` share a register, so that the last shuffle leaves lanes in order.
+            // Rows `i` and `i + 4` share a register, so that the last shuffle leaves lanes in
+            // order.
             let r0 = two(table, ids[0], ids[4]);
             let r1 = two(table, ids[1], ids[5]);
             let r2 = two(table, ids[2], ids[6]);

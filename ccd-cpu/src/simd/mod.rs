@@ -57,8 +57,8 @@ pub trait Simd: Copy + Send + Sync {
     type Lanes: Num<Mask: Mask>;
     /// How many.
     const LANES: usize;
-    /// The first [`Simd::LANES`] of the rows `ids` of a table, transposed: component `k` of all rows
-    /// in `out[k]`.
+    /// The first [`Simd::LANES`] of the rows `ids` of a table, transposed: component `k` of all
+    /// rows in `out[k]`.
     fn gather(self, table: &[[f32; WIDTH]], ids: &[u32]) -> [Self::Lanes; WIDTH];
     /// Runs `work` with the set enabled for everything that is inlined into it.
     fn run<W: Work<Self>>(self, work: W) -> W::Out;
@@ -156,8 +156,8 @@ macro_rules! run {
 }
 pub(crate) use run;
 
-/// `Num` for a vector type from functions of its instruction set: the two that take one vector, those
-/// that take two, the comparison, and all lanes alike.
+/// `Num` for a vector type from functions of its instruction set: the two that take one vector,
+/// those that take two, the comparison, and all lanes alike.
 #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
 macro_rules! num {
     (

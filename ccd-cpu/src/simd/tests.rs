@@ -87,7 +87,7 @@ impl<S: Simd> Work<S> for Filters {
     #[inline(always)]
     fn call(self, simd: S) -> Vec<u32> {
         let (mut random, mut out) = (Random(5), Vec::new());
-        for _ in 0..2000 {
+        for _ in 0..600 {
             let table: Vec<[f32; WIDTH]> = (0..64).map(|_| random.lanes().0).collect();
             let ids: [[u32; MAX_WIDTH]; 4] = std::array::from_fn(|_| std::array::from_fn(|_| random.below(64) as u32));
             // Answers per pair, so that their order does not depend on the width.

@@ -1,9 +1,11 @@
-//! Overlapping pairs of two pyramids, or of one with itself: both are descended at once, block against block, eight boxes a test.
+//! Overlapping pairs of two bvhs, or of one with itself: both are descended at once, block against
+//! block, eight boxes a test.
 //!
-//! The work is cut into tasks by descending breadth first from the top until there are enough; threads take tasks from a shared counter. Which tasks there
-//! are, and what order pairs have within a task, depends on the boxes alone.
+//! The work is cut into tasks by descending breadth first from the top until there are enough;
+//! threads take tasks from a shared counter. Which tasks there are, and what order pairs have
+//! within a task, depends on the boxes alone.
 
-use crate::pyramid::Pyramid;
+use crate::broad_phase::block_bvh::BlockBvh;
 use crate::simd::{Block, RowSimd, WIDTH, Work};
 use crate::threads::{Own, Threads};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -23,7 +25,8 @@ const MIN_TASKS: usize = 1024;
 pub trait Rows: Sync {
     /// What each thread has of its own.
     type Worker: Send;
-    /// Box `lane` of block `a` overlaps the boxes in `mask` of block `b`; `a`, `b` index level 0. Must be `#[inline(always)]`.
+    /// Box `lane` of block `a` overlaps the boxes in `mask` of block `b`; `a`, `b` index level 0.
+    /// Must be `#[inline(always)]`.
     fn row<S: RowSimd>(&self, worker: &mut Self::Worker, simd: S, a: usize, lane: usize, b: usize, mask: u32);
     /// A task begins.
     fn begin(&self, _worker: &mut Self::Worker, _task: usize) {}
@@ -33,26 +36,26 @@ pub trait Rows: Sync {
 
 /// The tasks of a traversal and the stack of each worker, kept between calls.
 #[derive(Debug, Default)]
-pub struct Traversal {
+pub struct PairDescent {
     tasks: Vec<Task>,
     next: Vec<Task>,
     stacks: Vec<Own<Vec<Task>>>,
 }
 
-impl Traversal {
-    /// All pairs of boxes that overlap: of `a` against `b`, or within `a` (each unordered pair once, none with itself) if `b` is `None`. `part`: only
-    /// every so many-th task (1: all).
+impl PairDescent {
+    /// All pairs of boxes that overlap: of `a` against `b`, or within `a` (each unordered pair
+    /// once, none with itself) if `b` is `None`. `part`: only every so many-th task (1: all).
     ///
-    /// Both trees must be equally high, see [`Pyramid::raise`].
+    /// Both trees must be equally high, see [`BlockBvh::raise`].
     pub fn run<R: Rows>(
         &mut self,
         threads: &Threads,
-        (a, b): (&Pyramid, Option<&Pyramid>),
+        (a, b): (&BlockBvh, Option<&BlockBvh>),
         part: usize,
         rows: &R,
         workers: &mut [R::Worker],
     ) {
-        if a.is_empty() || b.is_some_and(Pyramid::is_empty) {
+        if a.is_empty() || b.is_some_and(BlockBvh::is_empty) {
             return;
         }
         let sides = Sides { a, b: b.unwrap_or(a), within: b.is_none() };
@@ -92,8 +95,8 @@ impl Traversal {
 /// The trees that are descended, equal if pairs are sought `within` one.
 #[derive(Clone, Copy)]
 struct Sides<'a> {
-    a: &'a Pyramid,
-    b: &'a Pyramid,
+    a: &'a BlockBvh,
+    b: &'a BlockBvh,
     within: bool,
 }
 
@@ -133,7 +136,8 @@ fn children<S: RowSimd>(simd: S, sides: Sides, task: Task, out: &mut Vec<Task>) 
     }
 }
 
-/// Byte `i`, bit `j`: whether box `i` of `a` overlaps box `j` of `b`. All rows first, without a branch between them.
+/// Byte `i`, bit `j`: whether box `i` of `a` overlaps box `j` of `b`. All rows first, without a
+/// branch between them.
 #[inline(always)]
 fn overlaps<S: RowSimd>(simd: S, a: &Block, b: &Block) -> u64 {
     let mut masks = 0;
@@ -145,7 +149,7 @@ fn overlaps<S: RowSimd>(simd: S, a: &Block, b: &Block) -> u64 {
 
 /// Byte `i`, bit `j`: whether everything in box `i` of one block and box `j` of the other is fixed.
 #[inline(always)]
-fn both_fixed(a: &Pyramid, b: &Pyramid, task: Task) -> u64 {
+fn both_fixed(a: &BlockBvh, b: &BlockBvh, task: Task) -> u64 {
     if !a.any_fixed() {
         return 0;
     }
@@ -196,4 +200,18 @@ impl<S: RowSimd, R: Rows> Work<S> for Descent<'_, R> {
             }
         }
     }
+}
+
+/// The bits `j` of `mask` for which `wanted(j)`.
+#[inline(always)]
+pub fn keep(mask: u32, wanted: impl Fn(usize) -> bool) -> u32 {
+    let (mut rest, mut out) = (mask, mask);
+    while rest != 0 {
+        let j = rest.trailing_zeros();
+        rest &= rest - 1;
+        if !wanted(j as usize) {
+            out &= !(1 << j);
+        }
+    }
+    out
 }

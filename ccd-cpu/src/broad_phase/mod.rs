@@ -1,17 +1,23 @@
 //! The broad phase alone: boxes in, overlapping pairs out.
 
-use crate::pyramid::Pyramid;
-use crate::rows::keep;
+pub mod block_bvh;
+mod morton_order;
+pub mod pair_descent;
+pub mod pair_list;
+mod radix_tree;
+
 use crate::simd::RowSimd;
 use crate::threads::Threads;
-use crate::traverse::{Rows, Traversal};
-use crate::tree::Tree;
+use block_bvh::{BlockBvh, lane_ids};
 use ccd_core::layout::Pair;
 use ccd_core::math::aabb::Boxes;
 use ccd_core::model::error::check_boxes;
 use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::precision::{Precision, Slices};
 use ccd_core::{Aabb, Coordinate, Error, Real};
+use pair_descent::{PairDescent, Rows, keep};
+use pair_list::{Lister, Pairs, Run, order_runs};
+use radix_tree::RadixTree;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// Finds overlapping boxes; keeps its buffers between calls.
@@ -25,8 +31,8 @@ pub struct BroadPhase {
     method: BroadPhaseMethod,
     a: Side,
     b: Side,
-    traversal: Traversal,
-    tree: Tree,
+    traversal: PairDescent,
+    tree: RadixTree,
     workers: Vec<Lister>,
     runs: Vec<Run>,
 }
@@ -35,7 +41,7 @@ pub struct BroadPhase {
 #[derive(Debug, Default)]
 struct Side {
     boxes: Vec<Aabb<f32>>,
-    pyramid: Pyramid,
+    bvh: BlockBvh,
 }
 
 impl BroadPhase {
@@ -46,8 +52,8 @@ impl BroadPhase {
             method,
             a: Side::default(),
             b: Side::default(),
-            traversal: Traversal::default(),
-            tree: Tree::default(),
+            traversal: PairDescent::default(),
+            tree: RadixTree::default(),
             workers: Vec::new(),
             runs: Vec::new(),
         })
@@ -61,13 +67,13 @@ impl BroadPhase {
     /// Pairs within one set, each once, lesser index first.
     pub fn self_pairs<T: Coordinate>(&mut self, boxes: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
         self.within(T::slices::<Boxes, 1>([boxes]))?;
-        Ok(Pairs { runs: &self.runs, workers: &self.workers })
+        Ok(Pairs::new(&self.runs, &self.workers))
     }
 
     /// Pairs of a box of `a` with a box of `b`.
     pub fn pairs<T: Coordinate>(&mut self, a: &[Aabb<T>], b: &[Aabb<T>]) -> Result<Pairs<'_>, Error> {
         self.between(T::slices::<Boxes, 2>([a, b]))?;
-        Ok(Pairs { runs: &self.runs, workers: &self.workers })
+        Ok(Pairs::new(&self.runs, &self.workers))
     }
 
     #[inline(never)]
@@ -83,23 +89,23 @@ impl BroadPhase {
         let confirm: Option<Confirm> = if exact { None } else { Some(&overlap) };
         let Self { threads, method, a, traversal, tree, workers, runs, .. } = self;
         threads.enter(|| {
-            match method {
+            match *method {
                 BroadPhaseMethod::Blocks => {
-                    a.pyramid.build(threads, &a.boxes, None);
+                    a.bvh.build(threads, &a.boxes, None);
                     let slack = slack(&a.boxes, &a.boxes);
-                    let rows = Listing::<true> { a: &a.pyramid, b: &a.pyramid, slack, confirm };
+                    let rows = Listing::<true> { a: &a.bvh, b: &a.bvh, slack, confirm };
                     list(threads, traversal, &rows, workers);
                 }
-                // The other method that there is.
-                _ => {
+                BroadPhaseMethod::Tree => {
                     let out = only_list(workers);
                     tree.self_pairs(threads, &a.boxes, out);
                     keep_confirmed(out, confirm);
                 }
+                other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
             }
             order_runs(workers, runs);
-        });
-        Ok(())
+            Ok(())
+        })
     }
 
     #[inline(never)]
@@ -115,27 +121,27 @@ impl BroadPhase {
         };
         let confirm: Option<Confirm> = if exact { None } else { Some(&overlap) };
         threads.enter(|| {
-            match method {
+            match *method {
                 BroadPhaseMethod::Blocks => {
-                    a.pyramid.build(threads, &a.boxes, None);
-                    b.pyramid.build(threads, &b.boxes, None);
-                    let height = a.pyramid.height().max(b.pyramid.height());
-                    a.pyramid.raise(height);
-                    b.pyramid.raise(height);
+                    a.bvh.build(threads, &a.boxes, None);
+                    b.bvh.build(threads, &b.boxes, None);
+                    let height = a.bvh.height().max(b.bvh.height());
+                    a.bvh.raise(height);
+                    b.bvh.raise(height);
                     let slack = slack(&a.boxes, &b.boxes);
-                    let rows = Listing::<false> { a: &a.pyramid, b: &b.pyramid, slack, confirm };
+                    let rows = Listing::<false> { a: &a.bvh, b: &b.bvh, slack, confirm };
                     list(threads, traversal, &rows, workers);
                 }
-                // The other method that there is.
-                _ => {
+                BroadPhaseMethod::Tree => {
                     let out = only_list(workers);
                     tree.pairs(threads, &a.boxes, &b.boxes, out);
                     keep_confirmed(out, confirm);
                 }
+                other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
             }
             order_runs(workers, runs);
-        });
-        Ok(())
+            Ok(())
+        })
     }
 }
 
@@ -149,36 +155,15 @@ fn keep_confirmed(pairs: &mut Vec<Pair>, confirm: Option<Confirm>) {
 }
 
 /// Lists all pairs: within one set if its pairs are ordered, else of one set with another.
-fn list<const WITHIN: bool>(threads: &Threads, traversal: &mut Traversal, rows: &Listing<WITHIN>, workers: &mut Vec<Lister>) {
+fn list<const WITHIN: bool>(threads: &Threads, traversal: &mut PairDescent, rows: &Listing<WITHIN>, workers: &mut Vec<Lister>) {
     workers.resize_with(threads.count(), Lister::default);
     workers.iter_mut().for_each(Lister::clear);
     traversal.run(threads, (rows.a, (!WITHIN).then_some(rows.b)), 1, rows, workers);
 }
 
-/// What one worker found: pairs, and which task each run of them belongs to.
-#[derive(Debug, Default)]
-#[repr(align(128))]
-pub(crate) struct Lister {
-    pub(crate) pairs: Vec<Pair>,
-    segments: Vec<(usize, usize)>,
-}
-
-impl Lister {
-    /// Forgets everything, keeps buffers.
-    pub(crate) fn clear(&mut self) {
-        self.pairs.clear();
-        self.segments.clear();
-    }
-
-    /// Pairs from here on belong to this task.
-    pub(crate) fn begin(&mut self, task: usize) {
-        self.segments.push((task, self.pairs.len()));
-    }
-}
-
 struct Listing<'a, const WITHIN: bool> {
-    a: &'a Pyramid,
-    b: &'a Pyramid,
+    a: &'a BlockBvh,
+    b: &'a BlockBvh,
     slack: f32,
     confirm: Option<Confirm<'a>>,
 }
@@ -212,82 +197,6 @@ fn only_list(workers: &mut Vec<Lister>) -> &mut Vec<Pair> {
     &mut lister.pairs
 }
 
-/// The ids of block `b`; lanes past the end repeat the last id.
-#[inline(always)]
-pub(crate) fn lane_ids(order: &[u32], b: usize) -> [u32; 8] {
-    match order.get(b * 8..b * 8 + 8) {
-        Some(ids) => ids.try_into().unwrap_or([0; 8]),
-        None => std::array::from_fn(|j| order[(b * 8 + j).min(order.len() - 1)]),
-    }
-}
-
-/// The pairs that a broad phase found, in canonical order: a few runs, which stay where the threads wrote them.
-#[derive(Clone, Copy, Debug)]
-pub struct Pairs<'a> {
-    runs: &'a [Run],
-    workers: &'a [Lister],
-}
-
-/// A run of pairs: of which task, found by which worker, where.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Run {
-    task: usize,
-    worker: usize,
-    start: usize,
-    end: usize,
-}
-
-impl<'a> Pairs<'a> {
-    pub(crate) fn new(runs: &'a [Run], workers: &'a [Lister]) -> Self {
-        Self { runs, workers }
-    }
-
-    /// Number of pairs.
-    pub fn len(&self) -> usize {
-        self.runs.iter().map(|r| r.end - r.start).sum()
-    }
-
-    /// Whether there is none.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
-    /// The runs, in order.
-    pub fn runs(&self) -> impl Iterator<Item = &'a [Pair]> + use<'a> {
-        let workers = self.workers;
-        self.runs.iter().map(|r| &workers[r.worker].pairs[r.start..r.end])
-    }
-
-    /// All pairs, in order.
-    pub fn iter(&self) -> impl Iterator<Item = Pair> + use<'a> {
-        self.runs().flatten().copied()
-    }
-
-    /// A copy in one piece.
-    pub fn to_vec(&self) -> Vec<Pair> {
-        let mut out = Vec::with_capacity(self.len());
-        self.runs().for_each(|run| out.extend_from_slice(run));
-        out
-    }
-}
-
-/// Puts the workers' segments in the order of tasks, neighbours in one worker's list joined.
-pub(crate) fn order_runs(workers: &[Lister], runs: &mut Vec<Run>) {
-    runs.clear();
-    for (k, worker) in workers.iter().enumerate() {
-        let ends = worker.segments.iter().skip(1).map(|s| s.1).chain([worker.pairs.len()]);
-        runs.extend(worker.segments.iter().zip(ends).map(|(&(task, start), end)| Run { task, worker: k, start, end }));
-    }
-    runs.sort_unstable_by_key(|run| run.task);
-    runs.dedup_by(|next, run| {
-        let joined = next.worker == run.worker && next.start == run.end;
-        if joined {
-            run.end = next.end;
-        }
-        joined
-    });
-}
-
 impl Side {
     /// Takes boxes, rounded outward; whether that changed none of them. Bounds beyond the greatest
     /// of a rounded box change in `f32` too.
@@ -309,9 +218,9 @@ impl Side {
 }
 
 /// Twice the spacing of `f32` at the greatest coordinate: outward rounding moves two bounds by less
-/// than that together. Bounds that were cut to the greatest of a rounded box are equal, so that pairs
-/// which overlap only there overlap by nothing; a bound that was not cut compares with them as with
-/// what they were.
+/// than that together. Bounds that were cut to the greatest of a rounded box are equal, so that
+/// pairs which overlap only there overlap by nothing; a bound that was not cut compares with them
+/// as with what they were.
 fn slack(a: &[Aabb<f32>], b: &[Aabb<f32>]) -> f32 {
     let greatest = |boxes: &[Aabb<f32>]| {
         boxes.iter().fold(0f32, |m, b| m.max(ccd_core::math::vec3::max_abs(b.min)).max(ccd_core::math::vec3::max_abs(b.max)))

@@ -1,10 +1,11 @@
-//! From candidates to contacts: pairs are queued, full queues pass the `f32` filters many at a time,
-//! and what is left is decided in `f64`.
+//! From candidates to contacts: pairs are queued, full queues pass the `f32` filters many at a
+//! time, and what is left is decided in `f64`.
 //!
-//! Pairs enter the arithmetic with the lesser edge first, so no result depends on the order of leaves.
+//! Pairs enter the arithmetic with the lesser edge first, so no result depends on the order of
+//! leaves.
 
-use crate::rows::{Scene, Take};
 use crate::simd::{MAX_WIDTH, Mask, RowSimd, Simd, WIDTH, Work};
+use crate::step::candidates::{Scene, Take};
 use ccd_core::layout::Pair;
 use ccd_core::model::contact::{Contact, Kind};
 use ccd_core::model::precision::Precision;
@@ -15,8 +16,8 @@ use ccd_core::narrow_phase::separating_direction::beside;
 use ccd_core::{Num, Real, Verdict};
 use std::time::{Duration, Instant};
 
-/// Pairs that a queue holds before it is worked off: fits the first-level cache with the positions it
-/// touches.
+/// Pairs that a queue holds before it is worked off: fits the first-level cache with the positions
+/// it touches.
 const QUEUE: usize = 512;
 
 /// What one worker gathers.

@@ -1,6 +1,7 @@
-//! The binary radix tree on threads: the kernel bodies of `ccd-core` that a GPU runs too, over rayon.
+//! The binary radix tree on threads: the kernel bodies of `ccd-core` that a GPU runs too, over
+//! rayon.
 
-use crate::order::MortonOrder;
+use crate::broad_phase::morton_order::MortonOrder;
 use crate::threads::Threads;
 use ccd_core::Aabb;
 use ccd_core::broad_phase::stack_traversal::{NONE, Walk};
@@ -11,7 +12,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 /// A tree over boxes and what its construction needs; buffers are kept.
 #[derive(Debug, Default)]
-pub struct Tree {
+pub struct RadixTree {
     order: Vec<u32>,
     codes: Vec<[u32; 2]>,
     branches: Vec<Branch>,
@@ -41,7 +42,7 @@ impl Words for Shared<'_> {
 /// Queries a task.
 const CHUNK: usize = 512;
 
-impl Tree {
+impl RadixTree {
     /// Builds the tree. Fewer than two boxes give a tree without internal nodes.
     pub fn build(&mut self, threads: &Threads, boxes: &[Aabb<f32>]) {
         let n = boxes.len();
@@ -117,8 +118,9 @@ mod tests {
     use super::*;
     use ccd_core::broad_phase::radix_tree::MAX_DEPTH;
 
-    /// Children split the range of their parent, boxes are exactly those of the leaves below, every box is one leaf, no path is too long.
-    fn check_well_formed(tree: &Tree, boxes: &[Aabb<f32>]) {
+    /// Children split the range of their parent, boxes are exactly those of the leaves below, every
+    /// box is one leaf, no path is too long.
+    fn check_well_formed(tree: &RadixTree, boxes: &[Aabb<f32>]) {
         let n_internal = boxes.len() - 1;
         let mut seen = vec![false; boxes.len()];
         let range = |node: u32| match tree.branches.get(node as usize) {
@@ -157,12 +159,13 @@ mod tests {
         };
         for n in [2usize, 3, 10, 1000, 5000] {
             let random: Vec<_> = (0..n).map(|_| Aabb::of_point([unit(), unit(), unit()])).collect();
-            // Codes that differ in one bit each, and codes that do not differ at all: the deepest trees.
+            // Codes that differ in one bit each, and codes that do not differ at all: the deepest
+            // trees.
             let powers: Vec<_> = (0..n).map(|i| Aabb::of_point([0.5f32.powi(i as i32 % 21), 0.0, 0.0])).collect();
             let equal = vec![Aabb::of_point([1.0; 3]); n];
             for boxes in [random, powers, equal] {
                 for threads in [1, 2] {
-                    let mut tree = Tree::default();
+                    let mut tree = RadixTree::default();
                     let threads = Threads::new(threads).unwrap();
                     threads.enter(|| tree.build(&threads, &boxes));
                     check_well_formed(&tree, &boxes);

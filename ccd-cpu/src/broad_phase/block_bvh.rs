@@ -1,19 +1,22 @@
-//! The default tree: boxes sorted along the Morton curve, in blocks of eight, in blocks of eight blocks, and so on.
+//! The default tree: boxes sorted along the Morton curve, in blocks of eight, in blocks of eight
+//! blocks, and so on.
 //!
-//! Every node is one [`Block`], eight boxes side by side; node `i` of a level has the nodes `8 i .. 8 i + 8` of the level below as children, so
-//! there are no pointers, and refitting is one pass over the levels.
+//! Every node is one [`Block`], eight boxes side by side; node `i` of a level has the nodes `8 i ..
+//! 8 i + 8` of the level below as children, so there are no pointers, and refitting is one pass
+//! over the levels.
 
-use crate::order::MortonOrder;
+use crate::broad_phase::morton_order::MortonOrder;
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::threads::Threads;
 use ccd_core::Aabb;
 
 /// A tree over `n` boxes.
 #[derive(Debug, Default)]
-pub struct Pyramid {
+pub struct BlockBvh {
     n: usize,
     order: Vec<u32>,
-    /// `levels[0]` holds the boxes, `levels[height - 1]` is one block; those above are kept for their memory.
+    /// `levels[0]` holds the boxes, `levels[height - 1]` is one block; those above are kept for
+    /// their memory.
     levels: Vec<Vec<Block>>,
     height: usize,
     /// Per level and block: the lanes that hold fixed boxes only; empty where none was marked.
@@ -24,7 +27,7 @@ pub struct Pyramid {
     sums: Vec<f64>,
 }
 
-impl Pyramid {
+impl BlockBvh {
     /// Whether there is no box.
     pub fn is_empty(&self) -> bool {
         self.n == 0
@@ -35,7 +38,8 @@ impl Pyramid {
         self.height
     }
 
-    /// Blocks of a level, 0 being the boxes themselves. A level above the last is one block with one lane used.
+    /// Blocks of a level, 0 being the boxes themselves. A level above the last is one block with
+    /// one lane used.
     pub fn level(&self, level: usize) -> &[Block] {
         &self.levels[level]
     }
@@ -56,7 +60,8 @@ impl Pyramid {
         self.any_fixed
     }
 
-    /// Sorts the boxes anew and builds all levels. Boxes for which `fixed(i)` come last, so that whole blocks are fixed.
+    /// Sorts the boxes anew and builds all levels. Boxes for which `fixed(i)` come last, so that
+    /// whole blocks are fixed.
     pub fn build(&mut self, threads: &Threads, boxes: &[Aabb<f32>], fixed: Option<&(dyn Fn(usize) -> bool + Sync)>) {
         self.n = boxes.len();
         self.morton.sort(threads, boxes, fixed, &mut self.order);
@@ -82,8 +87,9 @@ impl Pyramid {
         }
     }
 
-    /// Keeps the order of the last build and takes new boxes, as many as then. Returns how much looser blocks have become since: the ratio of
-    /// [`Pyramid::looseness`] to what it was after the build.
+    /// Keeps the order of the last build and takes new boxes, as many as then. Returns how much
+    /// looser blocks have become since: the ratio of [`BlockBvh::looseness`] to what it was after
+    /// the build.
     pub fn refit(&mut self, threads: &Threads, boxes: &[Aabb<f32>]) -> f64 {
         assert_eq!(boxes.len(), self.n, "refit with another number of boxes");
         self.fit(threads, boxes);
@@ -91,7 +97,8 @@ impl Pyramid {
         if self.looseness_at_build > 0.0 { looseness / self.looseness_at_build } else { 1.0 }
     }
 
-    /// Sum of the side lengths of all blocks of eight, relative to that of the boxes in them: what a block costs its tests.
+    /// Sum of the side lengths of all blocks of eight, relative to that of the boxes in them: what
+    /// a block costs its tests.
     fn looseness(&mut self, threads: &Threads) -> f64 {
         if self.height < 2 {
             return 1.0;
@@ -138,7 +145,8 @@ impl Pyramid {
         self.height = height;
     }
 
-    /// Adds levels of one used lane until the tree is `height` high, so that two trees can be descended in step.
+    /// Adds levels of one used lane until the tree is `height` high, so that two trees can be
+    /// descended in step.
     pub fn raise(&mut self, height: usize) {
         while self.height < height {
             let mut block = EMPTY;
@@ -153,7 +161,8 @@ impl Pyramid {
     }
 }
 
-/// Sum of the side lengths of all boxes of a level; the order of additions does not depend on threads.
+/// Sum of the side lengths of all boxes of a level; the order of additions does not depend on
+/// threads.
 fn extents(threads: &Threads, level: &[Block], sums: &mut Vec<f64>) -> f64 {
     sums.resize(level.len(), 0.0);
     threads.fill(sums, |i| {
@@ -189,17 +198,26 @@ fn union_of_lanes(block: &Block) -> Aabb<f32> {
     out
 }
 
+/// The ids of block `b`; lanes past the end repeat the last id.
+#[inline(always)]
+pub fn lane_ids(order: &[u32], b: usize) -> [u32; 8] {
+    match order.get(b * 8..b * 8 + 8) {
+        Some(ids) => ids.try_into().unwrap_or([0; 8]),
+        None => std::array::from_fn(|j| order[(b * 8 + j).min(order.len() - 1)]),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn check_well_formed(pyramid: &Pyramid, boxes: &[Aabb<f32>]) {
-        let mut seen: Vec<u32> = pyramid.order.clone();
+    fn check_well_formed(bvh: &BlockBvh, boxes: &[Aabb<f32>]) {
+        let mut seen: Vec<u32> = bvh.order.clone();
         seen.sort_unstable();
         assert!(seen.iter().copied().eq(0..boxes.len() as u32), "order is no permutation");
-        for (leaf, &id) in pyramid.order.iter().enumerate() {
+        for (leaf, &id) in bvh.order.iter().enumerate() {
             let mut at = leaf;
-            for level in &pyramid.levels[..pyramid.height] {
+            for level in &bvh.levels[..bvh.height] {
                 let (block, j) = (&level[at / WIDTH], at % WIDTH);
                 for k in 0..3 {
                     let b = &boxes[id as usize];
@@ -214,7 +232,7 @@ mod tests {
     #[test]
     fn every_ancestor_holds_every_box() {
         let threads = Threads::new(1).unwrap();
-        let mut pyramid = Pyramid::default();
+        let mut bvh = BlockBvh::default();
         for n in [0usize, 1, 7, 8, 9, 64, 65, 1000, 20_000] {
             let mut x = n as u32;
             let mut unit = || {
@@ -222,13 +240,13 @@ mod tests {
                 (x >> 8) as f32 / 16_777_216.0
             };
             let mut boxes: Vec<_> = (0..n).map(|_| Aabb::of_point([unit(), unit(), unit()])).collect();
-            pyramid.build(&threads, &boxes, None);
-            check_well_formed(&pyramid, &boxes);
+            bvh.build(&threads, &boxes, None);
+            check_well_formed(&bvh, &boxes);
             for b in &mut boxes {
                 b.max[1] += unit();
             }
-            pyramid.refit(&threads, &boxes);
-            check_well_formed(&pyramid, &boxes);
+            bvh.refit(&threads, &boxes);
+            check_well_formed(&bvh, &boxes);
         }
     }
 
@@ -237,17 +255,17 @@ mod tests {
         let threads = Threads::new(1).unwrap();
         let boxes: Vec<_> = (0..4096).map(|i| Aabb::of_point([i as f32, 0.0, 0.0])).collect();
         let (all, none) = (|_: usize| true, |_: usize| false);
-        let mut pyramid = Pyramid::default();
-        pyramid.build(&threads, &boxes, Some(&all));
-        let height = pyramid.height();
-        let any = |pyramid: &Pyramid| (0..height).any(|level| pyramid.fixed(level, 0) != 0);
-        assert!(any(&pyramid), "all boxes are fixed");
+        let mut bvh = BlockBvh::default();
+        bvh.build(&threads, &boxes, Some(&all));
+        let height = bvh.height();
+        let any = |bvh: &BlockBvh| (0..height).any(|level| bvh.fixed(level, 0) != 0);
+        assert!(any(&bvh), "all boxes are fixed");
         // Fewer boxes and fewer levels, then as many levels as before.
-        pyramid.build(&threads, &boxes[..WIDTH], Some(&none));
-        pyramid.raise(height);
-        assert!(!any(&pyramid), "lanes of an earlier build");
-        pyramid.build(&threads, &boxes, Some(&all));
-        pyramid.build(&threads, &boxes, None);
-        assert!(!any(&pyramid), "lanes of an earlier build that had fixed boxes");
+        bvh.build(&threads, &boxes[..WIDTH], Some(&none));
+        bvh.raise(height);
+        assert!(!any(&bvh), "lanes of an earlier build");
+        bvh.build(&threads, &boxes, Some(&all));
+        bvh.build(&threads, &boxes, None);
+        assert!(!any(&bvh), "lanes of an earlier build that had fixed boxes");
     }
 }

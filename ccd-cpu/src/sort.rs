@@ -1,8 +1,10 @@
-//! Parallel least-significant-digit radix sort of 64-bit keys with 32-bit values; stable, so the result does not depend on threads.
+//! Parallel least-significant-digit radix sort of 64-bit keys with 32-bit values; stable, so the
+//! result does not depend on threads.
 //!
-//! Only the upper 33 bits are sorted digit by digit; keys that agree in them are few in most scenes and are then sorted by comparison, run by run. Digits that
-//! are equal in all keys are skipped. Arrays are atomic words with relaxed access, which is plain loads and stores: threads
-//! write disjoint places that no slice could express.
+//! Only the upper 33 bits are sorted digit by digit; keys that agree in them are few in most scenes
+//! and are then sorted by comparison, run by run. Digits that are equal in all keys are skipped.
+//! Arrays are atomic words with relaxed access, which is plain loads and stores: threads write
+//! disjoint places that no slice could express.
 
 use crate::threads::Threads;
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering::Relaxed};
@@ -17,7 +19,7 @@ const LOW_BITS: u32 = 30;
 
 /// Buffers of the sort, kept between calls.
 #[derive(Debug, Default)]
-pub struct Radix {
+pub struct RadixSort {
     keys: [Vec<AtomicU64>; 2],
     values: [Vec<AtomicU32>; 2],
     workers: Vec<Worker>,
@@ -32,7 +34,7 @@ struct Worker {
 /// Items per worker under which more threads cost more than they give.
 const MIN_PART: usize = 8192;
 
-impl Radix {
+impl RadixSort {
     /// Sorts `0 .. n` by `key(i) < 2^63` into `order`.
     pub fn sort(&mut self, threads: &Threads, n: usize, key: impl Fn(usize) -> u64 + Sync, order: &mut Vec<u32>) {
         for half in 0..2 {
@@ -154,7 +156,7 @@ mod tests {
         want.sort_by_key(|&i| keys[i as usize]);
         let mut got = Vec::new();
         let threads = Threads::new(n_threads).unwrap();
-        Radix::default().sort(&threads, n, |i| keys[i], &mut got);
+        RadixSort::default().sort(&threads, n, |i| keys[i], &mut got);
         assert_eq!(got, want, "{n} keys of {bits} bits, {n_threads} threads");
     }
 

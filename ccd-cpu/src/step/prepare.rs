@@ -1,8 +1,9 @@
-//! What a step prepares before anything is compared: checked coordinates, boxes, trees, the table that filters read.
+//! What a step prepares before anything is compared: checked coordinates, boxes, trees, the table
+//! that filters read.
 
-use crate::pyramid::Pyramid;
-use crate::rows::{Given, Leaves, Scene};
+use crate::broad_phase::block_bvh::BlockBvh;
 use crate::simd::WIDTH;
+use crate::step::candidates::{Given, Leaves, Scene};
 use crate::threads::Threads;
 use ccd_core::broad_phase::swept_box;
 use ccd_core::model::bodies::Bodies;
@@ -76,7 +77,7 @@ pub struct Prepared {
 #[derive(Debug, Default)]
 pub struct Feature<const N: usize> {
     boxes: Vec<Aabb<f32>>,
-    pub pyramid: Pyramid,
+    pub bvh: BlockBvh,
     pub leaves: Leaves<N>,
 }
 
@@ -145,7 +146,8 @@ impl Prepared {
         Ok(all)
     }
 
-    /// Fills the table that filters read; returns its origin, unit and error.
+    /// Fills the table that filters read; returns how far its numbers may be from the true ones
+    /// (minus a common origin).
     fn fill_table<T: Real>(&mut self, threads: &Threads, x: &Ends<T>) -> Table {
         let table = self.scan.table(x.whole());
         self.table.resize(x.x0.len(), [0.0; WIDTH]);
@@ -173,15 +175,16 @@ impl Prepared {
         }
     }
 
-    /// Refits all trees, or builds them if they never were or if one has become too loose. Returns whether they were built. Boxes of less than the
-    /// `whole` step say nothing about looseness and only refit.
+    /// Refits all trees, or builds them if they never were or if one has become too loose. Returns
+    /// whether they were built. Boxes of less than the `whole` step say nothing about looseness and
+    /// only refit.
     pub fn trees(&mut self, threads: &Threads, mesh: &Mesh, bodies: Option<&Bodies>, whole: bool) -> bool {
         let Self { vertices, edges, faces, table, .. } = self;
         let mut loose = !self.built;
         if self.built {
-            let v = vertices.pyramid.refit(threads, &vertices.boxes);
-            let e = edges.pyramid.refit(threads, &edges.boxes);
-            let f = faces.pyramid.refit(threads, &faces.boxes);
+            let v = vertices.bvh.refit(threads, &vertices.boxes);
+            let e = edges.bvh.refit(threads, &edges.boxes);
+            let f = faces.bvh.refit(threads, &faces.boxes);
             loose = whole && v.max(e).max(f) > MAX_LOOSENESS;
         }
         if loose {
@@ -190,16 +193,16 @@ impl Prepared {
             let any = bodies.is_some_and(Bodies::any_fixed);
             let (of_vertex, of_edge, of_face) =
                 (|i: usize| fixed(i as u32), |i: usize| fixed(mesh.edges()[i][0]), |i: usize| fixed(mesh.faces()[i][0]));
-            vertices.pyramid.build(threads, &vertices.boxes, any.then_some(&of_vertex));
-            edges.pyramid.build(threads, &edges.boxes, any.then_some(&of_edge));
-            faces.pyramid.build(threads, &faces.boxes, any.then_some(&of_face));
-            vertices.leaves.order(threads, vertices.pyramid.order(), |v| [v]);
-            edges.leaves.order(threads, edges.pyramid.order(), |e| mesh.edges()[e as usize]);
-            faces.leaves.order(threads, faces.pyramid.order(), |f| mesh.faces()[f as usize]);
+            vertices.bvh.build(threads, &vertices.boxes, any.then_some(&of_vertex));
+            edges.bvh.build(threads, &edges.boxes, any.then_some(&of_edge));
+            faces.bvh.build(threads, &faces.boxes, any.then_some(&of_face));
+            vertices.leaves.order(threads, vertices.bvh.order(), |v| [v]);
+            edges.leaves.order(threads, edges.bvh.order(), |e| mesh.edges()[e as usize]);
+            faces.leaves.order(threads, faces.bvh.order(), |f| mesh.faces()[f as usize]);
         }
-        let height = vertices.pyramid.height().max(faces.pyramid.height());
-        vertices.pyramid.raise(height);
-        faces.pyramid.raise(height);
+        let height = vertices.bvh.height().max(faces.bvh.height());
+        vertices.bvh.raise(height);
+        faces.bvh.raise(height);
         vertices.leaves.place(threads, table);
         edges.leaves.place(threads, table);
         faces.leaves.place(threads, table);

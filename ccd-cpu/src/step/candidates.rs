@@ -1,11 +1,12 @@
-//! What happens to a row of overlaps before any arithmetic on features: pairs that share a vertex go, pairs of bodies that nobody wants, and pairs that
-//! overlap only because boxes were rounded. What is left are candidates; whoever takes them does the rest.
+//! What happens to a row of overlaps before any arithmetic on features: pairs that share a vertex
+//! go, pairs of bodies that nobody wants, and pairs that overlap only because boxes were rounded.
+//! What is left are candidates; whoever takes them does the rest.
 
-use crate::broad::lane_ids;
-use crate::pyramid::Pyramid;
+use crate::broad_phase::block_bvh::{BlockBvh, lane_ids};
+use crate::broad_phase::pair_descent::{Rows, keep};
+use crate::broad_phase::pair_list::Lister;
 use crate::simd::{Block, EMPTY, Mask, RowSimd, WIDTH, Work};
 use crate::threads::Threads;
-use crate::traverse::Rows;
 use ccd_core::broad_phase::swept_box;
 use ccd_core::model::bodies::Bodies;
 use ccd_core::model::contact::Kind;
@@ -137,10 +138,31 @@ pub trait Take: Send {
     fn finish(&mut self, scene: &Scene, kind: Kind);
 }
 
+impl Take for Lister {
+    const FILTERED: bool = false;
+
+    #[inline(always)]
+    fn count(&mut self, _n: u64) {}
+
+    #[inline(always)]
+    fn take<S: RowSimd>(&mut self, simd: S, _scene: &Scene, kind: Kind, id: u32, ids: &[u32; WIDTH], mask: u32) {
+        match kind {
+            Kind::VertexFace => simd.append::<false>(&mut self.pairs, id, ids, mask),
+            Kind::EdgeEdge => simd.append::<true>(&mut self.pairs, id, ids, mask),
+        }
+    }
+
+    fn begin(&mut self, task: usize) {
+        Lister::begin(self, task);
+    }
+
+    fn finish(&mut self, _scene: &Scene, _kind: Kind) {}
+}
+
 /// Edges against edges of one tree.
 pub struct EdgeRows<'a, W> {
     pub scene: &'a Scene<'a>,
-    pub edges: &'a Pyramid,
+    pub edges: &'a BlockBvh,
     pub leaves: &'a Leaves<2>,
     pub worker: PhantomData<fn(W)>,
 }
@@ -148,8 +170,8 @@ pub struct EdgeRows<'a, W> {
 /// Vertices of one tree against faces of another.
 pub struct FaceRows<'a, W> {
     pub scene: &'a Scene<'a>,
-    pub vertices: &'a Pyramid,
-    pub faces: &'a Pyramid,
+    pub vertices: &'a BlockBvh,
+    pub faces: &'a BlockBvh,
     pub vertex_leaves: &'a Leaves<1>,
     pub face_leaves: &'a Leaves<3>,
     pub worker: PhantomData<fn(W)>,
@@ -230,21 +252,8 @@ impl<W: Take> Rows for FaceRows<'_, W> {
     }
 }
 
-/// The bits `j` of `mask` for which `wanted(j)`.
-#[inline(always)]
-pub(crate) fn keep(mask: u32, wanted: impl Fn(usize) -> bool) -> u32 {
-    let (mut rest, mut out) = (mask, mask);
-    while rest != 0 {
-        let j = rest.trailing_zeros();
-        rest &= rest - 1;
-        if !wanted(j as usize) {
-            out &= !(1 << j);
-        }
-    }
-    out
-}
-
-/// Lanes of `b` that an axis keeps further than `needed` from lane `i` of `a` during the whole step.
+/// Lanes of `b` that an axis keeps further than `needed` from lane `i` of `a` during the whole
+/// step.
 #[inline(always)]
 fn separated<S: RowSimd>(simd: S, a: &[Block; 2], i: usize, b: &[Block; 2], needed: f32) -> u32 {
     let (a0, a1) = (bounds(simd.one(&a[0], i)), bounds(simd.one(&a[1], i)));

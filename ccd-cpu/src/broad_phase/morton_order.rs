@@ -1,6 +1,6 @@
 //! Boxes in Morton order: bounds of the scene, codes of the centres, sort.
 
-use crate::radix::Radix;
+use crate::sort::RadixSort;
 use crate::threads::Threads;
 use ccd_core::Aabb;
 use ccd_core::broad_phase::morton_key;
@@ -14,12 +14,13 @@ const CHUNK: usize = 256;
 /// Sorts boxes along the Morton curve; buffers are kept.
 #[derive(Debug, Default)]
 pub struct MortonOrder {
-    radix: Radix,
+    radix: RadixSort,
     chunks: Vec<Aabb<f32>>,
 }
 
 impl MortonOrder {
-    /// Fills `order` with the ids of the boxes; those for which `last(i)` come after all others. Returns the grid of the codes.
+    /// Fills `order` with the ids of the boxes; those for which `last(i)` come after all others.
+    /// Returns the grid of the codes.
     pub fn sort(
         &mut self,
         threads: &Threads,
