@@ -1,8 +1,8 @@
 //! The end of a step on the CPU: what `f32` left open is decided in `f64`, and contacts get their canonical order.
 
 use ccd_core::Real;
-use ccd_core::layout::{Pair, Touch, join};
-use ccd_core::model::contact::{Contact, Kind, State};
+use ccd_core::layout::{Pair, Touch};
+use ccd_core::model::contact::{Contact, Kind};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::narrow_phase::decide;
 
@@ -20,10 +20,7 @@ pub fn decide<T: Real + Sync>(
     out: &mut Vec<Contact>,
 ) {
     let one = |&pair: &Pair| {
-        let verdict = match kind {
-            Kind::VertexFace => decide::vertex_face_pair(decide::vertex_face_ids(pair, mesh.faces()), x0, x1, min_distance, 0.0),
-            Kind::EdgeEdge => decide::edge_edge_pair(decide::edge_edge_ids(pair, mesh.edges()), x0, x1, min_distance, 0.0),
-        };
+        let verdict = decide::pair(kind, mesh.vertices_of(kind, pair), [x0, x1], min_distance);
         Contact::of(kind, pair, verdict)
     };
     if pairs.len() <= MIN_SHARE {
@@ -46,20 +43,10 @@ pub fn decide<T: Real + Sync>(
 
 /// Appends the contacts of a list as a device wrote them, without its header.
 pub fn take_touches(bytes: &[u8], out: &mut Vec<Contact>) {
-    out.extend(bytes.chunks_exact(size_of::<Touch>()).map(|touch| contact(&bytemuck::pod_read_unaligned(touch))));
+    out.extend(bytes.chunks_exact(size_of::<Touch>()).map(|touch| Contact::from(&bytemuck::pod_read_unaligned::<Touch>(touch))));
 }
 
 /// Puts contacts in their canonical order.
 pub fn sort(contacts: &mut [Contact]) {
     contacts.sort_unstable_by_key(|c| (c.kind, c.a, c.b));
-}
-
-fn contact(touch: &Touch) -> Contact {
-    Contact {
-        kind: if touch.kind == 0 { Kind::VertexFace } else { Kind::EdgeEdge },
-        state: if touch.state == 0 { State::Hit } else { State::Undecided },
-        a: touch.a,
-        b: touch.b,
-        toi: join(touch.toi),
-    }
 }

@@ -119,6 +119,7 @@ fn check_filters(device: &Device) {
 }
 
 fn verdict(step: &Step, kind: u32, pair: Pair, paths: &[Path]) -> Verdict<f64> {
+    use ccd::Kind;
     use ccd_core::narrow_phase::decide;
     let x = |end: fn(&Path) -> [f32; 4]| {
         paths
@@ -130,10 +131,8 @@ fn verdict(step: &Step, kind: u32, pair: Pair, paths: &[Path]) -> Verdict<f64> {
             .collect::<Vec<[f32; 3]>>()
     };
     let (x0, x1) = (x(|p| p.t0), x(|p| p.t1));
-    match kind {
-        0 => decide::vertex_face_pair(decide::vertex_face_ids(pair, step.mesh.faces()), &x0, &x1, 0.0, 0.0),
-        _ => decide::edge_edge_pair(decide::edge_edge_ids(pair, step.mesh.edges()), &x0, &x1, 0.0, 0.0),
-    }
+    let kind = if kind == 0 { Kind::VertexFace } else { Kind::EdgeEdge };
+    decide::pair(kind, step.mesh.vertices_of(kind, pair), [&x0, &x1], 0.0)
 }
 
 /// Every leaf is below every node that says so, children split the range of their parent, boxes are those of the leaves, no leaf comes twice.

@@ -2,6 +2,49 @@
 
 use core::ops::{Add, BitAnd, BitOr, Mul, Neg, Sub};
 
+/// The answer of a comparison: one Boolean, or one a lane.
+pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> {
+    /// [`Mask::bits`] if it is true in every lane.
+    const ALL: u32;
+    /// Bit `i`: the answer in lane `i`.
+    fn bits(self) -> u32;
+    /// Whether it is true in every lane.
+    #[inline(always)]
+    fn all(self) -> bool {
+        self.bits() == Self::ALL
+    }
+    /// Whether it is true in some lane.
+    #[inline(always)]
+    fn any(self) -> bool {
+        self.bits() != 0
+    }
+}
+
+impl Mask for bool {
+    const ALL: u32 = 1;
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        self as u32
+    }
+    #[inline(always)]
+    fn all(self) -> bool {
+        self
+    }
+    #[inline(always)]
+    fn any(self) -> bool {
+        self
+    }
+}
+
+/// A bit a lane.
+impl Mask for u16 {
+    const ALL: u32 = 0xffff;
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        self as u32
+    }
+}
+
 /// A number, or several side by side, with the operations that a branch-free filter needs.
 ///
 /// Every operation rounds as IEEE 754 says or no worse than one unit roundoff per operation; a result that underflows
@@ -11,8 +54,8 @@ pub trait Num: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Sel
     const UNIT: Self;
     /// Smallest positive normal number; flushing a result to zero loses less than this.
     const MIN_NORMAL: Self;
-    /// The answer of a comparison: one Boolean, or one a lane.
-    type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask>;
+    /// The answer of a comparison.
+    type Mask: Mask;
     /// Whether the number is greater than the other; false if either is NaN. Every rejection ends in this.
     fn gt(self, other: Self) -> Self::Mask;
     /// `x` in every lane; exact. The constants of the geometry are `f32`, because a shader without `f64` cannot even name one.

@@ -5,6 +5,7 @@ use crate::broad_phase::placement::given;
 use crate::kernel::memory::at;
 use crate::layout::{Pair, Params, Path, join, split};
 use crate::math::real::Real;
+use crate::model::contact::Kind;
 use crate::narrow_phase::query::{Verdict, solve};
 use crate::narrow_phase::relative_motion::{Motion, Patch};
 
@@ -139,28 +140,10 @@ pub fn edge_edge_ids(pair: Pair, edges: &[[u32; 2]]) -> [u32; 4] {
     [a0, a1, b0, b1]
 }
 
-/// Verdict of a vertex-face pair of vertices `v f0 f1 f2`; every coordinate may be off by `coordinate_error`.
-pub fn vertex_face_pair<T: Copy + Into<R>, R: Real>(
-    ids: [u32; 4],
-    x0: &[[T; 3]],
-    x1: &[[T; 3]],
-    min_distance: R,
-    coordinate_error: R,
-) -> Verdict<R> {
-    let m = Motion::vertex_face(&gather(ids, x0), &gather(ids, x1), coordinate_error);
-    solve(&m, Patch::Triangle, min_distance)
-}
-
-/// Verdict of an edge-edge pair of vertices `ea0 ea1 eb0 eb1`; every coordinate may be off by `coordinate_error`.
-pub fn edge_edge_pair<T: Copy + Into<R>, R: Real>(
-    ids: [u32; 4],
-    x0: &[[T; 3]],
-    x1: &[[T; 3]],
-    min_distance: R,
-    coordinate_error: R,
-) -> Verdict<R> {
-    let m = Motion::edge_edge(&gather(ids, x0), &gather(ids, x1), coordinate_error);
-    solve(&m, Patch::Parallelogram, min_distance)
+/// The verdict on a pair of features with these vertices, in the precision `R`, from exact positions at both times.
+pub fn pair<T: Copy + Into<R>, R: Real>(kind: Kind, ids: [u32; 4], x: [&[[T; 3]]; 2], min_distance: R) -> Verdict<R> {
+    let patch = kind.patch();
+    solve(&Motion::new(patch, &gather(ids, x[0]), &gather(ids, x[1]), R::splat(0.0)), patch, min_distance)
 }
 
 #[cfg(test)]

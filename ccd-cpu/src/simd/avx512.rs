@@ -1,7 +1,7 @@
 //! AVX-512: sixteen `f32` in one register, for filters; rows of boxes stay with AVX2.
 
 use super::avx2::load;
-use super::{Mask, Simd, WIDTH, Work};
+use super::{Simd, WIDTH, Work};
 use std::arch::x86_64::*;
 
 /// Proof that the processor has AVX-512 (F and DQ) and what [`super::Avx2`] proves; only
@@ -38,13 +38,6 @@ super::num!(
     _mm512_min_ps,
     _mm512_cmp_ps_mask::<_CMP_GT_OQ>
 );
-
-impl Mask for u16 {
-    #[inline(always)]
-    fn bits(self) -> u32 {
-        self as u32
-    }
-}
 
 #[inline]
 #[target_feature(enable = "avx512f,avx512dq")]

@@ -30,6 +30,7 @@ pub use neon::Neon;
 pub use portable::{F32x8, Portable};
 
 use ccd_core::layout::Pair;
+pub use ccd_core::math::real::Mask;
 use ccd_core::math::vec3::{add, sub};
 use ccd_core::{Aabb, Num};
 
@@ -44,17 +45,11 @@ pub type Block = Aabb<F32x8>;
 /// Eight empty boxes.
 pub const EMPTY: Block = Aabb { min: [F32x8([f32::INFINITY; WIDTH]); 3], max: [F32x8([f32::NEG_INFINITY; WIDTH]); 3] };
 
-/// Answers of a comparison, one a lane.
-pub trait Mask {
-    /// Bit `i`: the answer of lane `i`.
-    fn bits(self) -> u32;
-}
-
 /// An instruction set. A value of it is the proof that the processor has it; vectors of the set are
 /// made and used only where there is such a value.
 pub trait Simd: Copy + Send + Sync {
     /// Numbers side by side, for filters.
-    type Lanes: Num<Mask: Mask>;
+    type Lanes: Num;
     /// How many.
     const LANES: usize;
     /// The first [`Simd::LANES`] of the rows `ids` of a table, transposed: component `k` of all

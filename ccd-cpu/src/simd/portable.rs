@@ -78,6 +78,7 @@ impl BitOr for Mask8 {
 }
 
 impl Mask for Mask8 {
+    const ALL: u32 = 0xff;
     #[inline(always)]
     fn bits(self) -> u32 {
         (0..WIDTH).fold(0, |bits, i| bits | (self.0[i] & 1) << i)

@@ -9,10 +9,8 @@ use crate::step::candidates::{Scene, Take};
 use ccd_core::layout::Pair;
 use ccd_core::model::contact::{Contact, Kind};
 use ccd_core::model::precision::Precision;
-use ccd_core::narrow_phase::coplanarity::Coplanarity;
-use ccd_core::narrow_phase::decide;
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
-use ccd_core::narrow_phase::separating_direction::beside;
+use ccd_core::narrow_phase::{cascade, decide};
 use ccd_core::{Num, Real, Verdict};
 use std::time::{Duration, Instant};
 
@@ -78,11 +76,7 @@ impl Worker {
 
 /// The verdict on a pair, from positions as given, in `f64`.
 fn decide<T: Real>(scene: &Scene, kind: Kind, pair: Pair, x: [&[[T; 3]]; 2]) -> Verdict<f64> {
-    let ids = vertices(scene, kind, pair);
-    match kind {
-        Kind::VertexFace => decide::vertex_face_pair(ids, x[0], x[1], scene.min_distance, 0.0),
-        Kind::EdgeEdge => decide::edge_edge_pair(ids, x[0], x[1], scene.min_distance, 0.0),
-    }
+    decide::pair(kind, scene.mesh.vertices_of(kind, pair), x, scene.min_distance)
 }
 
 impl Take for Worker {
@@ -111,15 +105,6 @@ impl Take for Worker {
         if !self.queue.is_empty() {
             self.flush(scene, kind);
         }
-    }
-}
-
-/// `v f0 f1 f2` or `ea0 ea1 eb0 eb1`.
-#[inline(always)]
-fn vertices(scene: &Scene, kind: Kind, pair: Pair) -> [u32; 4] {
-    match kind {
-        Kind::VertexFace => decide::vertex_face_ids(pair, scene.mesh.faces()),
-        Kind::EdgeEdge => decide::edge_edge_ids(pair, scene.mesh.edges()),
     }
 }
 
@@ -160,14 +145,13 @@ impl Filter<'_> {
         for start in (0..self.pairs.len()).step_by(S::LANES) {
             let end = (start + S::LANES).min(self.pairs.len());
             let pairs = &self.pairs[start..end];
-            let motion = load::<S, VERTEX_FACE>(simd, self.scene, self.kind, pairs);
+            let motion = load(simd, self.scene, self.kind, patch, pairs);
             let rejected = if HALVES {
-                let (first, second) = motion.halves();
-                apart::<S>(&first, patch, distance) & apart::<S>(&second, patch, distance)
+                cascade::apart_in_halves(&motion, patch, distance)
             } else {
-                apart::<S>(&motion, patch, distance)
+                cascade::apart_throughout(&motion, patch, distance)
             };
-            let mut left = !rejected & all(end - start);
+            let mut left = !rejected.bits() & all(end - start);
             while left != 0 {
                 self.pairs[n] = self.pairs[start + left.trailing_zeros() as usize];
                 n += 1;
@@ -186,10 +170,10 @@ fn all(n_lanes: usize) -> u32 {
 
 /// The motion of as many pairs as there are lanes, or fewer; lanes past the last repeat it.
 #[inline(always)]
-fn load<S: Simd, const VERTEX_FACE: bool>(simd: S, scene: &Scene, kind: Kind, pairs: &[Pair]) -> Motion<S::Lanes> {
+fn load<S: Simd>(simd: S, scene: &Scene, kind: Kind, patch: Patch, pairs: &[Pair]) -> Motion<S::Lanes> {
     let mut v = [[0u32; MAX_WIDTH]; 4];
     for j in 0..S::LANES {
-        let four = vertices(scene, kind, pairs[j.min(pairs.len() - 1)]);
+        let four = scene.mesh.vertices_of(kind, pairs[j.min(pairs.len() - 1)]);
         for k in 0..4 {
             v[k][j] = four[k];
         }
@@ -202,13 +186,5 @@ fn load<S: Simd, const VERTEX_FACE: bool>(simd: S, scene: &Scene, kind: Kind, pa
         x0[k] = [p[0], p[1], p[2]];
         x1[k] = [p[4], p[5], p[6]];
     }
-    if VERTEX_FACE { Motion::vertex_face(&x0, &x1, error) } else { Motion::edge_edge(&x0, &x1, error) }
-}
-
-/// Lanes in which the features certainly stay further than `distance` apart.
-#[inline(always)]
-fn apart<S: Simd>(motion: &Motion<S::Lanes>, patch: Patch, distance: S::Lanes) -> u32 {
-    let zero = S::Lanes::splat(0.0);
-    let by_plane = Coplanarity::new(motion).clearance(distance).gt(zero).bits();
-    if by_plane == all(S::LANES) { by_plane } else { by_plane | beside(motion, patch, distance).gt(zero).bits() }
+    Motion::new(patch, &x0, &x1, error)
 }
