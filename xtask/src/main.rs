@@ -7,6 +7,8 @@ mod compile_times;
 mod gpu;
 #[cfg(any(feature = "report", feature = "gpu-report", test))]
 mod markdown;
+mod mutants;
+mod mutations;
 #[cfg(feature = "report")]
 mod report;
 mod shaders;
@@ -26,6 +28,12 @@ enum Task {
     Ci,
     /// Rules of the repository that no compiler checks
     Tidy,
+    /// Mutations of ccd-core that its tests must notice, one at a time
+    Mutants {
+        /// Only those whose name contains this
+        #[arg(default_value = "")]
+        name: String,
+    },
     /// Compile the shaders (needs the nightly of ccd-shaders/rust-toolchain.toml) and write them to ccd-gpu/shaders
     Shaders {
         /// Compare with the committed files instead; reported as skipped where the nightly is missing
@@ -57,6 +65,7 @@ fn main() -> ExitCode {
     let result = match Task::parse() {
         Task::Ci => ci::run(root),
         Task::Tidy => tidy::run(root),
+        Task::Mutants { name } => mutants::run(root, &name),
         Task::Shaders { check } => shaders_task(root, check),
         Task::Report { runs, gpu: true, out } => gpu_task(root, runs, &root.join(out)),
         Task::Report { runs, .. } => report_task(root, runs),

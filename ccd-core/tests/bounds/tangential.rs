@@ -1,15 +1,13 @@
 //! Cubics and queries that nearly touch, in `f32` and `f64`, against exact arithmetic: no zero and no contact is missed.
 
-mod common;
-
+use crate::common::exact::Contact;
+use crate::common::oracle::{self, Answer};
+use crate::common::random::Random;
+use crate::common::tangential::{Query, cubic, intervals, query};
+use crate::common::{Points, exact, widen};
 use ccd_core::narrow_phase::query::solve;
 use ccd_core::narrow_phase::relative_motion::Patch;
 use ccd_core::{Real, Verdict};
-use common::exact::Contact;
-use common::oracle::{self, Answer};
-use common::random::Random;
-use common::tangential::{Query, cubic, intervals, query};
-use common::{Points, exact, widen};
 
 /// Every zero of any cubic within the error is in an interval. Returns how many zeros there were.
 fn check_cubic<R: Real>(c: [R; 4], error: R) -> usize {
@@ -46,8 +44,18 @@ fn check_query<R: Real>(q: &Query<R>) -> bool {
 
 /// The vertex passes a point of a face that turns, so that the cubic is a parabola that just reaches zero.
 const GRAZING: [Points<f64>; 2] = [
-    [[-0.5406958777051462, 0.22532161286897426, 0.027710373284185068], [0.0; 3], [1.0, 0.0, -0.6464761151854638], [0.0, 1.0, 0.0]],
-    [[0.37682135579077886, 0.22532161286897426, -0.019311892065309713], [0.0; 3], [1.0, 0.0, 0.36357560701938263], [0.0, 1.0, 0.0]],
+    [
+        [-0.5406958777051462, 0.22532161286897426, 0.027710373284185068],
+        [0.0; 3],
+        [1.0, 0.0, -0.6464761151854638],
+        [0.0, 1.0, 0.0],
+    ],
+    [
+        [0.37682135579077886, 0.22532161286897426, -0.019311892065309713],
+        [0.0; 3],
+        [1.0, 0.0, 0.36357560701938263],
+        [0.0, 1.0, 0.0],
+    ],
 ];
 
 #[test]
@@ -75,14 +83,14 @@ fn check_queries<R: Real>(n: usize, seed: u64) {
 
 #[test]
 fn zeros_of_cubics_that_nearly_touch_are_held() {
-    check_cubics::<f64>(6_000, 1);
-    check_cubics::<f32>(6_000, 2);
+    check_cubics::<f64>(2_500, 1);
+    check_cubics::<f32>(2_500, 2);
 }
 
 #[test]
 fn contacts_of_queries_that_nearly_graze_are_seen() {
-    check_queries::<f64>(25_000, 3);
-    check_queries::<f32>(25_000, 4);
+    check_queries::<f64>(12_000, 3);
+    check_queries::<f32>(12_000, 4);
 }
 
 #[test]
@@ -90,17 +98,23 @@ fn a_wrong_interval_and_a_late_verdict_are_noticed() {
     let face = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
     let at = |y: f64| [[0.25, y, 0.25], face[0], face[1], face[2]];
     let narrow = |x: Points<f64>| x.map(|p| p.map(|c| c as f32));
-    let Contact::At([lo, hi]) = exact::contact(Patch::Triangle, &at(1.0), &at(-1.0)) else { panic!("no contact") };
+    let Contact::At([lo, hi]) = exact::contact(Patch::Triangle, &at(1.0), &at(-1.0)) else {
+        panic!("no contact")
+    };
     assert!(lo <= 0.5 && hi >= 0.5 && hi - lo < 1e-15);
     assert_eq!(exact::contact(Patch::Triangle, &at(1.0), &at(0.5)), Contact::Free);
-    assert!(check_query(&Query { patch: Patch::Triangle, t0: narrow(at(1.0)), t1: narrow(at(-1.0)) }));
+    assert!(check_query(&Query {
+        patch: Patch::Triangle,
+        t0: narrow(at(1.0)),
+        t1: narrow(at(-1.0))
+    }));
 }
 
 #[test]
 fn integers_and_rational_numbers_agree() {
     let mut random = Random::new(5);
     let mut seen = [0; 2];
-    for i in 0..200 {
+    for i in 0..40 {
         // Far from a tangent: there the rational oracle takes seconds.
         let mut points = || std::array::from_fn(|_| random.vector());
         let (t0, t1): (Points<f64>, Points<f64>) = (points(), points());
@@ -117,5 +131,5 @@ fn integers_and_rational_numbers_agree() {
             (got, want) => panic!("{got:?} {want:?}: {patch:?} {t0:?} {t1:?}"),
         }
     }
-    assert!(seen[0] > 10 && seen[1] > 50, "{seen:?}");
+    assert!(seen[0] > 2 && seen[1] > 10, "{seen:?}");
 }

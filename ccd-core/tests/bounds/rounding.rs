@@ -2,20 +2,16 @@
 //!
 //! A ratio above 1 is a bound that does not hold; each test also reaches the ratio that docs/ERROR-BOUNDS.md states.
 
-mod common;
-
+use crate::common::adversary::{Adversarial, UNIT, under, undisturbed};
+use crate::common::ascent::Ascent;
 use ccd_core::math::vec3::{dot, sum_abs};
 use ccd_core::narrow_phase::containment::{Ball, cross2};
 use ccd_core::narrow_phase::coplanarity::Coplanarity;
 use ccd_core::narrow_phase::cubic_roots::Cubic;
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
 use ccd_core::narrow_phase::separating_direction::beside;
-use common::adversary::{Adversarial, UNIT, under, undisturbed};
-use common::ascent::Ascent;
 
 type V = [f64; 3];
-
-const PATCHES: [Patch; 2] = [Patch::Triangle, Patch::Parallelogram];
 
 fn minus(a: V, b: V) -> V {
     std::array::from_fn(|k| a[k] - b[k])
@@ -47,17 +43,32 @@ enum Part {
 
 /// Points from 24 inputs; true ones, off by up to `error`, from 24 more. The motion in adversarial arithmetic, and the
 /// true `a b c`.
-fn motion(x: &[f64], patch: Patch, part: Part, size: f64, error: f64) -> (Motion<Adversarial>, [[V; 2]; 3]) {
+fn motion(
+    x: &[f64],
+    patch: Patch,
+    part: Part,
+    size: f64,
+    error: f64,
+) -> (Motion<Adversarial>, [[V; 2]; 3]) {
     let point = |t: usize, i: usize| -> V { std::array::from_fn(|k| size * x[12 * t + 3 * i + k]) };
-    let off =
-        |t: usize, i: usize| -> V { std::array::from_fn(|k| point(t, i)[k] + error * x.get(24 + 12 * t + 3 * i + k).unwrap_or(&0.0)) };
+    let off = |t: usize, i: usize| -> V {
+        std::array::from_fn(|k| {
+            point(t, i)[k] + error * x.get(24 + 12 * t + 3 * i + k).unwrap_or(&0.0)
+        })
+    };
     let given = |t: usize| std::array::from_fn(|i| wrap(point(t, i)));
     let (t0, t1) = (given(0), given(1));
     let e = Adversarial(error);
-    let difference = |i: usize, j: usize| [minus(off(0, i), off(0, j)), minus(off(1, i), off(1, j))];
+    let difference =
+        |i: usize, j: usize| [minus(off(0, i), off(0, j)), minus(off(1, i), off(1, j))];
     let (m, mut exact) = match patch {
-        Patch::Triangle => (Motion::vertex_face(&t0, &t1, e), [difference(0, 1), difference(2, 1), difference(3, 1)]),
-        Patch::Parallelogram => (Motion::edge_edge(&t0, &t1, e), [difference(2, 0), difference(1, 0), difference(2, 3)]),
+        Patch::Triangle => (
+            Motion::vertex_face(&t0, &t1, e),
+            [difference(0, 1), difference(2, 1), difference(3, 1)],
+        ),
+        Patch::Parallelogram => {
+            (Motion::edge_edge(&t0, &t1, e), [difference(2, 0), difference(1, 0), difference(2, 3)])
+        }
     };
     let (first, second) = m.halves();
     let m = match part {
@@ -93,17 +104,22 @@ fn check_control(name: &str, k: usize, part: Part, size: f64, error: f64, docume
         let c = plane.c[k].0 * if k == 0 || k == 3 { 3.0 } else { 1.0 };
         (c - control(&exact, k)) / plane.bound.0
     };
-    Ascent { n_inputs: 48, flush: size < 1e-6, ratio }.check(name, 1 + k as u64, [3, 250], documented);
+    Ascent { n_inputs: 48, flush: size < 1e-6, ratio }.check(
+        name,
+        1 + k as u64,
+        [2, 200],
+        documented,
+    );
 }
 
 #[test]
 fn control_values() {
-    check_control("control value 0", 0, Part::Whole, 1.0, 0.0, 0.0);
-    check_control("control value 1", 1, Part::Whole, 1.0, 0.0, 0.0);
-    check_control("control value 1, first half", 1, Part::First, 1.0, 0.0, 0.0);
-    check_control("control value 2, second half", 2, Part::Second, 1.0, 0.0, 0.0);
-    check_control("control value 1, input", 1, Part::Whole, 1.0, 0.01, 0.0);
-    check_control("control value 1, flushed", 1, Part::Whole, 2e-13, 0.0, 0.0);
+    check_control("control value 0", 0, Part::Whole, 1.0, 0.0, 0.11);
+    check_control("control value 1", 1, Part::Whole, 1.0, 0.0, 0.11);
+    check_control("control value 1, first half", 1, Part::First, 1.0, 0.0, 0.15);
+    check_control("control value 2, second half", 2, Part::Second, 1.0, 0.0, 0.14);
+    check_control("control value 1, input", 1, Part::Whole, 1.0, 0.01, 0.17);
+    check_control("control value 1, flushed", 1, Part::Whole, 2e-13, 0.0, 0.016);
 }
 
 #[test]
@@ -113,39 +129,33 @@ fn middles_of_halves() {
         let (m, exact) = motion(x, Patch::Triangle, Part::First, 1.0, 0.0);
         (m.a[1][0].0 - exact[0][1][0]) / (3.0 * UNIT * m.magnitudes()[0].0)
     };
-    Ascent { n_inputs: 24, flush: false, ratio }.check("middle of a half", 5, [3, 800], 0.0);
+    Ascent { n_inputs: 24, flush: false, ratio }.check("middle of a half", 5, [2, 600], 0.99);
 }
 
 #[test]
 fn greatest_normal() {
-    for (part, documented) in [(Part::Whole, 0.0), (Part::First, 0.0)] {
-        let ratio = |x: &[f64]| {
-            let (m, exact) = motion(x, Patch::Triangle, part, 1.0, 0.0);
-            let greatest = |length: fn(V) -> f64| {
-                let middle = {
-                    let (p, q) = (cross(exact[1][0], exact[2][1]), cross(exact[1][1], exact[2][0]));
-                    std::array::from_fn(|k| 0.5 * (p[k] + q[k]))
-                };
-                [cross(exact[1][0], exact[2][0]), middle, cross(exact[1][1], exact[2][1])].map(length).into_iter().fold(0.0, f64::max)
-            };
-            let normal = Coplanarity::new(&m).normal.0;
-            let size = m.magnitudes();
-            // What is added to the rounded sums of components.
-            let added = 64.0 * UNIT * size[1].0 * size[2].0;
-            1.0 + (greatest(|n| scalar(n, n).sqrt()) - normal) / added
-        };
-        Ascent { n_inputs: 24, flush: false, ratio }.check("normal", 7, [4, 400], documented);
-    }
+    let ratio = |x: &[f64]| {
+        let (m, [_, b, c]) = motion(x, Patch::Triangle, Part::Whole, 1.0, 0.0);
+        let (p, q) = (cross(b[0], c[1]), cross(b[1], c[0]));
+        let middle = std::array::from_fn(|k| 0.5 * (p[k] + q[k]));
+        let normals = [cross(b[0], c[0]), middle, cross(b[1], c[1])];
+        let greatest = normals.map(|n| scalar(n, n).sqrt()).into_iter().fold(0.0, f64::max);
+        let size = m.magnitudes();
+        // What is added to the rounded sums of components.
+        let added = 64.0 * UNIT * size[1].0 * size[2].0;
+        1.0 + (greatest - Coplanarity::new(&m).normal.0) / added
+    };
+    Ascent { n_inputs: 24, flush: false, ratio }.check("normal", 7, [4, 400], 0.27);
 }
 
 #[test]
 fn corners_along_a_direction() {
-    for (patch, part, size, error) in [
-        (Patch::Triangle, Part::Whole, 1.0, 0.0),
-        (Patch::Parallelogram, Part::Whole, 1.0, 0.0),
-        (Patch::Parallelogram, Part::Second, 1.0, 0.0),
-        (Patch::Parallelogram, Part::Whole, 1.0, 0.01),
-        (Patch::Parallelogram, Part::Whole, 1e-37, 0.0),
+    for (patch, part, size, error, documented) in [
+        (Patch::Triangle, Part::Whole, 1.0, 0.0, 0.22),
+        (Patch::Parallelogram, Part::Whole, 1.0, 0.0, 0.25),
+        (Patch::Parallelogram, Part::Second, 1.0, 0.0, 0.33),
+        (Patch::Parallelogram, Part::Whole, 1.0, 0.01, 0.33),
+        (Patch::Parallelogram, Part::Whole, 1e-37, 0.0, 0.05),
     ] {
         let ratio = |x: &[f64]| {
             let (m, [a, b, c]) = motion(x, patch, part, size, error);
@@ -158,13 +168,18 @@ fn corners_along_a_direction() {
             (got - scalar(w, exact)) / (m.corner_error().0 * sum_abs(w))
         };
         let name = format!("corner, {patch:?} {part:?} {size} {error}");
-        Ascent { n_inputs: 51, flush: size < 1e-6, ratio }.check(&name, 9, [3, 300], 0.0);
+        Ascent { n_inputs: 51, flush: size < 1e-6, ratio }.check(&name, 9, [2, 200], documented);
     }
 }
 
 #[test]
 fn separations_beside() {
-    for (patch, part) in PATCHES.into_iter().flat_map(|p| [Part::Whole, Part::Second].map(|h| (p, h))) {
+    for (patch, part, documented) in [
+        (Patch::Triangle, Part::Whole, 0.017),
+        (Patch::Triangle, Part::Second, 0.048),
+        (Patch::Parallelogram, Part::Whole, 0.016),
+        (Patch::Parallelogram, Part::Second, 0.012),
+    ] {
         // Points that touch at both ends in the same corner or along the same side: the true separation is nowhere
         // positive.
         let ratio = |x: &[f64]| {
@@ -189,12 +204,18 @@ fn separations_beside() {
                 }
             }
             x.resize(48, 0.0);
-            let separation = || beside(&motion(&x, patch, part, 1.0, 0.0).0, patch, Adversarial(0.0)).0;
+            let separation =
+                || beside(&motion(&x, patch, part, 1.0, 0.0).0, patch, Adversarial(0.0)).0;
             // Without errors of rounding nearly the bound alone is left.
             let bound = -undisturbed(separation);
             1.0 + separation() / bound
         };
-        Ascent { n_inputs: 26, flush: false, ratio }.check(&format!("beside, {patch:?} {part:?}"), 11, [3, 200], 0.0);
+        Ascent { n_inputs: 26, flush: false, ratio }.check(
+            &format!("beside, {patch:?} {part:?}"),
+            11,
+            [2, 200],
+            documented,
+        );
     }
 }
 
@@ -211,7 +232,12 @@ fn values_of_cubics() {
         let t = 0.5 + 0.5 * x[4];
         (cubic(x).value(Adversarial(t)).0 - exact(x, t)) / (12.0 * UNIT * largest(x))
     };
-    Ascent { n_inputs: 5, flush: false, ratio: value }.check("value of a cubic", 13, [3, 1000], 0.0);
+    Ascent { n_inputs: 5, flush: false, ratio: value }.check(
+        "value of a cubic",
+        13,
+        [2, 600],
+        0.66,
+    );
     // The value at a critical point as found, against the true extreme value.
     let turning = |x: &[f64]| {
         let (ends, n) = cubic(x).pieces();
@@ -222,26 +248,38 @@ fn values_of_cubics() {
         }
         let i = if x[4] > 0.0 { 1 } else { n - 1 };
         let z = -(q[1] + if q[1] < 0.0 { -d.sqrt() } else { d.sqrt() });
-        let near = |t: f64| if t > 0.0 && t < 1.0 { (t - ends[i].0).abs() } else { f64::INFINITY };
+        let near = |t: f64| (t - ends[i].0).abs();
         let (t, u) = (z / (z + q[2]), q[0] / (q[0] + z));
         let t = if near(t) < near(u) { t } else { u };
-        if !near(t).is_finite() {
+        if !(near(t) < 0.01) {
             return f64::NEG_INFINITY;
         }
         let got = cubic(x).value(ends[i]).0;
         let sign = if x[5] > 0.0 { 1.0 } else { -1.0 };
         sign * (got - exact(x, t)) / (256.0 * UNIT * largest(x))
     };
-    Ascent { n_inputs: 6, flush: false, ratio: turning }.check("value at a critical point", 15, [4, 1000], 0.0);
+    Ascent { n_inputs: 6, flush: false, ratio: turning }.check(
+        "value at a critical point",
+        15,
+        [3, 700],
+        0.0126,
+    );
 }
 
 #[test]
 fn balls_and_products_over_an_interval() {
     // Widths of the interval: none (rounding alone), and all of the step.
-    for (width, error) in [(0.0, 0.0), (1.0, 0.0), (0.0, 0.01), (1e-3, 1e-4)] {
+    for (width, error, documented) in [
+        (0.0, 0.0, [0.43, 0.41]),
+        (1.0, 0.0, [0.99, 0.71]),
+        (0.0, 0.01, [0.99, 0.88]),
+        (1e-3, 1e-4, [0.99, 0.93]),
+    ] {
         let vector = |x: &[f64], from: usize| -> ([[Adversarial; 3]; 2], [V; 2]) {
             let given = [0, 3].map(|i| -> V { std::array::from_fn(|k| x[from + i + k]) });
-            let true_ones = [0, 3].map(|i| -> V { std::array::from_fn(|k| x[from + i + k] + error * x[from + 6 + i + k]) });
+            let true_ones = [0, 3].map(|i| -> V {
+                std::array::from_fn(|k| x[from + i + k] + error * x[from + 6 + i + k])
+            });
             (given.map(wrap), true_ones)
         };
         let times = |x: &[f64]| {
@@ -260,7 +298,12 @@ fn balls_and_products_over_an_interval() {
             (b.centre[0].0 - at(&exact, times(x).2)[0]) / b.radius.0
         };
         let name = format!("ball, width {width}, input error {error}");
-        Ascent { n_inputs: 26, flush: false, ratio: radius }.check(&name, 17, [3, 400], 0.0);
+        Ascent { n_inputs: 26, flush: false, ratio: radius }.check(
+            &name,
+            17,
+            [2, 250],
+            documented[0],
+        );
         let product = |x: &[f64]| {
             let ((p, p_true), (q, q_true)) = (vector(x, 0), vector(x, 12));
             let (value, bound) = cross2(&ball(x, &p), &ball(x, &q), 0, 1);
@@ -268,7 +311,12 @@ fn balls_and_products_over_an_interval() {
             (value.0 - cross(at(&p_true, t), at(&q_true, t))[2]) / bound.0
         };
         let name = format!("product, width {width}, input error {error}");
-        Ascent { n_inputs: 26, flush: false, ratio: product }.check(&name, 19, [3, 400], 0.0);
+        Ascent { n_inputs: 26, flush: false, ratio: product }.check(
+            &name,
+            19,
+            [2, 250],
+            documented[1],
+        );
     }
 }
 
@@ -278,7 +326,7 @@ fn the_search_finds_a_bound_that_is_too_small() {
         let (m, exact) = motion(x, Patch::Triangle, Part::Second, 1.0, 0.0);
         (m.a[0][0].0 - exact[0][0][0]) / (2.0 * UNIT * m.magnitudes()[0].0)
     };
-    assert!(Ascent { n_inputs: 24, flush: false, ratio }.climb(5, 3, 800).ratio > 1.0);
+    assert!(Ascent { n_inputs: 24, flush: false, ratio }.climb(5, 2, 600).ratio > 1.0);
     // And each choice of the adversary counts.
     let sum = |choices: &[i8]| under(choices, false, || (Adversarial(1.0) + Adversarial(1.0)).0).0;
     assert_eq!([sum(&[-1]), sum(&[]), sum(&[1])], [2.0 - 2.0 * UNIT, 2.0, 2.0 + 2.0 * UNIT]);

@@ -1,12 +1,10 @@
 //! What the integration tests share: random numbers, exact arithmetic, generators of hard cases.
-#![allow(dead_code, reason = "each test is a crate of its own and uses a part")]
 
 pub mod adversary;
 pub mod ascent;
-#[path = "distance.rs"]
 pub mod distance;
 pub mod exact;
-#[path = "../../../ccd-testkit/src/oracle.rs"]
+#[path = "../../../../ccd-testkit/src/oracle.rs"]
 pub mod oracle;
 pub mod random;
 pub mod tangential;

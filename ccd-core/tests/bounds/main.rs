@@ -1,0 +1,9 @@
+//! Bounds and verdicts of the core against exact arithmetic, adversaries and independent computation; no data needed.
+
+mod boxes;
+mod common;
+mod derived;
+mod distance;
+mod rounding;
+mod tangential;
+mod verdicts;

@@ -1,0 +1,181 @@
+//! Mutations of `ccd-core` that make it unsound, one at a time: its tests must notice each of them.
+//!
+//! Works in `target/mutants` on a copy of the crate, so that the sources are never touched and one build serves the next.
+
+use crate::mutations::{MUTANTS, Mutant};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// What a run of the tests says.
+#[derive(Debug, PartialEq)]
+enum Outcome {
+    /// The first test that failed.
+    Killed(String),
+    Survived,
+    /// Not a mutation: it does not compile.
+    Broken(String),
+}
+
+/// Tries the mutants whose name contains `name`.
+pub fn run(root: &Path, name: &str) -> Result<(), String> {
+    let chosen: Vec<&Mutant> = MUTANTS.iter().filter(|m| m.name.contains(name)).collect();
+    if chosen.is_empty() {
+        return Err(format!("no mutant is called {name}"));
+    }
+    let copy = root.join("target/mutants/copy");
+    prepare(root, &copy)?;
+    // All texts first: a list that is out of date costs no hour.
+    let texts = chosen.iter().map(|m| mutated(&copy, m)).collect::<Result<Vec<_>, _>>();
+    let texts =
+        texts.map_err(|e| format!("{e}; xtask/src/mutations.rs must follow the sources"))?;
+    match test(root, &copy)? {
+        Outcome::Survived => println!("no mutation: all tests pass"),
+        other => return Err(format!("without a mutation: {other:?}")),
+    }
+    let mut bad = Vec::new();
+    for (m, text) in chosen.iter().zip(texts) {
+        let path = copy.join(m.file);
+        let original = read(&path)?;
+        write(&path, &text)?;
+        let outcome = test(root, &copy);
+        write(&path, &original)?;
+        let outcome = outcome?;
+        let line = match (&outcome, m.survives) {
+            (Outcome::Killed(by), None) => format!("killed by {by}"),
+            (Outcome::Killed(by), Some(_)) => format!("killed by {by}: no longer equivalent"),
+            (Outcome::Survived, Some(why)) => format!("survives: {why}"),
+            (Outcome::Survived, None) => format!("SURVIVED: {}", m.why),
+            (Outcome::Broken(e), _) => format!("BROKEN: {e}"),
+        };
+        println!("{:<40} {line}", m.name);
+        if (outcome == Outcome::Survived) != m.survives.is_some() {
+            bad.push(m.name);
+        }
+    }
+    println!("{} mutants, {} not as expected", chosen.len(), bad.len());
+    if bad.is_empty() { Ok(()) } else { Err(format!("mutants: {}", bad.join(", "))) }
+}
+
+/// Copies what the tests of `ccd-core` need, and a manifest of a workspace around it.
+fn prepare(root: &Path, copy: &Path) -> Result<(), String> {
+    // What is the same keeps its time, so that only what differs is built again.
+    let mut files = Vec::new();
+    collect(&root.join("ccd-core"), &mut files)?;
+    files.push(root.join("ccd-testkit/src/oracle.rs"));
+    files.push(root.join("Cargo.lock"));
+    for from in &files {
+        let name = from.strip_prefix(root).map_err(|e| e.to_string())?;
+        copy_changed(from, &copy.join(name))?;
+    }
+    let mut old = Vec::new();
+    collect(&copy.join("ccd-core"), &mut old)?;
+    for path in old {
+        let name = path.strip_prefix(copy).map_err(|e| e.to_string())?;
+        if !root.join(name).exists() {
+            std::fs::remove_file(&path).map_err(|e| format!("{}: {e}", path.display()))?;
+        }
+    }
+    let manifest = read(&root.join("Cargo.toml"))?;
+    let shared = manifest.find("[workspace.package]").zip(manifest.find("[profile.release]"));
+    let (from, to) =
+        shared.ok_or("Cargo.toml has no [workspace.package] before [profile.release]")?;
+    // Fast to compile, fast enough to run.
+    let profile = "[profile.test]\nopt-level = 1\ndebug = false\n[profile.test.package.\"*\"]\nopt-level = 2\n";
+    let text = format!(
+        "[workspace]\nresolver = \"3\"\nmembers = [\"ccd-core\"]\n{}{profile}",
+        &manifest[from..to]
+    );
+    let path = copy.join("Cargo.toml");
+    if read(&path).ok().as_ref() != Some(&text) { write(&path, &text) } else { Ok(()) }
+}
+
+/// The file of a mutant, mutated.
+fn mutated(copy: &Path, m: &Mutant) -> Result<String, String> {
+    let text = read(&copy.join(m.file))?;
+    match text.matches(m.text).count() {
+        1 => Ok(text.replace(m.text, m.with)),
+        n => Err(format!("{}: {:?} stands {n} times in {}, not once", m.name, m.text, m.file)),
+    }
+}
+
+/// Runs the tests of the copy.
+fn test(root: &Path, copy: &Path) -> Result<Outcome, String> {
+    let out = Command::new("cargo")
+        .args(["test", "--quiet", "--offline", "-p", "ccd-core", "--lib", "--tests"])
+        .current_dir(copy)
+        .env("CARGO_TARGET_DIR", root.join("target/mutants/build"))
+        .env("RUST_BACKTRACE", "0")
+        .output()
+        .map_err(|e| format!("cargo: {e}"))?;
+    let (stdout, stderr) =
+        (String::from_utf8_lossy(&out.stdout), String::from_utf8_lossy(&out.stderr));
+    Ok(outcome(out.status.success(), &stdout, &stderr))
+}
+
+/// What the output of `cargo test --quiet` means.
+fn outcome(success: bool, stdout: &str, stderr: &str) -> Outcome {
+    if success {
+        return Outcome::Survived;
+    }
+    let failed =
+        stdout.lines().filter_map(|l| l.strip_prefix("---- ")?.strip_suffix(" stdout ----")).next();
+    match failed {
+        Some(name) => Outcome::Killed(name.into()),
+        None => Outcome::Broken(
+            stderr.lines().find(|l| l.contains("error")).unwrap_or("no test ran").into(),
+        ),
+    }
+}
+
+/// Files below `dir`.
+fn collect(dir: &Path, out: &mut Vec<PathBuf>) -> Result<(), String> {
+    let entries = std::fs::read_dir(dir).map_err(|e| format!("{}: {e}", dir.display()))?;
+    for entry in entries.flatten() {
+        let path = entry.path();
+        if path.is_dir() { collect(&path, out)? } else { out.push(path) }
+    }
+    Ok(())
+}
+
+fn copy_changed(from: &Path, to: &Path) -> Result<(), String> {
+    let text = read(from)?;
+    if read(to).ok().as_ref() == Some(&text) { Ok(()) } else { write(to, &text) }
+}
+
+fn read(path: &Path) -> Result<String, String> {
+    std::fs::read_to_string(path).map_err(|e| format!("{}: {e}", path.display()))
+}
+
+fn write(path: &Path, text: &str) -> Result<(), String> {
+    if let Some(dir) = path.parent() {
+        std::fs::create_dir_all(dir).map_err(|e| format!("{}: {e}", dir.display()))?;
+    }
+    std::fs::write(path, text).map_err(|e| format!("{}: {e}", path.display()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn outcomes_are_told_apart() {
+        assert_eq!(outcome(true, "", ""), Outcome::Survived);
+        let failed = "failures:\n\n---- a::b stdout ----\npanicked\n";
+        assert_eq!(outcome(false, failed, "error: test failed"), Outcome::Killed("a::b".into()));
+        assert_eq!(outcome(false, "", "x\nerror: no"), Outcome::Broken("error: no".into()));
+    }
+
+    #[test]
+    fn every_mutant_has_its_place_and_its_reason() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."));
+        for (i, m) in MUTANTS.iter().enumerate() {
+            assert_ne!(mutated(root, m), read(&root.join(m.file)), "{} changes nothing", m.name);
+            mutated(root, m).unwrap_or_else(|e| panic!("{e}"));
+            assert!(
+                !m.why.is_empty() && MUTANTS[..i].iter().all(|n| n.name != m.name),
+                "{}",
+                m.name
+            );
+        }
+    }
+}
