@@ -57,7 +57,8 @@ fn count(threads: usize) -> Vec<usize> {
 fn warm_sessions_allocate_nothing() {
     let alone = count(1);
     assert!(alone.iter().all(|&n| n == 0), "one thread: {alone:?}");
-    // Rayon's queue for calls from outside of the pool grows by one block in 63 calls, and each worker's own queue may grow once.
+    // Rayon's queue for calls from outside of the pool grows by one block in 63 calls, and each
+    // worker's own queue may grow once.
     let shared = count(2);
     assert!(shared.iter().sum::<usize>() <= 4, "two threads: {shared:?}");
     // The counter counts.

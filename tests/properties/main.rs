@@ -27,7 +27,8 @@ fn ee(t0: Points, t1: Points) -> Verdict<f64> {
     ccd::edge_edge(&EdgeEdge { t0, t1 }, 0.0)
 }
 
-/// Two verdicts of the same geometry: never one certain of a contact and the other of none; two certain times agree.
+/// Two verdicts of the same geometry: never one certain of a contact and the other of none; two
+/// certain times agree.
 fn check_consistent(a: Verdict<f64>, b: Verdict<f64>) {
     match (a, b) {
         (Verdict::Hit { toi: x }, Verdict::Hit { toi: y }) => assert!((x - y).abs() <= TOI_TOLERANCE, "{a:?} {b:?}"),

@@ -159,8 +159,8 @@ fn a_gap_beside_is_seen_to_a_part_of_itself() {
         let edges = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.3, gap, 0.0], [0.5, gap + 1.0, 0.1]];
         for (t0, patch) in vf.into_iter().chain([(edges, Patch::Parallelogram)]) {
             let m = motion(&t0, &t0, patch);
-            // The length of a direction is taken as its absolute sum, up to sqrt(2) times as much in
-            // a plane: 0.7 of a gap is seen in every direction, all of it along an axis.
+            // The length of a direction is taken as its absolute sum, up to sqrt(2) times as much
+            // in a plane: 0.7 of a gap is seen in every direction, all of it along an axis.
             let [near, far] = [0.7, 1.001].map(|part| beside(&m, patch, part * gap));
             assert!(near > 0.0, "{t0:?}: {near} for 0.7 of the gap of {gap}");
             assert!(!(far > 0.0), "{t0:?}: {far} for more than the gap of {gap}");

@@ -1,4 +1,5 @@
-//! `cargo xtask report --gpu`: what a GPU needs for each stage, for whole steps, for sorting, and how far that is from the bytes that must move.
+//! `cargo xtask report --gpu`: what a GPU needs for each stage, for whole steps, for sorting, and
+//! how far that is from the bytes that must move.
 
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Path as Shaders, Session, Sorter, Timing};
 use ccd::{BroadPhaseMethod, Mesh};
@@ -8,12 +9,15 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// Work before a measurement: a device that was idle needs about this long to reach its clock again.
+/// Work before a measurement: a device that was idle needs about this long to reach its clock
+/// again.
 const WARM_UP: Duration = Duration::from_millis(300);
-/// Bytes a second that an NVIDIA H200 copies, as TARGETS of the project state it; floors on other devices do not follow from it.
+/// Bytes a second that an NVIDIA H200 copies, as TARGETS of the project state it; floors on other
+/// devices do not follow from it.
 const COPY: f64 = 4.3e12;
 
-/// What others need on the same scenes and an NVIDIA H200, in milliseconds, as TARGETS of the project state it.
+/// What others need on the same scenes and an NVIDIA H200, in milliseconds, as TARGETS of the
+/// project state it.
 struct Peer {
     scene: &'static str,
     candidates: &'static str,
@@ -90,7 +94,8 @@ fn repeat<T, E>(runs: usize, mut run: impl FnMut() -> Result<T, E>) -> Result<Ve
     (0..runs).map(|_| run()).collect()
 }
 
-/// Measures in three ways, one after the other. `run` sets the timing it is told, works, and returns the stages.
+/// Measures in three ways, one after the other. `run` sets the timing it is told, works, and
+/// returns the stages.
 fn sample<E>(runs: usize, mut run: impl FnMut(Timing) -> Result<Stages, E>) -> Result<Measured, E> {
     run(Timing::Off)?;
     let mut wall = repeat(runs, || -> Result<f64, E> {
@@ -100,7 +105,8 @@ fn sample<E>(runs: usize, mut run: impl FnMut(Timing) -> Result<Stages, E>) -> R
     })?;
     let mut device = repeat(runs, || -> Result<f64, E> { Ok(run(Timing::Whole)?.iter().map(|s| s.1).sum()) })?;
     let mut timed = repeat(runs, || run(Timing::Stages))?;
-    // Now and then a call goes another way (the earliest time tries a sample again): the way that most went.
+    // Now and then a call goes another way (the earliest time tries a sample again): the way that
+    // most went.
     let usual = |n: usize| timed.iter().filter(|s| s.len() == n).count();
     let n_stages = timed.iter().map(Vec::len).max_by_key(|&n| usual(n)).unwrap_or(0);
     timed.retain(|s| s.len() == n_stages);
@@ -125,8 +131,9 @@ fn row(text: &mut String, title: &str, m: &Measured, bytes: f64, peer: &str, not
         writeln!(text, "- {title}: **device {device:.3}**{peer}, wall {wall:.2}, floor {floor:.3}; {note}. Stages: {}.", parts.join(", "));
 }
 
-/// Bytes that must move between a device's memory and its processors for boxes, order and trees of a mesh: paths read; boxes written, and read for keys; four passes of a
-/// sort over keys and numbers, read and written, keys once more to be counted; boxes into their order, leaves written.
+/// Bytes that must move between a device's memory and its processors for boxes, order and trees of
+/// a mesh: paths read; boxes written, and read for keys; four passes of a sort over keys and
+/// numbers, read and written, keys once more to be counted; boxes into their order, leaves written.
 fn bytes_of_trees(mesh: &Mesh) -> f64 {
     let features = (mesh.n_vertices() + mesh.edges().len() + mesh.faces().len()) as f64;
     32.0 * mesh.n_vertices() as f64 + features * (24.0 + 24.0 + 4.0 * 20.0 + 24.0 + 24.0 + 16.0)

@@ -34,13 +34,16 @@ enum Task {
         #[arg(default_value = "")]
         name: String,
     },
-    /// Compile the shaders (needs the nightly of ccd-shaders/rust-toolchain.toml) and write them to ccd-gpu/shaders
+    /// Compile the shaders (needs the nightly of ccd-shaders/rust-toolchain.toml) and write them to
+    /// ccd-gpu/shaders
     Shaders {
-        /// Compare with the committed files instead; reported as skipped where the nightly is missing
+        /// Compare with the committed files instead; reported as skipped where the nightly is
+        /// missing
         #[arg(long)]
         check: bool,
     },
-    /// Measure against ipctk and parry3d and write benches/RESULTS.md (needs the data, python3, and pip or an installed ipctk)
+    /// Measure against ipctk and parry3d and write benches/RESULTS.md (needs the data, python3, and
+    /// pip or an installed ipctk)
     Report {
         /// Runs of each measurement; medians are reported
         #[arg(long, default_value_t = 5)]

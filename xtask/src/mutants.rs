@@ -26,8 +26,7 @@ pub fn run(root: &Path, name: &str) -> Result<(), String> {
     prepare(root, &copy)?;
     // All texts first: a list that is out of date costs no hour.
     let texts = chosen.iter().map(|m| mutated(&copy, m)).collect::<Result<Vec<_>, _>>();
-    let texts =
-        texts.map_err(|e| format!("{e}; xtask/src/mutations.rs must follow the sources"))?;
+    let texts = texts.map_err(|e| format!("{e}; xtask/src/mutations.rs must follow the sources"))?;
     match test(root, &copy)? {
         Outcome::Survived => println!("no mutation: all tests pass"),
         other => return Err(format!("without a mutation: {other:?}")),
@@ -77,14 +76,10 @@ fn prepare(root: &Path, copy: &Path) -> Result<(), String> {
     }
     let manifest = read(&root.join("Cargo.toml"))?;
     let shared = manifest.find("[workspace.package]").zip(manifest.find("[profile.release]"));
-    let (from, to) =
-        shared.ok_or("Cargo.toml has no [workspace.package] before [profile.release]")?;
+    let (from, to) = shared.ok_or("Cargo.toml has no [workspace.package] before [profile.release]")?;
     // Fast to compile, fast enough to run.
     let profile = "[profile.test]\nopt-level = 1\ndebug = false\n[profile.test.package.\"*\"]\nopt-level = 2\n";
-    let text = format!(
-        "[workspace]\nresolver = \"3\"\nmembers = [\"ccd-core\"]\n{}{profile}",
-        &manifest[from..to]
-    );
+    let text = format!("[workspace]\nresolver = \"3\"\nmembers = [\"ccd-core\"]\n{}{profile}", &manifest[from..to]);
     let path = copy.join("Cargo.toml");
     if read(&path).ok().as_ref() != Some(&text) { write(&path, &text) } else { Ok(()) }
 }
@@ -107,8 +102,7 @@ fn test(root: &Path, copy: &Path) -> Result<Outcome, String> {
         .env("RUST_BACKTRACE", "0")
         .output()
         .map_err(|e| format!("cargo: {e}"))?;
-    let (stdout, stderr) =
-        (String::from_utf8_lossy(&out.stdout), String::from_utf8_lossy(&out.stderr));
+    let (stdout, stderr) = (String::from_utf8_lossy(&out.stdout), String::from_utf8_lossy(&out.stderr));
     Ok(outcome(out.status.success(), &stdout, &stderr))
 }
 
@@ -117,13 +111,10 @@ fn outcome(success: bool, stdout: &str, stderr: &str) -> Outcome {
     if success {
         return Outcome::Survived;
     }
-    let failed =
-        stdout.lines().filter_map(|l| l.strip_prefix("---- ")?.strip_suffix(" stdout ----")).next();
+    let failed = stdout.lines().filter_map(|l| l.strip_prefix("---- ")?.strip_suffix(" stdout ----")).next();
     match failed {
         Some(name) => Outcome::Killed(name.into()),
-        None => Outcome::Broken(
-            stderr.lines().find(|l| l.contains("error")).unwrap_or("no test ran").into(),
-        ),
+        None => Outcome::Broken(stderr.lines().find(|l| l.contains("error")).unwrap_or("no test ran").into()),
     }
 }
 
@@ -171,11 +162,7 @@ mod tests {
         for (i, m) in MUTANTS.iter().enumerate() {
             assert_ne!(mutated(root, m), read(&root.join(m.file)), "{} changes nothing", m.name);
             mutated(root, m).unwrap_or_else(|e| panic!("{e}"));
-            assert!(
-                !m.why.is_empty() && MUTANTS[..i].iter().all(|n| n.name != m.name),
-                "{}",
-                m.name
-            );
+            assert!(!m.why.is_empty() && MUTANTS[..i].iter().all(|n| n.name != m.name), "{}", m.name);
         }
     }
 }

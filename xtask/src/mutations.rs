@@ -21,14 +21,7 @@ const fn mutant(name: Text, file: Text, text: Text, with: Text, why: Text) -> Mu
     Mutant { name, file, text, with, why, survives: None }
 }
 
-const fn equivalent(
-    name: Text,
-    file: Text,
-    text: Text,
-    with: Text,
-    why: Text,
-    survives: Text,
-) -> Mutant {
+const fn equivalent(name: Text, file: Text, text: Text, with: Text, why: Text, survives: Text) -> Mutant {
     Mutant { name, file, text, with, why, survives: Some(survives) }
 }
 
@@ -429,13 +422,7 @@ pub const MUTANTS: &[Mutant] = &[
         "self.min[0] < other.max[0]",
         "boxes that touch overlap",
     ),
-    mutant(
-        "union-swapped",
-        "ccd-core/src/math/aabb.rs",
-        "a.max[1].max(b.max[1])",
-        "a.max[1].min(b.max[1])",
-        "a union holds both boxes",
-    ),
+    mutant("union-swapped", "ccd-core/src/math/aabb.rs", "a.max[1].max(b.max[1])", "a.max[1].min(b.max[1])", "a union holds both boxes"),
     mutant(
         "inflated-inward",
         "ccd-core/src/math/aabb.rs",

@@ -1,4 +1,5 @@
-//! Whole runs side by side with ipctk and parry3d in one run, and the kernels of criterion, written to `benches/RESULTS.md`.
+//! Whole runs side by side with ipctk and parry3d in one run, and the kernels of criterion, written
+//! to `benches/RESULTS.md`.
 
 use ccd::{Aabb, BroadPhase, BroadPhaseMethod, Digest, Options, Session};
 use ccd_testkit::brute::swept_boxes;
@@ -145,7 +146,8 @@ fn measure_ipctk(root: &Path, name: &str, input: &Input, threads: usize, runs: u
     Ok(value)
 }
 
-/// Build and traversal of parry's tree over the same boxes: edges, faces, vertices against faces; its parallel traversal where it has one.
+/// Build and traversal of parry's tree over the same boxes: edges, faces, vertices against faces;
+/// its parallel traversal where it has one.
 struct Parry {
     edges: f64,
     faces: f64,

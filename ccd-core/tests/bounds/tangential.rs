@@ -44,18 +44,8 @@ fn check_query<R: Real>(q: &Query<R>) -> bool {
 
 /// The vertex passes a point of a face that turns, so that the cubic is a parabola that just reaches zero.
 const GRAZING: [Points<f64>; 2] = [
-    [
-        [-0.5406958777051462, 0.22532161286897426, 0.027710373284185068],
-        [0.0; 3],
-        [1.0, 0.0, -0.6464761151854638],
-        [0.0, 1.0, 0.0],
-    ],
-    [
-        [0.37682135579077886, 0.22532161286897426, -0.019311892065309713],
-        [0.0; 3],
-        [1.0, 0.0, 0.36357560701938263],
-        [0.0, 1.0, 0.0],
-    ],
+    [[-0.5406958777051462, 0.22532161286897426, 0.027710373284185068], [0.0; 3], [1.0, 0.0, -0.6464761151854638], [0.0, 1.0, 0.0]],
+    [[0.37682135579077886, 0.22532161286897426, -0.019311892065309713], [0.0; 3], [1.0, 0.0, 0.36357560701938263], [0.0, 1.0, 0.0]],
 ];
 
 #[test]
@@ -98,16 +88,10 @@ fn a_wrong_interval_and_a_late_verdict_are_noticed() {
     let face = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
     let at = |y: f64| [[0.25, y, 0.25], face[0], face[1], face[2]];
     let narrow = |x: Points<f64>| x.map(|p| p.map(|c| c as f32));
-    let Contact::At([lo, hi]) = exact::contact(Patch::Triangle, &at(1.0), &at(-1.0)) else {
-        panic!("no contact")
-    };
+    let Contact::At([lo, hi]) = exact::contact(Patch::Triangle, &at(1.0), &at(-1.0)) else { panic!("no contact") };
     assert!(lo <= 0.5 && hi >= 0.5 && hi - lo < 1e-15);
     assert_eq!(exact::contact(Patch::Triangle, &at(1.0), &at(0.5)), Contact::Free);
-    assert!(check_query(&Query {
-        patch: Patch::Triangle,
-        t0: narrow(at(1.0)),
-        t1: narrow(at(-1.0))
-    }));
+    assert!(check_query(&Query { patch: Patch::Triangle, t0: narrow(at(1.0)), t1: narrow(at(-1.0)) }));
 }
 
 #[test]

@@ -16,8 +16,7 @@ fn parts(x: f64) -> (i64, i32) {
     let bits = x.to_bits();
     let exponent = (bits >> 52 & 0x7ff) as i32;
     let fraction = (bits & ((1 << 52) - 1)) as i64;
-    let (m, e) =
-        if exponent == 0 { (fraction, -1074) } else { (fraction | 1 << 52, exponent - 1075) };
+    let (m, e) = if exponent == 0 { (fraction, -1074) } else { (fraction | 1 << 52, exponent - 1075) };
     (if x < 0.0 { -m } else { m }, e)
 }
 
@@ -25,8 +24,7 @@ fn parts(x: f64) -> (i64, i32) {
 fn integers<const N: usize>(x: [f64; N]) -> [BigInt; N] {
     let parts = x.map(parts);
     let least = parts.iter().filter(|p| p.0 != 0).map(|p| p.1).min().unwrap_or(0);
-    parts
-        .map(|(m, e)| if m == 0 { BigInt::zero() } else { BigInt::from(m) << (e - least) as usize })
+    parts.map(|(m, e)| if m == 0 { BigInt::zero() } else { BigInt::from(m) << (e - least) as usize })
 }
 
 /// Three times the control values of a cubic.
@@ -105,12 +103,10 @@ pub enum Contact {
 
 /// Of `v f0 f1 f2` or `ea0 ea1 eb0 eb1`.
 pub fn contact(patch: Patch, t0: &Points<f64>, t1: &Points<f64>) -> Contact {
-    let flat: [f64; 24] =
-        std::array::from_fn(|i| if i < 12 { t0[i / 3][i % 3] } else { t1[i / 3 - 4][i % 3] });
+    let flat: [f64; 24] = std::array::from_fn(|i| if i < 12 { t0[i / 3][i % 3] } else { t1[i / 3 - 4][i % 3] });
     let x = integers(flat);
-    let difference = |p: usize, q: usize| -> [Vector; 2] {
-        [0, 12].map(|t| std::array::from_fn(|k| &x[t + 3 * p + k] - &x[t + 3 * q + k]))
-    };
+    let difference =
+        |p: usize, q: usize| -> [Vector; 2] { [0, 12].map(|t| std::array::from_fn(|k| &x[t + 3 * p + k] - &x[t + 3 * q + k])) };
     let (a, b, c) = match patch {
         Patch::Triangle => (difference(0, 1), difference(2, 1), difference(3, 1)),
         Patch::Parallelogram => (difference(2, 0), difference(1, 0), difference(2, 3)),
@@ -126,16 +122,13 @@ pub fn contact(patch: Patch, t0: &Points<f64>, t1: &Points<f64>) -> Contact {
     let n: [Quadratic; 3] = std::array::from_fn(|k| quadratic(&b, &c, k));
     let dot = |t: usize, i: usize| (0..3).map(|k| &a[t][k] * &n[k][i]).sum::<BigInt>();
     // Six times the control values: index i of the product takes 1/3 or 2/3 of either way to split i.
-    let control =
-        [dot(0, 0) * 3, dot(1, 0) + dot(0, 1) * 2, dot(0, 2) + dot(1, 1) * 2, dot(1, 2) * 3];
+    let control = [dot(0, 0) * 3, dot(1, 0) + dot(0, 1) * 2, dot(0, 2) + dot(1, 1) * 2, dot(1, 2) * 3];
     let zeros = isolate(control);
     let mut certain = zeros.all;
     for at in zeros.at {
         let inside = (0..3).find_map(|k| {
             let (d, s, r) = (&n[k], quadratic(&a, &c, k), quadratic(&b, &a, k));
-            let minus = |p: &Quadratic, q: &Quadratic| -> Quadratic {
-                std::array::from_fn(|i| &p[i] - &q[i])
-            };
+            let minus = |p: &Quadratic, q: &Quadratic| -> Quadratic { std::array::from_fn(|i| &p[i] - &q[i]) };
             let positive = sign(d, at)?;
             let rest = match patch {
                 Patch::Triangle => vec![minus(&minus(d, &s), &r), s, r],
@@ -185,8 +178,5 @@ fn zeros_of_known_cubics() {
     // 1 - shift is zero everywhere or nowhere; t - shift at one place.
     assert!(zeros([1.0, 3.0, 3.0, 1.0], -0.5).is_empty());
     let all = zeros([0.0, 1.0, 2.0, 1.0], -0.1);
-    assert!(
-        !all.is_empty() && all.iter().all(|[lo, hi]| *lo <= 0.1 && 0.1 <= *hi && hi - lo < 1e-15),
-        "{all:?}"
-    );
+    assert!(!all.is_empty() && all.iter().all(|[lo, hi]| *lo <= 0.1 && 0.1 <= *hi && hi - lo < 1e-15), "{all:?}");
 }
