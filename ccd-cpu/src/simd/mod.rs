@@ -177,7 +177,7 @@ macro_rules! num {
             #[inline(always)]
             const fn all(x: f32) -> Self {
                 // SAFETY: a vector is its numbers, in order; every bit pattern is one.
-                Self(unsafe { std::mem::transmute::<[f32; $width], _>([x; $width]) })
+                unsafe { std::mem::transmute::<[f32; $width], Self>([x; $width]) }
             }
         }
 

@@ -181,3 +181,9 @@ fn filters_are_the_same_by_every_set() {
     #[cfg(target_arch = "aarch64")]
     check_same("NEON", &Neon::new().run(Filters), &want);
 }
+
+#[test]
+#[should_panic = "answer 1 is 0x3"]
+fn a_differing_answer_is_seen() {
+    check_same("changed", &[1, 3], &[1, 2]);
+}

@@ -121,14 +121,11 @@ impl<S: Simd> Work<S> for Filter<'_> {
 
     #[inline(always)]
     fn call(mut self, simd: S) {
-        match self.kind {
-            Kind::VertexFace => {
-                self.keep::<S, true, false>(simd);
-                self.keep::<S, true, true>(simd);
-            }
-            Kind::EdgeEdge => {
-                self.keep::<S, false, false>(simd);
-                self.keep::<S, false, true>(simd);
+        // The whole step, then its halves: a loop, so that the filters are compiled once for both.
+        for halves in [false, true] {
+            match self.kind {
+                Kind::VertexFace => self.keep::<S, true>(simd, halves),
+                Kind::EdgeEdge => self.keep::<S, false>(simd, halves),
             }
         }
     }
@@ -138,7 +135,7 @@ impl Filter<'_> {
     /// Keeps what cannot be rejected over the whole step or over one of its halves, in order. (No
     /// closures here: they would not be compiled with the instruction set.)
     #[inline(always)]
-    fn keep<S: Simd, const VERTEX_FACE: bool, const HALVES: bool>(&mut self, simd: S) {
+    fn keep<S: Simd, const VERTEX_FACE: bool>(&mut self, simd: S, halves: bool) {
         let patch = if VERTEX_FACE { Patch::Triangle } else { Patch::Parallelogram };
         let distance = S::Lanes::splat(self.scene.table_distance);
         let mut n = 0;
@@ -146,12 +143,12 @@ impl Filter<'_> {
             let end = (start + S::LANES).min(self.pairs.len());
             let pairs = &self.pairs[start..end];
             let motion = load(simd, self.scene, self.kind, patch, pairs);
-            let rejected = if HALVES {
-                cascade::apart_in_halves(&motion, patch, distance)
-            } else {
-                cascade::apart_throughout(&motion, patch, distance)
-            };
-            let mut left = !rejected.bits() & all(end - start);
+            let parts = if halves { motion.halves().into() } else { [motion; 2] };
+            let mut rejected = all(S::LANES);
+            for part in &parts[..1 + halves as usize] {
+                rejected &= cascade::apart_throughout(part, patch, distance).bits();
+            }
+            let mut left = !rejected & all(end - start);
             while left != 0 {
                 self.pairs[n] = self.pairs[start + left.trailing_zeros() as usize];
                 n += 1;
