@@ -210,7 +210,7 @@ pub struct Params {
     pub room_in: u32,
     /// Entries that the list which is written has room for.
     pub room_out: u32,
-    /// Items of a map.
+    /// Items of a map; where pairs are decided, undecided ones for which there is room.
     pub n: u32,
     /// What is subtracted from positions before they become `f32`: bits of `f64`, low words first.
     pub origin: [[u32; 2]; 3],

@@ -209,6 +209,7 @@ impl Buffers {
                 kind: kind as u32,
                 room_in: input.room(),
                 room_out: self.contacts.room(),
+                n: self.undecided[kind].room(),
                 path_error: self.positions.path_error,
                 ..*params
             };

@@ -133,10 +133,6 @@ impl Session {
         for list in self.buffers.lists_mut() {
             *list = list.resized(&self.device, entries)?;
         }
-        for kind in [0, 1] {
-            let room = self.buffers.survivors[kind].room();
-            self.buffers.undecided[kind].grow(&self.device, room)?;
-        }
         self.bench.forget();
         Ok(())
     }
@@ -285,10 +281,6 @@ impl Session {
         let mut grown = false;
         for (list, [wanted, _]) in buffers.lists_mut().zip(&headers) {
             grown |= list.grow(device, *wanted)?;
-        }
-        // What is left open is written without looking at the room: there must be as much as for what is decided.
-        for kind in [0, 1] {
-            buffers.undecided[kind].grow(device, buffers.survivors[kind].room())?;
         }
         if grown {
             bench.forget();

@@ -151,9 +151,9 @@ macro_rules! decide_entry {
                     }
                 }
                 barrier();
-                // As much room as in the list that is read: there cannot be more.
+                // Counted also beyond the room, so that the host sees how many there are.
                 let to = place(lane, open, counters, undecided);
-                if open {
+                if open && to < params.n {
                     put(undecided, LIST_HEADER + 2 * to as usize, touch.a);
                     put(undecided, LIST_HEADER + 2 * to as usize + 1, touch.b);
                 }

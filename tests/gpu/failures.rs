@@ -1,11 +1,15 @@
 //! What a caller sees when something is too short, too large, missing, or lost; and that a session goes on afterwards.
 
-use ccd::gpu::{BroadPhase, Device, DeviceOptions, Error, Session};
+use crate::support::{bytes, list, read, room};
+use ccd::gpu::{BroadPhase, Device, DeviceOptions, Error, Session, harness};
 use ccd::{Method, Options, Pair};
+use ccd_core::kernel::Id;
+use ccd_core::layout::{LIST_HEADER, Params, Path, TOUCH_WORDS};
 use ccd_testkit::generate::{crumpled_sheet, uniform_boxes};
 
 pub const TESTS: crate::Tests = &[
     ("lists_grow", check_growth),
+    ("rooms", check_rooms),
     ("bad_input", check_input),
     ("too_large", check_too_large),
     ("no_adapter", check_no_adapter),
@@ -28,6 +32,25 @@ fn check_growth(device: &Device) {
     assert_eq!(session.grown(), grown, "the second frame grows again");
     let candidates = session.candidates(&step.x0, &step.x1).unwrap();
     assert_eq!((candidates.vf.len() as u64, candidates.ee.len() as u64), (want.candidates.vf, want.candidates.ee));
+}
+
+/// Pairs that `f32` leaves open beyond the room of their list are counted and not written.
+fn check_rooms(device: &Device) {
+    // All vertices are one point: no arithmetic decides that.
+    let (n, room_open) = (200u32, 10u32);
+    let paths = vec![Path { t0: [0.0; 4], t1: [0.0; 4] }; 8];
+    let pairs: Vec<Pair> = (0..n).map(|i| Pair { a: i % 2, b: i % 2 }).collect();
+    for (id, elements) in [(Id::DecideVertexFace, vec![1u32, 2, 3, 4, 5, 6]), (Id::DecideEdgeEdge, vec![0, 1, 2, 3])] {
+        let params = Params { flags: Params::FLAG_KEEP, room_in: n, room_out: n, n: room_open, ..Params::default() };
+        let contacts = vec![0u8; 4 * (LIST_HEADER + TOUCH_WORDS * n as usize)];
+        let mut buffers = [bytes(&paths), bytes(&elements), list(&pairs), contacts, room(n), vec![0xff; 16]];
+        harness::run(device, id, &params, &mut buffers, 3, 65_535).unwrap();
+        let words: Vec<u32> = read(&buffers[4]);
+        assert_eq!(words[0], n, "not every pair is left open");
+        let (within, beyond) = words[LIST_HEADER..].split_at(2 * room_open as usize);
+        assert!(within.iter().any(|&w| w != 0), "nothing is written");
+        assert!(beyond.iter().all(|&w| w == 0), "written beyond the room: {beyond:?}");
+    }
 }
 
 fn check_input(device: &Device) {
